@@ -1,0 +1,54 @@
+set(BENTUR_HEADER_ONLY Boost::headers nlohmann_json::nlohmann_json)
+
+# bentur_module(NAME [DEPENDS target...] [PRIVATE_DEPENDS target...] [PRIVATE_HEADERS file...])
+# One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
+# Every header is public, and installed, but the PRIVATE_HEADERS.
+function(bentur_module name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS;PRIVATE_HEADERS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  list(TRANSFORM ARG_PRIVATE_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(REMOVE_ITEM headers "" ${ARG_PRIVATE_HEADERS})
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  add_library(bentur_${name} STATIC ${sources})
+  add_library(bentur::${name} ALIAS bentur_${name})
+  set_target_properties(bentur_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_sources(bentur_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+  target_link_libraries(bentur_${name} PUBLIC ${ARG_DEPENDS})
+  foreach(dependency IN LISTS ARG_PRIVATE_DEPENDS)
+    if(dependency IN_LIST BENTUR_HEADER_ONLY)  # nothing to link: users of the installed library need not have it
+      target_link_libraries(bentur_${name} PRIVATE $<BUILD_INTERFACE:${dependency}>)
+    else()
+      target_link_libraries(bentur_${name} PRIVATE ${dependency})
+    endif()
+  endforeach()
+  target_compile_features(bentur_${name} PUBLIC cxx_std_20)
+  bentur_compile_options(bentur_${name})
+  set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES bentur_${name})
+  if(BENTUR_BUILD_TESTS AND tests)
+    bentur_test(${name}_test SOURCES ${tests} LIBRARIES bentur::${name} ${ARG_PRIVATE_DEPENDS})
+  endif()
+endfunction()
+
+# bentur_test(NAME SOURCES file... [LIBRARIES target...]): a GoogleTest executable; CTest knows each of its cases.
+function(bentur_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  bentur_compile_options(${name})
+  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endfunction()
+
+# Contraction is off so that results do not depend on whether a processor has fused multiply-add.
+# g++ 12 sees overlapping copies in std::string that are none (GCC bug 105651).
+function(bentur_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+    -ffp-contract=off $<$<BOOL:${BENTUR_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()

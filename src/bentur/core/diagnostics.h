@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bentur {
+
+/// Where in a user's file something stands. Line and column count from 1; 0 means "the file as a whole".
+struct SourcePosition {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+/// One finding about a user's input, as the user reads it.
+struct Diagnostic {
+  SourcePosition position;
+  std::string message;  ///< "gap[0].contact.restitution = 1.4, must be in (0, 1]"
+
+  /// "case.toml:14:9: error: MESSAGE"; line and column are left out where they are 0.
+  [[nodiscard]] std::string text() const;
+};
+
+/// Collects every error of one input, so that the user sees all of them in one run.
+class Diagnostics {
+ public:
+  void error(SourcePosition position, std::string message);
+
+  [[nodiscard]] bool ok() const noexcept { return errors_.empty(); }
+  /// Sorted by file, line, column; what stands at the same place keeps the order it was found in.
+  [[nodiscard]] std::vector<Diagnostic> errors() const;
+
+ private:
+  std::vector<Diagnostic> errors_;
+};
+
+/// The entry of `known` nearest to `word` by edit distance (a swap of neighbours counts one), the first among equals,
+/// or an empty string where none is near enough to be meant (more than a third of the word's letters differ).
+[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace bentur

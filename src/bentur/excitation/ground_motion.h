@@ -1,0 +1,37 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace bentur {
+
+/// No ground motion: free vibration.
+struct NoMotion {};
+
+/// Accelerations every `time_step`, the first at t = 0; linear between samples, zero before the first and after the
+/// last.
+struct SampledMotion {
+  double time_step = 0;              ///< [s] > 0
+  std::vector<double> acceleration;  ///< [length/s²]
+};
+
+/// Harmonic ground acceleration for t ≥ 0, zero before: a_g = −A ω² sin ωt (displacement A sin ωt) or −A ω² cos ωt.
+struct HarmonicMotion {
+  enum class Phase { sine, cosine };
+  double period = 0;                  ///< [s] > 0
+  double displacement_amplitude = 0;  ///< A [length]
+  Phase phase = Phase::sine;
+};
+
+using GroundMotion = std::variant<NoMotion, SampledMotion, HarmonicMotion>;
+
+/// a_g(t) [length/s²], t in [s] since the motion's own start.
+[[nodiscard]] double acceleration_at(const GroundMotion& motion, double t);
+
+/// Largest |a_g| [length/s²].
+[[nodiscard]] double peak_acceleration(const GroundMotion& motion);
+
+/// Angular frequency ν [rad/s] of the motion between its samples: 0 for piecewise-linear ones.
+[[nodiscard]] double angular_frequency(const GroundMotion& motion);
+
+}  // namespace bentur

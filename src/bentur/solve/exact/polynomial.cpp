@@ -1,0 +1,170 @@
+#include "bentur/solve/exact/polynomial.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+namespace bentur::exact {
+namespace {
+
+/// Below this part of s an interval is a point.
+constexpr double smallest_width = 1e-13;
+/// A maximum is not refined beyond this part of its value.
+constexpr double round_off = 1e-16;
+
+/// Root of the continuous f between a and b, where fa and fb differ in sign (or are zero).
+template <class Function>
+double bracketed_root(const Function& f, double a, double b, double fa, double fb) {
+  if (fa == 0.0) return a;
+  if (fb == 0.0) return b;
+  std::uintmax_t iterations = 100;
+  const auto [low, high] =
+      boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return 0.5 * (low + high);
+}
+
+/// Bounds of |p''| and |p'''| on [0, b].
+struct Bounds {
+  double second;
+  double third;
+
+  Bounds(const Polynomial& p, double b) : second(0.0), third(0.0) {
+    for (int k = degree; k >= 3; --k) {
+      const double term = k * (k - 1.0) * std::abs(p[k]);
+      third = third * b + (k - 2.0) * term;
+      second = second * b + term;
+    }
+    second = second * b + 2.0 * std::abs(p[2]);
+  }
+};
+
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(const Polynomial& p) : p_(p) {}
+
+  /// First crossing in (a, b], given p(a) = pa ≥ 0 and p(b) = pb.
+  std::optional<double> search(double a, double b, double pa, double pb) const {
+    const double width = b - a;
+    const Bounds bounds(p_, b);
+    if (std::min(pa, pb) >= bounds.second * width * width / 8.0) return std::nullopt;
+    const double mid = 0.5 * (a + b);
+    const bool monotone = std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0;
+    if (monotone) return pb < 0.0 ? std::optional(crossing(a, b, pa, pb)) : std::nullopt;
+    const double curvature = second_derivative(p_, mid);
+    if (std::abs(curvature) > bounds.third * width / 2.0) {
+      if (curvature > 0.0) return search_convex(a, b, pa, pb);
+      if (pb >= 0.0) return std::nullopt;  // concave: never below its chord
+      if (pa > 0.0) return crossing(a, b, pa, pb);
+    }
+    if (width < smallest_width * b) return pb < 0.0 ? std::optional(b) : std::nullopt;
+    const double pm = value(p_, mid);
+    if (pm < 0.0) return search(a, mid, pa, pm);
+    if (const auto found = search(a, mid, pa, pm)) return found;
+    return search(mid, b, pm, pb);
+  }
+
+ private:
+  double crossing(double a, double b, double pa, double pb) const {
+    return bracketed_root([this](double s) { return value(p_, s); }, a, b, pa, pb);
+  }
+
+  std::optional<double> search_convex(double a, double b, double pa, double pb) const {
+    if (pb < 0.0) return crossing(a, b, pa, pb);
+    const double da = first_derivative(p_, a);
+    const double db = first_derivative(p_, b);
+    if (da >= 0.0 || db <= 0.0) return std::nullopt;
+    const double lowest = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
+    const double pl = value(p_, lowest);
+    return pl < 0.0 ? std::optional(crossing(a, lowest, pa, pl)) : std::nullopt;
+  }
+
+  const Polynomial& p_;
+};
+
+class MaximumSearch {
+ public:
+  MaximumSearch(const Polynomial& p, double& best, double& where) : p_(p), best_(best), where_(where) {}
+
+  void search(double a, double b, double pa, double pb) {
+    take(pa, a);
+    take(pb, b);
+    const double width = b - a;
+    const Bounds bounds(p_, b);
+    const double rise = bounds.second * width * width / 8.0;
+    if (std::max(pa, pb) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) return;
+    const double mid = 0.5 * (a + b);
+    if (std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0) return;  // monotone: the ends were taken
+    if (std::abs(second_derivative(p_, mid)) > bounds.third * width / 2.0) {
+      const double da = first_derivative(p_, a);
+      const double db = first_derivative(p_, b);
+      if (da > 0.0 && db < 0.0) {
+        const double top = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
+        take(value(p_, top), top);
+      }
+      return;
+    }
+    const double pm = value(p_, mid);
+    search(a, mid, pa, pm);
+    search(mid, b, pm, pb);
+  }
+
+  [[nodiscard]] bool raised() const { return raised_; }
+
+ private:
+  void take(double candidate, double s) {
+    if (candidate > best_) {
+      best_ = candidate;
+      where_ = s;
+      raised_ = true;
+    }
+  }
+
+  const Polynomial& p_;
+  double& best_;
+  double& where_;
+  bool raised_ = false;
+};
+
+}  // namespace
+
+double value(const Polynomial& p, double s) {
+  double sum = p[degree];
+  for (int k = degree - 1; k >= 0; --k) sum = sum * s + p[k];
+  return sum;
+}
+
+double first_derivative(const Polynomial& p, double s) {
+  double sum = degree * p[degree];
+  for (int k = degree - 1; k >= 1; --k) sum = sum * s + k * p[k];
+  return sum;
+}
+
+double second_derivative(const Polynomial& p, double s) {
+  double sum = degree * (degree - 1.0) * p[degree];
+  for (int k = degree - 1; k >= 2; --k) sum = sum * s + k * (k - 1.0) * p[k];
+  return sum;
+}
+
+double integral(const Polynomial& p, double end) {
+  double sum = p[degree] / (degree + 1.0);
+  for (int k = degree - 1; k >= 0; --k) sum = sum * end + p[k] / (k + 1.0);
+  return sum * end;
+}
+
+double root(const Polynomial& p, double a, double b) {
+  return bracketed_root([&p](double s) { return value(p, s); }, a, b, value(p, a), value(p, b));
+}
+
+std::optional<double> first_negative(const Polynomial& p) {
+  if (p[0] < 0.0) return 0.0;
+  return CrossingSearch(p).search(0.0, 1.0, p[0], value(p, 1.0));
+}
+
+bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where) {
+  MaximumSearch search(p, best, where);
+  search.search(0.0, end, p[0], value(p, end));
+  return search.raised();
+}
+
+}  // namespace bentur::exact

@@ -1,0 +1,84 @@
+#include "bentur/solve/problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+namespace {
+
+void require(bool ok, const std::string& parameter, const std::string& value, const std::string& rule) {
+  if (!ok) throw InvalidParameter(parameter, value, rule);
+}
+
+void require(bool ok, const std::string& parameter, double value, const std::string& rule) {
+  require(ok, parameter, fmt::format("{}", value), rule);
+}
+
+void check_building(const Building& building, std::size_t b) {
+  const Eigen::Index dofs = building.model.dofs();
+  const auto name = fmt::format("buildings[{}]", b);
+  require(building.model.floors() > 0, name, building.name, "must have a floor");
+  require(building.model.storey_heights.size() == building.model.elevations.size(), name + ".model.storey_heights",
+          fmt::format("{} entries", building.model.storey_heights.size()), "must have one entry per floor");
+  require(building.model.stiffness.rows() == dofs && building.model.load.size() == dofs &&
+              building.modes.shapes.rows() == dofs && building.modes.shapes.cols() == building.modes.omega.size() &&
+              building.modal_damping.rows() == building.modes.omega.size(),
+          name, building.name, "must have matrices of one size");
+  require(building.modes.omega.allFinite() && (building.modes.omega.array() >= 0.0).all(), name + ".modes.omega",
+          building.name, "must be finite and ≥ 0");
+}
+
+void check_point(const Problem& problem, const ContactPoint& point, std::size_t i) {
+  const auto name = fmt::format("points[{}]", i);
+  const auto last = static_cast<int>(problem.buildings.size()) - 1;
+  require(point.left >= 0 && point.left < last, name + ".left", point.left, "must have a building to its right");
+  const auto left = static_cast<std::size_t>(point.left);
+  const auto floors = [&](std::size_t b) { return static_cast<int>(problem.buildings[b].model.floors()); };
+  require(point.left_floor >= 0 && point.left_floor < floors(left), name + ".left_floor", point.left_floor,
+          "must be a floor of the left building");
+  require(point.right_floor >= 0 && point.right_floor < floors(left + 1), name + ".right_floor", point.right_floor,
+          "must be a floor of the right building");
+  require(std::isfinite(point.width) && point.width >= 0.0, name + ".width", point.width, "must be finite and ≥ 0");
+  require(point.law != nullptr, name + ".law", "none", "must be given");
+}
+
+void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& problem, const std::string& name) {
+  if (values.empty()) return;
+  require(values.size() == problem.buildings.size(), name, fmt::format("{} entries", values.size()),
+          "must be empty or have one entry per building");
+  for (std::size_t b = 0; b < values.size(); ++b) {
+    require(values[b].size() == problem.buildings[b].model.dofs() && values[b].allFinite(),
+            fmt::format("{}[{}]", name, b), fmt::format("{} entries", values[b].size()),
+            "must have one finite entry per degree of freedom");
+  }
+}
+
+}  // namespace
+
+void validate(const Problem& problem) {
+  require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b);
+  for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
+  require(problem.delays.size() == problem.buildings.size(), "delays", fmt::format("{} entries", problem.delays.size()),
+          "must have one entry per building");
+  for (const double delay : problem.delays) {
+    require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
+  }
+  if (const auto* sampled = std::get_if<SampledMotion>(&problem.motion)) {
+    require(std::isfinite(sampled->time_step) && sampled->time_step > 0.0, "motion.time_step", sampled->time_step,
+            "must be finite and > 0");
+  }
+  if (const auto* harmonic = std::get_if<HarmonicMotion>(&problem.motion)) {
+    require(std::isfinite(harmonic->period) && harmonic->period > 0.0, "motion.period", harmonic->period,
+            "must be finite and > 0");
+  }
+  require(std::isfinite(problem.duration) && problem.duration > 0.0, "duration", problem.duration,
+          "must be finite and > 0");
+  check_initial(problem.initial_displacement, problem, "initial_displacement");
+  check_initial(problem.initial_velocity, problem, "initial_velocity");
+}
+
+}  // namespace bentur

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace bentur {
+
+/// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:
+/// docs/theory/structure.md). Degrees of freedom: one sway per floor first (bottom to top), then any joint rotations
+/// that were kept. p(t) = −load · a_g(t), load = M r + m_g reduced as T-transpose (theory 2).
+struct StructuralModel {
+  std::vector<double> elevations;      ///< [length] of the floors above the ground datum, bottom to top; size floors
+  std::vector<double> storey_heights;  ///< [length], bottom to top; size floors
+  Eigen::MatrixXd mass;                ///< M [mass], symmetric positive definite, dofs × dofs
+  Eigen::MatrixXd stiffness;           ///< K [force/length], symmetric positive definite, dofs × dofs
+  Eigen::VectorXd load;                ///< M r + m_g [mass], dofs
+  [[nodiscard]] Eigen::Index floors() const { return static_cast<Eigen::Index>(elevations.size()); }
+  [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
+};
+
+/// Undamped modes: K φ = ω² M φ, ΦᵀMΦ = 1, first non-zero entry of each shape positive, ω ascending.
+struct Modes {
+  Eigen::VectorXd omega;   ///< [rad/s]
+  Eigen::MatrixXd shapes;  ///< Φ [mass^-1/2], one mode a column
+};
+
+/// A building as the rest of the program sees it.
+struct Building {
+  std::string name;
+  StructuralModel model;
+  Modes modes;
+  Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s], modes × modes; diagonal 2ζω for classical damping
+};
+
+}  // namespace bentur

@@ -1,0 +1,132 @@
+#include "bentur/structure/condensation.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <stdexcept>
+
+#include "bentur/core/errors.h"
+#include "bentur/structure/modes.h"
+#include "bentur/structure/plane_frame.h"
+#include "tests/support/exact/monograph_frames.h"
+
+namespace bentur {
+namespace {
+
+StructuralModel full_frame(int model = 1) { return assemble_plane_frame(exact::monograph_frame(model)); }
+
+// Six storeys, two bays [m, kN].
+StructuralModel tall_frame() {
+  PlaneFrame frame;
+  frame.elastic_modulus = 3e7;
+  frame.storey_heights.assign(6, 3.2);
+  frame.bay_widths = {5.0, 6.0};
+  frame.columns.assign(6, {0.16, 2.1e-3, 1.3});
+  frame.beams.assign(6, {0.15, 3.1e-3, 2.2});
+  frame.floor_masses.assign(6, 20.0);
+  return assemble_plane_frame(frame);
+}
+
+TEST(StaticCondensation, StaticResponseIsExact) {
+  for (const StructuralModel& full : {full_frame(), tall_frame()}) {
+    const Eigen::Index n = full.floors();
+    const StructuralModel reduced = condense_statically(full, n);
+    for (Eigen::Index floor = 0; floor < n; ++floor) {
+      Eigen::VectorXd force = Eigen::VectorXd::Zero(full.dofs());
+      force(floor) = 7.0;
+      const Eigen::VectorXd expected = full.stiffness.partialPivLu().solve(force);
+      const Eigen::VectorXd actual = reduced.stiffness.partialPivLu().solve(force.head(n));
+      // The condition number of these matrices is some 1e4.
+      EXPECT_LE((actual - expected.head(n)).norm(), 1e-12 * expected.head(n).norm());
+    }
+  }
+}
+
+TEST(StaticCondensation, MassAndLoadAreTheEnergyAndWorkOfTheRigidShapes) {
+  const StructuralModel full = full_frame();
+  const StructuralModel reduced = condense_statically(full, 3);
+  Eigen::MatrixXd t(9, 3);
+  t << Eigen::Matrix3d::Identity(),
+      -full.stiffness.bottomRightCorner(6, 6).inverse() * full.stiffness.bottomLeftCorner(6, 3);
+  EXPECT_TRUE(reduced.mass.isApprox(t.transpose() * full.mass * t, 1e-13));
+  EXPECT_TRUE(reduced.stiffness.isApprox(t.transpose() * full.stiffness * t, 1e-12));
+  EXPECT_TRUE(reduced.load.isApprox(t.transpose() * full.load, 1e-13));
+  EXPECT_EQ(reduced.mass, reduced.mass.transpose());
+  EXPECT_EQ(reduced.stiffness, reduced.stiffness.transpose());
+  EXPECT_EQ(reduced.elevations, full.elevations);
+  EXPECT_EQ(reduced.storey_heights, full.storey_heights);
+}
+
+TEST(StaticCondensation, FrequenciesAreUpperBounds) {
+  // A Ritz method: every reduced frequency is at or above its own in the full model, and here within a few per cent.
+  for (const StructuralModel& full : {full_frame(), tall_frame()}) {
+    const Eigen::Index n = full.floors();
+    const StructuralModel reduced = condense_statically(full, n);
+    const Eigen::VectorXd expected = modes(full.mass, full.stiffness).omega;
+    const Eigen::VectorXd actual = modes(reduced.mass, reduced.stiffness).omega;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      EXPECT_GT(actual(j), expected(j));
+      EXPECT_LT(actual(j), 1.05 * expected(j));
+    }
+  }
+}
+
+TEST(DynamicCondensation, TheChosenModeIsExact) {
+  for (const StructuralModel& full : {full_frame(1), full_frame(2), full_frame(4), tall_frame()}) {
+    const Eigen::Index n = full.floors();
+    const Modes expected = modes(full.mass, full.stiffness);
+    for (Eigen::Index mode = 0; mode < n; ++mode) {
+      const StructuralModel reduced = condense_dynamically(full, n, mode);
+      const Modes actual = modes(reduced.mass, reduced.stiffness);
+      EXPECT_NEAR(actual.omega(mode) / expected.omega(mode), 1, 1e-10) << mode;
+      // The shape too, and as TᵀMT carries the rotations' inertia, its normalisation and its participation.
+      const double scale = expected.shapes.col(mode).head(n).cwiseAbs().maxCoeff();
+      EXPECT_LE((actual.shapes.col(mode) - expected.shapes.col(mode).head(n)).cwiseAbs().maxCoeff(), 1e-9 * scale);
+      EXPECT_NEAR(actual.shapes.col(mode).dot(reduced.load), expected.shapes.col(mode).dot(full.load),
+                  1e-9 * std::sqrt(full.load.head(n).sum()));
+    }
+  }
+}
+
+TEST(DynamicCondensation, StaticIsNotExact) {
+  // So the test above can fail: the static reduction misses the third mode by more than 1e-5.
+  const StructuralModel full = full_frame();
+  const StructuralModel reduced = condense_statically(full, 3);
+  const double ratio = modes(reduced.mass, reduced.stiffness).omega(2) / modes(full.mass, full.stiffness).omega(2);
+  EXPECT_GT(ratio, 1 + 1e-5);
+}
+
+TEST(DynamicCondensation, MasslessSecondaryIsStatic) {
+  PlaneFrame frame = exact::monograph_frame(1);
+  frame.mass_matrix = MassMatrix::lumped;
+  const StructuralModel full = assemble_plane_frame(frame);
+  const StructuralModel expected = condense_statically(full, 3);
+  for (Eigen::Index mode = 0; mode < 3; ++mode) {
+    const StructuralModel actual = condense_dynamically(full, 3, mode);
+    EXPECT_TRUE(actual.stiffness.isApprox(expected.stiffness, 1e-12));
+    EXPECT_TRUE(actual.mass.isApprox(expected.mass, 1e-13));
+  }
+}
+
+TEST(Condensation, NothingToCondense) {
+  const StructuralModel full = full_frame();
+  EXPECT_EQ(condense_statically(full, 9).stiffness, full.stiffness);
+  EXPECT_EQ(condense_dynamically(full, 9, 4).mass, full.mass);
+}
+
+TEST(Condensation, BadParametersAreRefused) {
+  const StructuralModel full = full_frame();
+  for (const Eigen::Index primary : {-1, 0, 2, 10}) {
+    EXPECT_THROW(static_cast<void>(condense_statically(full, primary)), InvalidParameter) << primary;
+    EXPECT_THROW(static_cast<void>(condense_dynamically(full, primary)), InvalidParameter) << primary;
+  }
+  EXPECT_THROW(static_cast<void>(condense_dynamically(full, 3, -1)), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(condense_dynamically(full, 3, 3)), InvalidParameter);
+  StructuralModel loose = full;
+  loose.stiffness.bottomRightCorner(6, 6).setZero();
+  EXPECT_THROW(static_cast<void>(condense_statically(loose, 3)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,123 @@
+#include "bentur/structure/damping.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "bentur/core/errors.h"
+#include "bentur/structure/modes.h"
+#include "bentur/structure/stick.h"
+
+namespace bentur {
+namespace {
+
+StructuralModel example() { return stick_model({{3, 3, 3, 3}, {45, 45, 40, 40}, {38e3, 34e3, 30e3, 26e3}}); }
+
+Modes example_modes() {
+  const StructuralModel model = example();
+  return modes(model.mass, model.stiffness);
+}
+
+// ζ of each mode from a diagonal ΦᵀCΦ.
+Eigen::VectorXd ratios(const Eigen::MatrixXd& damping, const Modes& shapes) {
+  EXPECT_EQ((damping - Eigen::MatrixXd(damping.diagonal().asDiagonal())).norm(), 0);
+  return damping.diagonal().cwiseQuotient(2 * shapes.omega);
+}
+
+TEST(Damping, OneRatioForAllModes) {
+  const Modes shapes = example_modes();
+  const Eigen::VectorXd actual = ratios(modal_damping(ModalDamping{{0.05}}, shapes), shapes);
+  for (Eigen::Index j = 0; j < 4; ++j) EXPECT_DOUBLE_EQ(actual(j), 0.05);
+  EXPECT_EQ(modal_damping(ModalDamping{{0.0}}, shapes).norm(), 0);
+}
+
+TEST(Damping, ARatioForEachMode) {
+  const Modes shapes = example_modes();
+  const Eigen::VectorXd actual = ratios(modal_damping(ModalDamping{{0.05, 0.04, 0.03, 0.0}}, shapes), shapes);
+  EXPECT_LE((actual - Eigen::Vector4d(0.05, 0.04, 0.03, 0.0)).cwiseAbs().maxCoeff(), 1e-16);
+}
+
+TEST(Damping, RayleighMeetsBothPeriods) {
+  const Modes shapes = example_modes();
+  const double two_pi = 2 * std::numbers::pi;
+  const Eigen::VectorXd actual =
+      ratios(modal_damping(RayleighDamping{{0.05, 0.03}, {two_pi / shapes.omega(2), two_pi / shapes.omega(0)}}, shapes),
+             shapes);
+  EXPECT_NEAR(actual(2), 0.05, 1e-15);
+  EXPECT_NEAR(actual(0), 0.03, 1e-15);
+}
+
+TEST(Damping, RayleighIsAlphaMPlusBetaK) {
+  // ζ = α/(2ω) + βω/2 for equal ratios: α = 2ζω₁ω₂/(ω₁+ω₂), β = 2ζ/(ω₁+ω₂). The same C given as a matrix agrees.
+  const StructuralModel model = example();
+  const Modes shapes = example_modes();
+  const double w1 = 2 * std::numbers::pi / 0.4, w2 = 2 * std::numbers::pi / 0.1;
+  const double alpha = 2 * 0.05 * w1 * w2 / (w1 + w2), beta = 2 * 0.05 / (w1 + w2);
+  const Eigen::MatrixXd rayleigh = modal_damping(RayleighDamping{{0.05, 0.05}, {0.4, 0.1}}, shapes);
+  const Eigen::VectorXd actual = ratios(rayleigh, shapes);
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    EXPECT_NEAR(actual(j), alpha / (2 * shapes.omega(j)) + beta * shapes.omega(j) / 2, 1e-15);
+  }
+  const Eigen::MatrixXd matrix = modal_damping(MatrixDamping{alpha * model.mass + beta * model.stiffness}, shapes);
+  EXPECT_LE((matrix - rayleigh).cwiseAbs().maxCoeff(), 1e-12 * rayleigh.maxCoeff());
+  EXPECT_EQ((matrix - Eigen::MatrixXd(matrix.diagonal().asDiagonal())).norm(), 0);  // classical: off-diagonals are zero
+}
+
+TEST(Damping, MassProportional) {
+  // (2-25): α = 2 ζ₁ ω₁ is the same in every mode, so ζ_j = ζ₁ ω₁/ω_j.
+  const Modes shapes = example_modes();
+  const Eigen::VectorXd actual = ratios(modal_damping(MassProportionalDamping{0.05}, shapes), shapes);
+  for (Eigen::Index j = 0; j < 4; ++j) EXPECT_NEAR(actual(j), 0.05 * shapes.omega(0) / shapes.omega(j), 1e-16);
+}
+
+TEST(Damping, MatrixThatIsNotClassicalKeepsItsCoupling) {
+  // A dashpot at the top floor only: ΦᵀCΦ = c φ_n φ_nᵀ with φ_n the modes' top entries.
+  const Modes shapes = example_modes();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
+  matrix(3, 3) = 12;
+  const Eigen::MatrixXd actual = modal_damping(MatrixDamping{matrix}, shapes);
+  const Eigen::VectorXd top = shapes.shapes.row(3);
+  EXPECT_LE((actual - 12 * top * top.transpose()).cwiseAbs().maxCoeff(), 1e-15 * actual.maxCoeff() * 10);
+  EXPECT_GT(std::abs(actual(0, 1)), 1e-3 * actual.maxCoeff());
+}
+
+TEST(Damping, BadParametersAreNamed) {
+  const Modes shapes = example_modes();
+  const auto expect = [&](const Damping& damping, const std::string& name) {
+    try {
+      static_cast<void>(modal_damping(damping, shapes));
+      ADD_FAILURE() << name << " was taken";
+    } catch (const InvalidParameter& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(name + " = ", 0), 0U) << error.what();
+    }
+  };
+  expect(ModalDamping{{}}, "damping ratios");
+  expect(ModalDamping{{0.05, 0.05}}, "damping ratios");
+  expect(ModalDamping{{-0.01}}, "damping ratios[0]");
+  expect(ModalDamping{{0.05, 0.05, std::nan(""), 0.05}}, "damping ratios[2]");
+  expect(RayleighDamping{{0.05}, {0.4, 0.1}}, "rayleigh ratios");
+  expect(RayleighDamping{{0.05, 0.05}, {0.4, 0.1, 0.2}}, "rayleigh periods");
+  expect(RayleighDamping{{0.05, 0.05}, {0.4, 0.4}}, "rayleigh periods");
+  expect(RayleighDamping{{0.05, 0.05}, {0.4, 0}}, "rayleigh periods[1]");
+  expect(RayleighDamping{{0.05, -0.05}, {0.4, 0.1}}, "rayleigh ratios[1]");
+  expect(RayleighDamping{{0.20, 0.0}, {0.6, 0.3}}, "rayleigh ratios");  // would feed energy into the upper modes
+  expect(MassProportionalDamping{-1}, "mass_proportional");
+  expect(MatrixDamping{Eigen::MatrixXd::Zero(3, 3)}, "damping matrix");
+  expect(MatrixDamping{Eigen::MatrixXd::Constant(4, 4, std::nan(""))}, "damping matrix");
+}
+
+TEST(Building, IsPutTogether) {
+  const StructuralModel model = example();
+  const Building building = make_building("B", model, ModalDamping{{0.03}});
+  const Modes shapes = example_modes();
+  EXPECT_EQ(building.name, "B");
+  EXPECT_EQ(building.model.stiffness, model.stiffness);
+  EXPECT_EQ(building.modes.omega, shapes.omega);
+  EXPECT_EQ(building.modes.shapes, shapes.shapes);
+  EXPECT_EQ(building.modal_damping, modal_damping(ModalDamping{{0.03}}, shapes));
+}
+
+}  // namespace
+}  // namespace bentur

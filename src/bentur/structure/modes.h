@@ -1,0 +1,25 @@
+#pragma once
+
+#include "bentur/structure/building.h"
+
+namespace bentur {
+
+/// Modes by Eigen's generalized self-adjoint solver, ω² to round-off of the largest one. A shape's sign makes its first
+/// entry above 1e-9 of its largest positive. @throws std::runtime_error when M or K is not positive definite.
+[[nodiscard]] Modes modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
+
+/// Modes the monograph's way: Cholesky M = LLᵀ, A = L⁻¹KL⁻ᵀ, cyclic Jacobi rotations on A, φ = L⁻ᵀy, (2-8)…(2-13).
+/// Same signs and errors.
+[[nodiscard]] Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
+
+struct ModalProperties {
+  Eigen::VectorXd periods;                  ///< [s], 2π/ω
+  Eigen::VectorXd participation;            ///< Γ = φᵀ load [mass^½]
+  Eigen::VectorXd effective_mass_fraction;  ///< Γ²/ΣΓ² [-]; with m_g = 0 the sum is the moving mass rᵀMr
+};
+[[nodiscard]] ModalProperties modal_properties(const Modes& modes, const Eigen::VectorXd& load);
+
+/// Scales K so that the first period is `first_period` [s]. @throws InvalidParameter unless that is finite and > 0.
+void calibrate_period(StructuralModel& model, double first_period);
+
+}  // namespace bentur

@@ -1,0 +1,160 @@
+#include "bentur/structure/plane_frame.h"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <numeric>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+#include "bentur/structure/condensation.h"
+
+namespace bentur {
+namespace {
+
+constexpr Eigen::Index fixed = -1;  // a degree of freedom that does not move
+
+using ElementDofs = std::array<Eigen::Index, 4>;
+
+// Element stiffness (2-48) for the end displacements (y₁, θ₁, y₂, θ₂), θ = dy/dx.
+// A column is run from bottom to top with y to the right, a beam from left to right with y downwards: then every θ is
+// clockwise, as 4.1.2 has it.
+Eigen::Matrix4d element_stiffness(double rigidity, double length) {
+  const double l = length;
+  Eigen::Matrix4d k;
+  k << 6, 3 * l, -6, 3 * l,             //
+      3 * l, 2 * l * l, -3 * l, l * l,  //
+      -6, -3 * l, 6, -3 * l,            //
+      3 * l, l * l, -3 * l, 2 * l * l;
+  return 2 * rigidity / (l * l * l) * k;
+}
+
+// Element consistent mass (2-50) of a member of the given whole mass.
+Eigen::Matrix4d element_mass(double mass, double length) {
+  const double l = length;
+  Eigen::Matrix4d m;
+  m << 156, 22 * l, 54, -13 * l,              //
+      22 * l, 4 * l * l, 13 * l, -3 * l * l,  //
+      54, 13 * l, 156, -22 * l,               //
+      -13 * l, -3 * l * l, -22 * l, 4 * l * l;
+  return mass / 420 * m;
+}
+
+void add(Eigen::MatrixXd& matrix, const Eigen::Matrix4d& element, const ElementDofs& dofs) {
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    for (Eigen::Index j = 0; j < 4; ++j) {
+      const Eigen::Index row = dofs[static_cast<std::size_t>(i)];
+      const Eigen::Index column = dofs[static_cast<std::size_t>(j)];
+      if (row != fixed && column != fixed) matrix(row, column) += element(i, j);
+    }
+  }
+}
+
+void check_sections(const std::string& name, const std::vector<Section>& sections, std::size_t expected) {
+  require_size(name, sections.size(), expected);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    require_positive(indexed(name, i) + ".area", sections[i].area);
+    require_positive(indexed(name, i) + ".inertia", sections[i].inertia);
+    require_not_negative(indexed(name, i) + ".mass", sections[i].mass);
+  }
+}
+
+void check(const PlaneFrame& frame, double base_elevation) {
+  const std::size_t floors = frame.storey_heights.size();
+  if (floors == 0) throw InvalidParameter("storey_heights", "an empty list", "must have at least one entry");
+  if (frame.bay_widths.empty()) throw InvalidParameter("bay_widths", "an empty list", "must have at least one entry");
+  require_positive("elastic_modulus", frame.elastic_modulus);
+  require_finite("base_elevation", base_elevation);
+  for (std::size_t i = 0; i < floors; ++i) {
+    require_positive(indexed("storey_heights", i), frame.storey_heights[i]);
+  }
+  for (std::size_t i = 0; i < frame.bay_widths.size(); ++i) {
+    require_positive(indexed("bay_widths", i), frame.bay_widths[i]);
+  }
+  check_sections("columns", frame.columns, floors);
+  check_sections("beams", frame.beams, floors);
+  if (!frame.floor_masses.empty()) require_size("floor_masses", frame.floor_masses.size(), floors);
+  for (std::size_t i = 0; i < frame.floor_masses.size(); ++i) {
+    require_not_negative(indexed("floor_masses", i), frame.floor_masses[i]);
+  }
+}
+
+}  // namespace
+
+StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation) {
+  check(frame, base_elevation);
+  const auto floors = static_cast<Eigen::Index>(frame.storey_heights.size());
+  const auto lines = static_cast<Eigen::Index>(frame.bay_widths.size()) + 1;
+  const Eigen::Index dofs = floors + floors * lines;
+  // Floor −1 is the base.
+  const auto sway = [&](Eigen::Index floor) { return floor < 0 ? fixed : floor; };
+  const auto rotation = [&](Eigen::Index floor, Eigen::Index line) {
+    return floor < 0 ? fixed : floors + floor * lines + line;
+  };
+  const bool consistent = frame.mass_matrix == MassMatrix::consistent;
+
+  StructuralModel model;
+  model.storey_heights = frame.storey_heights;
+  model.elevations.resize(frame.storey_heights.size());
+  std::partial_sum(frame.storey_heights.begin(), frame.storey_heights.end(), model.elevations.begin());
+  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.stiffness = Eigen::MatrixXd::Zero(dofs, dofs);
+  model.mass = Eigen::MatrixXd::Zero(dofs, dofs);
+  Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);  // m_g of theory 2 [mass]
+
+  for (Eigen::Index floor = 0; floor < floors; ++floor) {
+    const auto i = static_cast<std::size_t>(floor);
+    const Section& column = frame.columns[i];
+    const double height = frame.storey_heights[i];
+    const Eigen::Matrix4d column_stiffness = element_stiffness(frame.elastic_modulus * column.inertia, height);
+    const Eigen::Matrix4d column_mass = element_mass(column.mass, height);
+    for (Eigen::Index line = 0; line < lines; ++line) {
+      const ElementDofs ends = {sway(floor - 1), rotation(floor - 1, line), sway(floor), rotation(floor, line)};
+      add(model.stiffness, column_stiffness, ends);
+      if (consistent) {
+        add(model.mass, column_mass, ends);
+        if (floor == 0) {  // forces at the upper end for a unit acceleration of the lower one: column 1 of (2-50)
+          base_coupling(ends[2]) += column_mass(2, 0);
+          base_coupling(ends[3]) += column_mass(3, 0);
+        }
+      } else {
+        model.mass(floor, floor) += column.mass / 2;
+        if (floor > 0) model.mass(floor - 1, floor - 1) += column.mass / 2;
+      }
+    }
+    const Section& beam = frame.beams[i];
+    for (std::size_t bay = 0; bay < frame.bay_widths.size(); ++bay) {
+      const double width = frame.bay_widths[bay];
+      const auto line = static_cast<Eigen::Index>(bay);
+      const ElementDofs ends = {fixed, rotation(floor, line), fixed, rotation(floor, line + 1)};
+      add(model.stiffness, element_stiffness(frame.elastic_modulus * beam.inertia, width), ends);
+      if (consistent) add(model.mass, element_mass(beam.mass, width), ends);
+      model.mass(floor, floor) += beam.mass;  // it moves bodily with its floor
+    }
+    if (!frame.floor_masses.empty()) model.mass(floor, floor) += frame.floor_masses[i];
+  }
+  for (Eigen::Index floor = 0; floor < floors; ++floor) {
+    if (!(model.mass(floor, floor) > 0)) {
+      throw InvalidParameter(indexed("floor_masses", static_cast<std::size_t>(floor)), "0",
+                             "must be > 0 where columns and beams have no mass");
+    }
+  }
+
+  model.load = model.mass.leftCols(floors).rowwise().sum();  // M r
+  if (frame.base_coupling) model.load += base_coupling;
+  return model;
+}
+
+StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation) {
+  StructuralModel model = assemble_plane_frame(frame, base_elevation);
+  const Eigen::Index floors = model.floors();
+  const Eigen::Index rotations = model.dofs() - floors;
+  const bool massless = model.mass.bottomRightCorner(rotations, rotations).isZero(0);
+  if (massless || frame.condensation == Condensation::static_) return condense_statically(model, floors);
+  if (frame.condensation == Condensation::dynamic) return condense_dynamically(model, floors);
+  if (Eigen::LLT<Eigen::MatrixXd>(model.mass).info() != Eigen::Success) {
+    throw InvalidParameter("condensation", "none", "needs a column or beam with mass at every floor");
+  }
+  return model;
+}
+
+}  // namespace bentur

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/structure/building.h"
+
+namespace bentur {
+
+/// A prismatic member. `mass` is that of one whole member (one column of one storey, one beam of one bay).
+struct Section {
+  double area = 0;     ///< A [length²]
+  double inertia = 0;  ///< I [length⁴] about the axis normal to the frame's plane
+  double mass = 0;     ///< [mass] of the whole member, ≥ 0
+};
+
+enum class MassMatrix { consistent, lumped };
+enum class Condensation { static_, dynamic, none };
+
+/// A plane frame of `storeys × bays` rectangular cells, fixed at the base, members axially rigid:
+/// one sway per floor, one rotation per joint (monograph 2.5, 4.1).
+struct PlaneFrame {
+  double elastic_modulus = 0;          ///< E [force/length²]
+  std::vector<double> storey_heights;  ///< [length], bottom to top
+  std::vector<double> bay_widths;      ///< [length], left to right
+  std::vector<Section> columns;        ///< one per storey: every column of that storey
+  std::vector<Section> beams;          ///< one per floor: every beam of that floor
+  std::vector<double> floor_masses;    ///< [mass] added to each floor's sway; one per floor, or empty for none
+  MassMatrix mass_matrix = MassMatrix::consistent;
+  Condensation condensation = Condensation::static_;
+  bool base_coupling = true;  ///< m_g of theory 2; false reproduces the monograph's (2-1)
+};
+
+/// Mass, stiffness and load of the frame with all joint rotations: dofs = floors + floors × (bays + 1), sways first,
+/// then rotations floor by floor, left to right. Element stiffness (2-48), consistent mass (2-50).
+/// @throws InvalidParameter when list lengths disagree or a value is outside its range.
+[[nodiscard]] StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation = 0.0);
+
+/// The frame reduced as its `condensation` says. Lumped mass leaves rotations massless, so that every choice is static.
+[[nodiscard]] StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation = 0.0);
+
+}  // namespace bentur

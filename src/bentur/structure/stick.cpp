@@ -1,0 +1,43 @@
+#include "bentur/structure/stick.h"
+
+#include <numeric>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+
+namespace bentur {
+
+StructuralModel stick_model(const Stick& stick, double base_elevation) {
+  const std::size_t floors = stick.storey_heights.size();
+  if (floors == 0) throw InvalidParameter("storey_heights", "an empty list", "must have at least one entry");
+  require_size("masses", stick.masses.size(), floors);
+  require_size("stiffnesses", stick.stiffnesses.size(), floors);
+  require_finite("base_elevation", base_elevation);
+  for (std::size_t i = 0; i < floors; ++i) {
+    require_positive(indexed("storey_heights", i), stick.storey_heights[i]);
+    require_positive(indexed("masses", i), stick.masses[i]);
+    require_positive(indexed("stiffnesses", i), stick.stiffnesses[i]);
+  }
+
+  StructuralModel model;
+  const auto n = static_cast<Eigen::Index>(floors);
+  model.storey_heights = stick.storey_heights;
+  model.elevations.resize(floors);
+  std::partial_sum(stick.storey_heights.begin(), stick.storey_heights.end(), model.elevations.begin());
+  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.load = Eigen::Map<const Eigen::VectorXd>(stick.masses.data(), n);
+  model.mass = model.load.asDiagonal();
+  model.stiffness = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double k = stick.stiffnesses[static_cast<std::size_t>(i)];
+    model.stiffness(i, i) += k;
+    if (i > 0) {
+      model.stiffness(i - 1, i - 1) += k;
+      model.stiffness(i, i - 1) -= k;
+      model.stiffness(i - 1, i) -= k;
+    }
+  }
+  return model;
+}
+
+}  // namespace bentur

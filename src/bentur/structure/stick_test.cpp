@@ -1,0 +1,70 @@
+#include "bentur/structure/stick.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "bentur/core/errors.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+TEST(Stick, Matrices) {
+  const StructuralModel model = stick_model({{3.5, 3.0, 3.0}, {30, 28, 25}, {40e3, 36e3, 30e3}}, 1.5);
+  Eigen::MatrixXd stiffness(3, 3);
+  stiffness << 76e3, -36e3, 0, -36e3, 66e3, -30e3, 0, -30e3, 30e3;
+  EXPECT_EQ(model.stiffness, stiffness);
+  EXPECT_EQ(model.load, (Eigen::Vector3d(30, 28, 25)));
+  EXPECT_EQ(model.mass, Eigen::MatrixXd(model.load.asDiagonal()));
+  EXPECT_EQ(model.elevations, (std::vector<double>{5.0, 8.0, 11.0}));
+  EXPECT_EQ(model.storey_heights, (std::vector<double>{3.5, 3.0, 3.0}));
+}
+
+TEST(Stick, SpringsInSeries) {
+  // A unit force at the top moves floor j by Σ 1/k up to it.
+  const StructuralModel model = stick_model({{3, 3, 3}, {1, 1, 1}, {2e4, 5e4, 1e4}});
+  const Eigen::Vector3d force(0, 0, 1);
+  const Eigen::Vector3d expected(1 / 2e4, 1 / 2e4 + 1 / 5e4, 1 / 2e4 + 1 / 5e4 + 1 / 1e4);
+  EXPECT_LE((model.stiffness * expected - force).norm(), 1e-14);
+}
+
+TEST(Stick, ReferencePeriods) {
+  // The three sticks of the reference row [m, kN], from an independent program.
+  const auto check = [](const Stick& stick, const std::vector<double>& expected) {
+    const StructuralModel model = stick_model(stick);
+    const Eigen::VectorXd actual = modal_properties(modes(model.mass, model.stiffness), model.load).periods;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(actual(static_cast<Eigen::Index>(i)) / expected[i], 1, 1e-12) << i;
+    }
+  };
+  check({{3.5, 3, 3}, {30, 28, 25}, {40e3, 36e3, 30e3}},
+        {0.3767042445936881, 0.14487761420553638, 0.10020873499112165});
+  check({{3.5, 3, 3, 3}, {45, 45, 40, 40}, {38e3, 34e3, 30e3, 26e3}},
+        {0.6274771721666011, 0.2354288264043829, 0.15219494522043855, 0.1242955622884058});
+  check({{3.5, 3, 3, 3}, {20, 20, 20, 18}, {60e3, 50e3, 45e3, 40e3}},
+        {0.34686896635381675, 0.12680928214474882, 0.08435774885893668, 0.0685902471212823});
+}
+
+TEST(Stick, BadParametersAreNamed) {
+  const auto expect = [](const Stick& stick, const std::string& name) {
+    try {
+      static_cast<void>(stick_model(stick));
+      ADD_FAILURE() << name << " was taken";
+    } catch (const InvalidParameter& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(name + " = ", 0), 0U) << error.what();
+    }
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  expect({{}, {}, {}}, "storey_heights");
+  expect({{3, 3}, {1}, {1, 1}}, "masses");
+  expect({{3, 3}, {1, 1}, {1, 1, 1}}, "stiffnesses");
+  expect({{3, 0}, {1, 1}, {1, 1}}, "storey_heights[1]");
+  expect({{3, 3}, {-1, 1}, {1, 1}}, "masses[0]");
+  expect({{3, 3}, {1, 1}, {1, infinity}}, "stiffnesses[1]");
+  EXPECT_THROW(static_cast<void>(stick_model({{3}, {1}, {1}}, infinity)), InvalidParameter);
+}
+
+}  // namespace
+}  // namespace bentur
