@@ -5,7 +5,7 @@
 set(chunk_size 16000)
 set(delimiter "embedded")
 
-set(out "#include \"bentur/io/example_files.h\"\n\n")
+set(out "#include \"bentur/io/examples/example_files.h\"\n\n")
 string(APPEND out "#include <array>\n\nnamespace bentur {\nnamespace {\n\n")
 string(APPEND out "using namespace std::string_view_literals;\n\n")
 list(LENGTH FILES count)

@@ -30,10 +30,10 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, std::vecto
       closed_(system.points.size(), 0),
       under_way_(system.points.size()) {}
 
-bool Contacts::clear(const State& from, const State& to, const Eigen::VectorXd& curvature) const {
+bool Contacts::clear(const State& from, const State& to, const Eigen::VectorXd& rise) const {
   for (const auto& point : system_->points) {
     const double lowest = point.width + std::min(point.sense(from.q), point.sense(to.q));
-    if (lowest <= 0.0 || lowest <= point.sense_abs(curvature)) return false;
+    if (lowest <= 0.0 || lowest <= point.sense_abs(rise)) return false;
   }
   return true;
 }

@@ -25,8 +25,8 @@ class Contacts {
   [[nodiscard]] const std::vector<char>& closed() const { return closed_; }
   [[nodiscard]] bool any_closed() const { return closed_count_ > 0; }
 
-  /// True when no open point can have closed between two states, given |q̈|·length²/8 per coordinate.
-  [[nodiscard]] bool clear(const State& from, const State& to, const Eigen::VectorXd& curvature) const;
+  /// True when no open point can have closed between two states, given a bound of |q̈| times length²/8 per coordinate.
+  [[nodiscard]] bool clear(const State& from, const State& to, const Eigen::VectorXd& rise) const;
 
   /// The first change in the expanded step; `from` and `to` are the states at its ends.
   [[nodiscard]] std::optional<Event> next_event(const Series& series, const State& from, const State& to) const;

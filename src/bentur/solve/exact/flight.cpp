@@ -48,8 +48,8 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
         &fourth_slope_, &value_,   &slope_,   &start_energy_, &force_,  &force_slope_}) {
     array->setZero(n);
   }
-  curvature_.setZero(n);
-  acceleration_curvature_.setZero(n);
+  rise_.setZero(n);
+  acceleration_rise_.setZero(n);
   const double nu = system.nu;
   const double chord = length * length / 8.0;
   for (Index j = 0; j < n; ++j) {
@@ -109,8 +109,8 @@ void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, 
                    system_->omega_squared.array() * (q - p_value_ * value_ - p_slope_ * slope_).square())
                       .sqrt() +
                   (1.0 - shift_) * length_ * force_;
-  curvature_ = second_ * start_energy_ + second_force_ * force_;
-  acceleration_curvature_ = fourth_ * start_energy_ + fourth_force_ * force_ + fourth_slope_ * force_slope_;
+  rise_ = second_ * start_energy_ + second_force_ * force_;
+  acceleration_rise_ = fourth_ * start_energy_ + fourth_force_ * force_ + fourth_slope_ * force_slope_;
 }
 
 }  // namespace bentur::exact

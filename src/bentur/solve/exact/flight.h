@@ -20,10 +20,12 @@ class Flight {
   /// The end state; `from` and `to` must differ.
   void advance(const State& from, const std::vector<GroundInput>& inputs, State& to);
 
-  /// Bounds for the segment last advanced over, per coordinate: |q̈| [length/s²] …
-  [[nodiscard]] const Eigen::VectorXd& curvature() const { return curvature_; }
-  /// … and |d⁴q/dt⁴|; both with the factor length²/8 by which a function can leave its chord.
-  [[nodiscard]] const Eigen::VectorXd& acceleration_curvature() const { return acceleration_curvature_; }
+  [[nodiscard]] double length() const { return length_; }  ///< [s]
+
+  /// Bounds for the segment last advanced over, per coordinate: of |q̈| …
+  [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
+  /// … and of |d⁴q/dt⁴|; both with the factor length²/8 by which a function can leave its chord.
+  [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
 
  private:
   void fill_inputs(const std::vector<GroundInput>& inputs);
@@ -36,7 +38,7 @@ class Flight {
   Eigen::ArrayXd p_value_, p_slope_, p_rate_;  ///< particular solution: p = p_value·γa₀ + p_slope·γa₁, ṗ = p_rate·γa₁
   Eigen::ArrayXd second_, second_force_, fourth_, fourth_force_, fourth_slope_;  ///< (T-3) and its second derivative
   Eigen::ArrayXd value_, slope_, start_energy_, force_, force_slope_;
-  Eigen::VectorXd curvature_, acceleration_curvature_;
+  Eigen::VectorXd rise_, acceleration_rise_;
 };
 
 }  // namespace bentur::exact

@@ -35,10 +35,8 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.size = modes + 1;
   block.floors = building.model.floors();
   block.outputs = output_rows(building);
-  block.outputs_abs = block.outputs.cwiseAbs();
   block.acceleration = block.outputs.topRows(block.floors);
   block.acceleration.col(modes).setOnes();
-  block.acceleration_abs = block.acceleration.cwiseAbs();
 
   MatrixXd off_diagonal = building.modal_damping;
   off_diagonal.diagonal().setZero();

@@ -23,10 +23,9 @@ struct ModalSystem {
     Eigen::Index begin = 0;  ///< first coordinate of the building
     Eigen::Index size = 0;   ///< modes + 1
     Eigen::Index floors = 0;
-    Eigen::MatrixXd outputs;       ///< 3 floors × size: displacement, drift ratio, storey shear
-    Eigen::MatrixXd outputs_abs;   ///< entry by entry |outputs|
-    Eigen::MatrixXd acceleration;  ///< floors × size, applied to q̈
-    Eigen::MatrixXd acceleration_abs;
+    Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
+    Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
+    Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
     double omega_max = 0;                    ///< largest Ω [1/s]

@@ -1,101 +1,115 @@
 #include "bentur/solve/exact/peak_watch.h"
 
+#include <algorithm>
+
 namespace bentur::exact {
 namespace {
 
+using Eigen::Array4d;
+using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::MatrixXd;
 
-/// Raises `peak` to the largest |p| on [0, end].
-void raise_to_largest(Polynomial p, double end, double& peak) {
+/// Raises `peak` to the largest |p| on [0, 1].
+void raise_to_largest(Polynomial p, double& peak) {
   double where = 0.0;
-  raise_to_maximum(p, end, peak, where);
+  raise_to_maximum(p, 1.0, peak, where);
   for (double& coefficient : p) coefficient = -coefficient;
-  raise_to_maximum(p, end, peak, where);
+  raise_to_maximum(p, 1.0, peak, where);
+}
+
+double largest_ratio(const ArrayXd& reach, const ArrayXd& peak) {
+  constexpr double tiny = 1e-300;  // over a peak of zero every reach is an excess
+  return reach.size() == 0 ? 0.0 : (reach / (peak + tiny)).maxCoeff();
 }
 
 }  // namespace
 
+PeakWatch::Rows::Rows(const MatrixXd& quantities) {
+  const Index padded = (quantities.rows() + 3) / 4 * 4;
+  weights = MatrixXd::Zero(padded, quantities.cols());
+  weights.topRows(quantities.rows()) = quantities;
+  peak = ArrayXd::Zero(padded);
+}
+
+/// Four quantities at a time: their values at both ends and how far the bound lets them go beyond.
+bool PeakWatch::Rows::take(const double* start, const double* end, const double* rise, ArrayXd& reach) {
+  const Index rows = weights.rows();
+  const Index columns = weights.cols();
+  reach.resize(rows);
+  bool settled = true;
+  for (Index r = 0; r < rows; r += 4) {
+    Array4d at_start = Array4d::Zero();
+    Array4d at_end = Array4d::Zero();
+    Array4d beyond = Array4d::Zero();
+    const double* weight = weights.data() + r;
+    for (Index j = 0; j < columns; ++j, weight += rows) {
+      const Array4d w = Eigen::Map<const Array4d>(weight);
+      at_start += w * start[j];
+      at_end += w * end[j];
+      beyond += w.abs() * rise[j];
+    }
+    const Array4d ends = at_start.abs().max(at_end.abs());
+    const Array4d highest = peak.segment<4>(r).max(ends);
+    peak.segment<4>(r) = highest;
+    reach.segment<4>(r) = ends + beyond;
+    settled = settled && (ends + beyond <= highest).all();
+  }
+  return settled;
+}
+
 PeakWatch::PeakWatch(const ModalSystem& system, Scope scope) : system_(&system), scope_(scope) {
   for (const auto& block : system.blocks) {
     const bool everything = scope == Scope::everything;
-    const Index count = everything ? block.outputs.rows() : block.floors;
-    Rows rows;
-    rows.weights = block.outputs.topRows(count);
-    rows.weights_abs = block.outputs_abs.topRows(count);
-    rows.start = rows.end = rows.bound = rows.peak = VectorXd::Zero(count);
-    rows.acceleration = VectorXd::Zero(everything ? block.floors : 0);
-    rows_.push_back(std::move(rows));
+    positions_.emplace_back(block.outputs.topRows(everything ? block.outputs.rows() : block.floors));
+    accelerations_.emplace_back(block.acceleration.topRows(everything ? block.floors : 0));
   }
 }
 
 void PeakWatch::start(const State& state) {
-  for (std::size_t b = 0; b < rows_.size(); ++b) {
+  for (std::size_t b = 0; b < positions_.size(); ++b) {
     const auto& block = system_->blocks[b];
-    rows_[b].peak = (rows_[b].weights * state.q.segment(block.begin, block.size)).cwiseAbs();
+    positions_[b].peak = (positions_[b].weights * state.q.segment(block.begin, block.size)).array().abs();
   }
 }
 
-bool PeakWatch::settled_by_bound(std::size_t b, const State& from, const State& to, const VectorXd& start_acceleration,
-                                 const VectorXd& end_acceleration, const VectorXd& curvature,
-                                 const VectorXd& acceleration_curvature, VectorXd& reach) {
-  const auto& block = system_->blocks[b];
-  Rows& rows = rows_[b];
-  const auto part = [&block](const VectorXd& x) { return x.segment(block.begin, block.size); };
-  rows.start.noalias() = rows.weights * part(from.q);
-  rows.end.noalias() = rows.weights * part(to.q);
-  rows.bound.noalias() = rows.weights_abs * part(curvature);
-  rows.peak = rows.peak.cwiseMax(rows.end.cwiseAbs());
-  const Index count = rows.peak.size();
-  reach.resize(count + rows.acceleration.size());
-  reach.head(count) = rows.bound + rows.start.cwiseAbs().cwiseMax(rows.end.cwiseAbs());
-  for (Index f = 0; f < rows.acceleration.size(); ++f) {
-    const auto row = block.acceleration.row(f);
-    const double ends =
-        std::max(std::abs(row.dot(part(start_acceleration))), std::abs(row.dot(part(end_acceleration))));
-    rows.acceleration(f) = std::max(rows.acceleration(f), ends);
-    reach(count + f) = ends + block.acceleration_abs.row(f).dot(part(acceleration_curvature));
-  }
-  return settled(b, reach);
+bool PeakWatch::settled_by_bound(std::size_t b, const Interval& interval, Reach& reach) {
+  const Index begin = system_->blocks[b].begin;
+  const bool positions = positions_[b].take(interval.from.q.data() + begin, interval.to.q.data() + begin,
+                                            interval.rise.data() + begin, reach.positions);
+  const bool accelerations =
+      accelerations_[b].take(interval.start_acceleration.data() + begin, interval.end_acceleration.data() + begin,
+                             interval.acceleration_rise.data() + begin, reach.accelerations);
+  return positions && accelerations;
 }
 
-bool PeakWatch::settled(std::size_t b, const VectorXd& reach) const {
-  const Rows& rows = rows_[b];
-  return (reach.head(rows.peak.size()).array() <= rows.peak.array()).all() &&
-         (reach.tail(rows.acceleration.size()).array() <= rows.acceleration.array()).all();
+double PeakWatch::excess(std::size_t b, const Reach& reach) const {
+  return std::max(largest_ratio(reach.positions, positions_[b].peak),
+                  largest_ratio(reach.accelerations, accelerations_[b].peak));
 }
 
-void PeakWatch::scan(std::size_t b, const Series& series, double end, const State& from, const State& to) {
-  const auto& block = system_->blocks[b];
-  const auto curvature = series.curvature().segment(block.begin, block.size);
-  Rows& rows = rows_[b];
-  rows.start.noalias() = rows.weights * from.q.segment(block.begin, block.size);
-  rows.end.noalias() = rows.weights * to.q.segment(block.begin, block.size);
-  rows.bound.noalias() = rows.weights_abs * curvature;
-  rows.peak = rows.peak.cwiseMax(rows.end.cwiseAbs());
-  for (Index r = 0; r < rows.peak.size(); ++r) {
-    const double ends = std::max(std::abs(rows.start(r)), std::abs(rows.end(r)));
-    if (ends + rows.bound(r) * end * end / 8.0 > rows.peak(r)) raise_to_largest(series.output(b, r), end, rows.peak(r));
+void PeakWatch::scan(std::size_t b, const Series& series, const Reach& reach) {
+  for (Index r = 0; r < reach.positions.size(); ++r) {
+    double& peak = positions_[b].peak(r);
+    if (reach.positions(r) > peak) raise_to_largest(series.output(b, r), peak);
   }
-  const double per_time = 1.0 / (series.h() * series.h());
-  for (Index f = 0; f < rows.acceleration.size(); ++f) {
-    if (block.acceleration_abs.row(f).dot(curvature) * per_time > rows.acceleration(f)) {
-      raise_to_largest(series.acceleration(b, f), end, rows.acceleration(f));
-    }
+  for (Index f = 0; f < reach.accelerations.size(); ++f) {
+    double& peak = accelerations_[b].peak(f);
+    if (reach.accelerations(f) > peak) raise_to_largest(series.acceleration(b, f), peak);
   }
 }
 
 void PeakWatch::report(std::size_t b, BuildingPeaks& peaks) const {
   const Index floors = system_->blocks[b].floors;
-  const VectorXd& peak = rows_[b].peak;
+  const ArrayXd& peak = positions_[b].peak;
   if (scope_ == Scope::displacement) {
     peaks.displacement_no_contact = peak.head(floors);
     return;
   }
   peaks.displacement = peak.head(floors);
   peaks.drift_ratio = peak.segment(floors, floors);
-  peaks.storey_shear = peak.tail(floors);
-  peaks.acceleration = rows_[b].acceleration;
+  peaks.storey_shear = peak.segment(2 * floors, floors);
+  peaks.acceleration = accelerations_[b].peak.head(floors);
 }
 
 }  // namespace bentur::exact

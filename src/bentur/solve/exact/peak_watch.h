@@ -18,34 +18,48 @@ class PeakWatch {
   /// Takes the start of the run in.
   void start(const State& state);
 
-  /// For a segment of free flight from `from` to `to`: takes both ends in and puts into `reach` what the quantities of
-  /// the building can have reached in between at most (rows of Block::outputs, then accelerations), given bounds of |q̈|
-  /// and |d⁴q/dt⁴| times length²/8 per coordinate. Returns whether that stays below the peaks so far.
-  [[nodiscard]] bool settled_by_bound(std::size_t block, const State& from, const State& to,
-                                      const Eigen::VectorXd& start_acceleration,
-                                      const Eigen::VectorXd& end_acceleration, const Eigen::VectorXd& curvature,
-                                      const Eigen::VectorXd& acceleration_curvature, Eigen::VectorXd& reach);
+  /// What may be known of one interval without looking into it.
+  struct Interval {
+    const State& from;  ///< at its ends
+    const State& to;
+    const Eigen::VectorXd& start_acceleration;  ///< q̈ at its ends
+    const Eigen::VectorXd& end_acceleration;
+    const Eigen::VectorXd& rise;               ///< bound of |q̈| times length²/8, per coordinate
+    const Eigen::VectorXd& acceleration_rise;  ///< bound of |d⁴q/dt⁴| times length²/8
+  };
 
-  /// Whether a segment that could reach `reach` at most cannot raise a peak any more.
-  [[nodiscard]] bool settled(std::size_t block, const Eigen::VectorXd& reach) const;
+  /// How far each quantity of one building can have gone in an interval at most.
+  struct Reach {
+    Eigen::ArrayXd positions;      ///< displacement [, drift ratio, storey shear], as Block::outputs
+    Eigen::ArrayXd accelerations;  ///< absolute accelerations of the floors
+  };
 
-  /// Searches [0, end] of the expanded step of one building; `from` and `to` are the states at 0 and `end`.
-  void scan(std::size_t block, const Series& series, double end, const State& from, const State& to);
+  /// Takes both ends in, and returns whether the reach of the interval stays below the peaks so far.
+  [[nodiscard]] bool settled_by_bound(std::size_t block, const Interval& interval, Reach& reach);
+
+  /// Largest ratio of a reach to the peak so far; up to 1 the interval is settled.
+  [[nodiscard]] double excess(std::size_t block, const Reach& reach) const;
+
+  /// Searches the whole expanded step of one building for what its reach leaves open.
+  void scan(std::size_t block, const Series& series, const Reach& reach);
 
   /// Copies what was kept into the response of one building (displacement only, in its narrower scope).
   void report(std::size_t block, BuildingPeaks& peaks) const;
 
  private:
+  /// Quantities linear in the coordinates of one building, and their largest absolute values so far. The number of
+  /// rows is made a multiple of four by rows of zeros, so that a processor takes four at a time.
   struct Rows {
-    Eigen::MatrixXd weights, weights_abs;  ///< rows × coordinates of the building
-    Eigen::VectorXd start, end, bound;     ///< room: values at the ends of the interval
-    Eigen::VectorXd peak;                  ///< largest absolute values so far
-    Eigen::VectorXd acceleration;          ///< largest absolute accelerations so far, floors (or none)
+    Eigen::MatrixXd weights;
+    Eigen::ArrayXd peak;
+
+    explicit Rows(const Eigen::MatrixXd& quantities);
+    bool take(const double* start, const double* end, const double* rise, Eigen::ArrayXd& reach);
   };
 
   const ModalSystem* system_;
+  std::vector<Rows> positions_, accelerations_;  ///< per building
   Scope scope_;
-  std::vector<Rows> rows_;  ///< displacement [, drift, shear]
 };
 
 }  // namespace bentur::exact

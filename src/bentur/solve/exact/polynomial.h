@@ -7,7 +7,7 @@ namespace bentur::exact {
 
 /// Degree of every power series: with ω h ≤ series_reach the first term left out is below 2^25/25! = 2e-18 of the
 /// value.
-inline constexpr int degree = 24;
+inline constexpr int degree = 26;
 
 /// Σ p_k s^k on s ∈ [0, 1] (s = time since the start of the step over its length).
 using Polynomial = std::array<double, degree + 1>;

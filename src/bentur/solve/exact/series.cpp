@@ -1,5 +1,6 @@
 #include "bentur/solve/exact/series.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bentur::exact {
@@ -22,7 +23,8 @@ Series::Series(const ModalSystem& system)
       stiff_(system.size),
       damp_(system.size),
       force_(system.size),
-      curvature_(Eigen::VectorXd::Zero(system.size)) {}
+      curvature_(Eigen::VectorXd::Zero(system.size)),
+      fourth_(Eigen::VectorXd::Zero(system.size)) {}
 
 void Series::begin(Index first, Index count, const State& state, double h) {
   h_ = h;
@@ -107,22 +109,38 @@ void Series::expand_block(std::size_t b, const State& state, const GroundInput& 
 }
 
 void Series::bound(Index first, Index count) {
-  auto second = curvature_.segment(first, count);
-  second.setZero();
-  for (int k = 2; k <= degree; ++k) second += k * (k - 1.0) * c_.col(k).segment(first, count).cwiseAbs();
+  double* second = curvature_.data() + first;
+  double* fourth = fourth_.data() + first;
+  std::fill_n(second, count, 0.0);
+  std::fill_n(fourth, count, 0.0);
+  for (int k = 2; k <= degree; ++k) {
+    const double two = k * (k - 1.0);
+    const double four = two * (k - 2.0) * (k - 3.0);
+    const double* c = c_.col(k).data() + first;
+    for (Index j = 0; j < count; ++j) {
+      second[j] += two * std::abs(c[j]);
+      fourth[j] += four * std::abs(c[j]);
+    }
+  }
 }
 
 void Series::evaluate(double s, State& state) const {
-  auto q = state.q.segment(first_, count_);
-  auto v = state.v.segment(first_, count_);
-  q = c_.col(degree).segment(first_, count_);
-  v = degree * c_.col(degree).segment(first_, count_);
-  for (int k = degree - 1; k >= 0; --k) {
-    const auto column = c_.col(k).segment(first_, count_);
-    q = q * s + column;
-    if (k >= 1) v = v * s + k * column;
+  double* q = state.q.data() + first_;
+  double* v = state.v.data() + first_;
+  std::fill_n(q, count_, 0.0);
+  std::fill_n(v, count_, 0.0);
+  for (int k = degree; k >= 1; --k) {
+    const double* c = c_.col(k).data() + first_;
+    for (Index j = 0; j < count_; ++j) {
+      q[j] = q[j] * s + c[j];
+      v[j] = v[j] * s + k * c[j];
+    }
   }
-  v /= h_;
+  const double* c = c_.col(0).data() + first_;
+  for (Index j = 0; j < count_; ++j) {
+    q[j] = q[j] * s + c[j];
+    v[j] /= h_;
+  }
 }
 
 Polynomial Series::opening(std::size_t i) const {

@@ -9,7 +9,7 @@
 namespace bentur::exact {
 
 /// Longest step of a power series as rate · h: with `degree` terms the remainder is below round-off (polynomial.h).
-inline constexpr double series_reach = 2.0;
+inline constexpr double series_reach = 2.4;
 
 /// The solution of (T-1) over one step as a power series in s = (time − start)/h ∈ [0, 1]:
 ///   c_{k+2} = [h²(−Ω² c_k + γ a_k + Σ_closed push_i F_{i,k}) − h (k+1) D c_{k+1}] / ((k+2)(k+1)).      (T-2)
@@ -35,6 +35,8 @@ class Series {
 
   /// Bound of |q_j''| with respect to s on [0, 1], one entry per coordinate.
   [[nodiscard]] const Eigen::VectorXd& curvature() const { return curvature_; }
+  /// Bound of |d⁴q_j/ds⁴| on [0, 1].
+  [[nodiscard]] const Eigen::VectorXd& fourth_derivative() const { return fourth_; }
   [[nodiscard]] double h() const { return h_; }
 
  private:
@@ -50,7 +52,7 @@ class Series {
   Eigen::MatrixXd c_;                   ///< coordinates × (degree + 1)
   Eigen::VectorXd stiff_, damp_;        ///< h²Ω², h · diagonal of D
   Eigen::VectorXd force_;               ///< γ a_k h² and contact, for one k
-  Eigen::VectorXd curvature_;
+  Eigen::VectorXd curvature_, fourth_;
 };
 
 }  // namespace bentur::exact

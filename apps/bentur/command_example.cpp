@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bentur/io/examples/example_files.h"
+#include "commands.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string name;
+  std::string directory = ".";
+};
+
+void list_examples() {
+  std::size_t widest = 0;
+  for (const Example& example : examples()) {
+    widest = std::max(widest, example.name.size());
+  }
+  for (const Example& example : examples()) {
+    print(fmt::format("{:<{}}  {}\n", example.name, widest, example.description));
+  }
+  message("\nWrite one with its ground motion, ready to edit: bentur example NAME -o DIR");
+}
+
+void run(const Arguments& arguments) {
+  const std::vector<Example> all = examples();
+  const auto example = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == arguments.name; });
+  if (example == all.end()) {
+    throw Failure(exit_bad_input, "no example \"" + arguments.name + "\"; `bentur example` lists them");
+  }
+  const std::filesystem::path file = write_example(*example, arguments.directory);
+  print(file.string() + "\n");
+  message("Run it: bentur run " + file.string());
+}
+
+}  // namespace
+
+void add_example_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("example", "List the built-in examples, or write one out ready to edit");
+  CLI::Option* name = command->add_option("NAME", arguments->name, "the example to write; without it they are listed");
+  command->add_option("-o,--output", arguments->directory, "folder to write into, made if missing")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->needs(name);
+  command->footer("Nothing that differs is overwritten.\n\nExample: bentur example m12-el-centro -o mine");
+  command->callback([arguments] { arguments->name.empty() ? list_examples() : run(*arguments); });
+}
+
+}  // namespace bentur::cli

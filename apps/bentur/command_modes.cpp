@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bentur/io/results/result_json.h"
+#include "bentur/structure/modes.h"
+#include "commands.h"
+#include "session.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+constexpr Eigen::Index most_modes = 8;  // in a table; --json has all
+
+/// Shapes of the sways with the largest of each mode one, roof at the top.
+Table shape_table(const Building& building, const std::string& length) {
+  Table table;
+  std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
+  table.add("elevation", length, elevations);
+  for (Eigen::Index mode = 0; mode < std::min(building.modes.shapes.cols(), most_modes); ++mode) {
+    const Eigen::VectorXd sway = building.modes.shapes.col(mode).head(building.model.floors());
+    const double largest = sway.cwiseAbs().maxCoeff();
+    std::vector<std::string> cells;
+    for (Eigen::Index floor = sway.size() - 1; floor >= 0; --floor) {
+      cells.push_back(fmt::format("{:.3f}", largest > 0 ? sway(floor) / largest : 0.0));
+    }
+    table.add(fmt::format("mode {}", mode + 1), "", cells);
+  }
+  return table;
+}
+
+std::string modes_text(const Building& building, const Units& units) {
+  const ModalProperties properties = modal_properties(building.modes, building.model.load);
+  const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
+  std::vector<std::string> number_cells, periods, fraction, cumulative;
+  std::vector<double> participation;
+  // Decimals for three digits of the shortest period shown.
+  const double shortest = properties.periods(shown - 1);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(shortest))), 0, 9);
+  double sum = 0;
+  for (Eigen::Index mode = 0; mode < shown; ++mode) {
+    sum += properties.effective_mass_fraction(mode);
+    number_cells.push_back(std::to_string(mode + 1));
+    periods.push_back(fmt::format("{:.{}f}", properties.periods(mode), decimals));
+    participation.push_back(properties.participation(mode));
+    fraction.push_back(fmt::format("{:.2f}", 100 * properties.effective_mass_fraction(mode)));
+    cumulative.push_back(fmt::format("{:.2f}", 100 * sum));
+  }
+  Table table;
+  table.add("mode", "", number_cells);
+  table.add("period", "s", periods);
+  table.add("participation", "(" + units.force + "·s²/" + units.length + ")^½", participation);
+  table.add("mass", "%", fraction);
+  table.add("mass so far", "%", cumulative);
+  std::string text =
+      fmt::format("{}: first period {} s\n\n{}", building.name, number(properties.periods(0)), table.text());
+  if (shown < properties.periods.size()) {
+    text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
+  }
+  return text + "\n  Shapes, largest sway 1\n\n" + shape_table(building, units.length).text();
+}
+
+void run(const std::string& file, bool json) {
+  const Loaded loaded = load(file);
+  if (json) {
+    print(modes_json(loaded.problem.buildings));
+    return;
+  }
+  std::string text;
+  for (const Building& building : loaded.problem.buildings) {
+    text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units);
+  }
+  print(text);
+}
+
+}  // namespace
+
+void add_modes_command(CLI::App& app) {
+  struct Arguments {
+    std::string file;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("modes", "Periods, participation and shapes of each building");
+  command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
+  command->add_flag("--json", arguments->json, "JSON instead of tables; shapes mass-normalised");
+  command->footer("Example: bentur modes case.toml");
+  command->callback([arguments] { run(arguments->file, arguments->json); });
+}
+
+}  // namespace bentur::cli

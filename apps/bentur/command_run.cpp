@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/io/results/result_netcdf.h"
+#include "commands.h"
+#include "session.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string file;
+  std::string directory;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Floors top to bottom, as the building stands.
+std::vector<double> from_top(const Eigen::VectorXd& values) {
+  std::vector<double> reversed(values.begin(), values.end());
+  std::reverse(reversed.begin(), reversed.end());
+  return reversed;
+}
+
+/// Indices of the contact points of one gap, highest first.
+std::vector<std::size_t> points_of(const Problem& problem, int gap) {
+  std::vector<std::size_t> points;
+  for (std::size_t i = problem.points.size(); i-- > 0;) {
+    if (problem.points[i].left == gap) {
+      points.push_back(i);
+    }
+  }
+  return points;
+}
+
+/// Does it pound, where, how often, how hard; and how wide the gap would have to be.
+std::string verdict(const Loaded& loaded, const Response& response, int gap) {
+  const Problem& problem = loaded.problem;
+  const std::string& length = loaded.c.units.length;
+  const std::vector<std::size_t> points = points_of(problem, gap);
+  int impacts = 0;
+  int touched = 0;
+  std::size_t hardest = points.front();
+  std::size_t closest = points.front();  // largest shortfall of the gap
+  const auto shortfall = [&](std::size_t i) {
+    return response.points[i].minimum_gap_no_contact - problem.points[i].width;
+  };
+  for (const std::size_t i : points) {
+    impacts += response.points[i].impacts;
+    touched += response.points[i].impacts > 0 ? 1 : 0;
+    hardest = response.points[i].peak_force > response.points[hardest].peak_force ? i : hardest;
+    closest = shortfall(i) > shortfall(closest) ? i : closest;
+  }
+  std::string text = gap_name(problem, gap) + ": ";
+  if (impacts == 0) {
+    text += "NO POUNDING. ";
+  } else {
+    const PointSummary& worst = response.points[hardest];
+    text +=
+        fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  Hardest: {} {} at elevation {} {}", impacts,
+                    impacts == 1 ? "" : "s", touched, points.size(), points.size() == 1 ? "" : "s",
+                    number(worst.peak_force), loaded.c.units.force, number(problem.points[hardest].elevation), length);
+    text +=
+        worst.peak_force_time ? fmt::format(", t = {} s.\n  ", number(*worst.peak_force_time)) : std::string(".\n  ");
+  }
+  return text + fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n",
+                            number(problem.points[closest].elevation), length, number(problem.points[closest].width),
+                            length, number(response.points[closest].minimum_gap_no_contact), length);
+}
+
+Table contact_table(const Loaded& loaded, const Response& response, int gap) {
+  const Units& units = loaded.c.units;
+  std::vector<double> elevation, width, needed, duration, force, time, speed, penetration, impulse;
+  std::vector<std::string> impacts;
+  for (const std::size_t i : points_of(loaded.problem, gap)) {
+    const PointSummary& point = response.points[i];
+    elevation.push_back(loaded.problem.points[i].elevation);
+    width.push_back(loaded.problem.points[i].width);
+    needed.push_back(point.minimum_gap_no_contact);
+    impacts.push_back(std::to_string(point.impacts));
+    duration.push_back(point.contact_duration);
+    force.push_back(point.peak_force);
+    time.push_back(point.peak_force_time.value_or(std::numeric_limits<double>::quiet_NaN()));
+    penetration.push_back(point.peak_penetration);
+    speed.push_back(point.peak_closing_speed);
+    impulse.push_back(point.impulse);
+  }
+  Table table;
+  table.add("elevation", units.length, elevation);
+  table.add("gap", units.length, width);
+  table.add("needed", units.length, needed);
+  table.add("impacts", "", impacts);
+  table.add("in contact", "s", duration);
+  table.add("force", units.force, force);
+  table.add("at", "s", time);
+  table.add("depth", units.length, penetration);
+  table.add("speed", units.length + "/s", speed);
+  table.add("impulse", units.force + "·s", impulse);
+  return table;
+}
+
+Table building_table(const Loaded& loaded, const Building& building, const BuildingPeaks& peaks) {
+  const Units& units = loaded.c.units;
+  std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
+  std::vector<std::string> amplification;
+  for (Eigen::Index i = peaks.displacement.size() - 1; i >= 0; --i) {
+    const double free = peaks.displacement_no_contact(i);
+    amplification.push_back(free > 0 ? fmt::format("{:.3f}", peaks.displacement(i) / free) : "–");
+  }
+  Table table;
+  table.add("elevation", units.length, elevations);
+  table.add("displacement", units.length, from_top(peaks.displacement));
+  table.add("no contact", units.length, from_top(peaks.displacement_no_contact));
+  table.add("amplification", "", amplification);
+  table.add("drift", "%", from_top(100 * peaks.drift_ratio));
+  table.add("acceleration", units.length + "/s²", from_top(peaks.acceleration));
+  table.add("storey shear", units.force, from_top(peaks.storey_shear));
+  return table;
+}
+
+std::string summary_text(const Loaded& loaded, const Response& response) {
+  const Problem& problem = loaded.problem;
+  std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
+  text += excitation_line(loaded.c) + "\n\n";
+  const int gaps = static_cast<int>(problem.buildings.size()) - 1;
+  for (int gap = 0; gap < gaps; ++gap) {
+    text += verdict(loaded, response, gap);
+  }
+  for (int gap = 0; gap < gaps; ++gap) {
+    text += fmt::format("\nContact {}\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
+  }
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    text += fmt::format("\nPeaks of {}\n\n{}", problem.buildings[b].name,
+                        building_table(loaded, problem.buildings[b], response.buildings[b]).text());
+  }
+  return text + fmt::format("\n{} s simulated in {} ms: {} solver, {} steps, {} contacts closed or opened\n",
+                            number(problem.duration), number(1e3 * response.wall_time), loaded.c.analysis.solver,
+                            response.steps, response.events);
+}
+
+void run(const Arguments& arguments) {
+  std::optional<AtomicFiles> output;
+  if (arguments.file.empty() && !arguments.quiet) {
+    message("No case given: running the built-in example m12-el-centro.");
+  }
+  const Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file);
+  if (!arguments.directory.empty()) {
+    output.emplace(arguments.directory);  // before the work, so that a folder that cannot be written costs none
+  }
+  const Response response = solve(loaded.problem, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
+  const std::string summary = summary_json(loaded.c, loaded.problem, response, BENTUR_VERSION);
+  if (output) {
+    output->add("summary.json", summary);
+    output->add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response));
+    output->add("histories.nc", histories_netcdf(loaded.c, loaded.problem, response.histories, BENTUR_VERSION));
+    output->commit();
+  }
+  if (arguments.json) {
+    print(summary);
+  } else if (!arguments.quiet) {
+    print(summary_text(loaded, response));
+  }
+  if (output && !arguments.quiet) {
+    message("Wrote summary.json, impacts.csv and histories.nc into " + arguments.directory);
+  }
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("run", "Simulate a case and print what happens");
+  command->add_option("CASE", arguments->file, "the case file (TOML); without it the example m12-el-centro is run");
+  command->add_option("-o,--output", arguments->directory, "folder for summary.json, impacts.csv and histories.nc")
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "print the summary as JSON instead of tables");
+  command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
+  command->footer("Example: bentur run case.toml -o results");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

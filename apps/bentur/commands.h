@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace bentur::cli {
+
+/// Each adds its subcommand; parsing the command line then runs it.
+void add_example_command(CLI::App& app);
+void add_run_command(CLI::App& app);
+void add_modes_command(CLI::App& app);
+void add_gap_command(CLI::App& app);
+void add_check_command(CLI::App& app);
+
+}  // namespace bentur::cli

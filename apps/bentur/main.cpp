@@ -1,0 +1,66 @@
+/// bentur, the command line: arguments, printing and exit statuses only; everything else is in the library.
+
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+/// Parses the command line and runs the command it names. @return the exit status.
+int run(int argc, char** argv) {
+  CLI::App app{"bentur: seismic pounding of neighbouring buildings", "bentur"};
+  app.set_version_flag("--version", std::string("bentur ") + BENTUR_VERSION);
+  app.footer(
+      "Examples:\n"
+      "  bentur run                            the built-in example\n"
+      "  bentur example two-frames-si -o mine  a case of your own to start from\n"
+      "  bentur run mine/two-frames-si.toml -o results\n"
+      "\nExit status: 0 done, 2 bad input, 3 the numbers failed, 1 anything else.\n"
+      "Help on a command: bentur COMMAND --help");
+  add_run_command(app);
+  add_gap_command(app);
+  add_modes_command(app);
+  add_check_command(app);
+  add_example_command(app);
+  app.require_subcommand(1);
+
+  if (argc == 1) {
+    message(app.help());
+    return exit_bad_input;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    message(std::string("bentur: ") + error.what() + "\nRun with --help for more information.");
+    return exit_bad_input;
+  } catch (const Failure& failure) {
+    message(failure.what());
+    return failure.status();
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    message("bentur: cannot write to standard output");
+    return exit_other;
+  }
+  return exit_done;
+}
+
+}  // namespace
+}  // namespace bentur::cli
+
+int main(int argc, char** argv) {
+  try {
+    return bentur::cli::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fputs("bentur: ", stderr);
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
+  } catch (...) {
+    std::fputs("bentur: unknown failure\n", stderr);
+  }
+  return bentur::cli::exit_other;
+}

@@ -1,0 +1,158 @@
+#include "session.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+#include <variant>
+
+#include "bentur/io/case_toml.h"
+#include "bentur/io/examples/example_files.h"
+#include "bentur/solve/exact/exact.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+/// A private folder that is gone when this is.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "bentur-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+      throw std::runtime_error(pattern + ": cannot create the folder: " + std::generic_category().message(errno));
+    }
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Prints how far a long run is, on one line of a terminal that is cleared at the end.
+class Progress {
+ public:
+  void show(double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - start_ < std::chrono::seconds(2) || now - shown_ < std::chrono::milliseconds(200)) {
+      return;
+    }
+    shown_ = now;
+    fmt::print(stderr, "\r{:3.0f} % of the duration simulated", 100 * fraction);
+    std::fflush(stderr);
+    visible_ = true;
+  }
+  Progress() = default;
+  ~Progress() {
+    if (visible_) {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_ = start_;
+  bool visible_ = false;
+};
+
+}  // namespace
+
+Loaded load(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  std::optional<Case> c = read_case(file, diagnostics);
+  if (!c) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics.errors()) {
+      text += text.empty() ? "" : "\n";
+      text += diagnostic.text();
+    }
+    throw Failure(exit_bad_input, text);
+  }
+  try {
+    Problem problem = make_problem(*c);
+    return {std::move(*c), std::move(problem)};
+  } catch (const std::exception& error) {
+    throw Failure(exit_bad_input, file.string() + ": error: " + error.what());
+  }
+}
+
+Loaded load_example(const std::string& name) {
+  std::string known;
+  for (const Example& example : examples()) {
+    if (example.name == name) {
+      const TemporaryFolder folder;
+      return load(write_example(example, folder.path()));
+    }
+    known += fmt::format(" {}", example.name);
+  }
+  throw Failure(exit_bad_input, "no example \"" + name + "\"; there are:" + known);
+}
+
+Response solve(const Problem& problem, double output_step, bool progress) {
+  ExactOptions options;
+  options.output_step = output_step;
+  Progress display;
+  if (progress && ::isatty(STDERR_FILENO) == 1) {
+    options.progress = [&display](double fraction) {
+      display.show(fraction);
+      return true;
+    };
+  }
+  Response response = solve_exact(problem, options);
+  if (response.status != Status::done) {
+    throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
+  }
+  return response;
+}
+
+std::string excitation_line(const Case& c) {
+  std::string line;
+  const std::string acceleration = c.units.length + "/s²";
+  if (c.excitation.record) {
+    const RecordEcho& record = *c.excitation.record;
+    line = fmt::format("Record {} ({}, {}): {} values every {} s, {} s long\n       peak {} {}, applied {} {}",
+                       record.file, record.format, record.unit, record.count, number(record.time_step),
+                       number(record.duration), number(record.pga_read), record.unit, number(record.pga), acceleration);
+  } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
+    line = fmt::format("Harmonic ground motion ({}): period {} s, amplitude {} {}, peak {} {}",
+                       harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine", number(harmonic->period),
+                       number(harmonic->displacement_amplitude), c.units.length,
+                       number(peak_acceleration(c.excitation.motion)), acceleration);
+  } else {
+    return "No ground motion: free vibration";
+  }
+  const std::vector<double>& delays = c.excitation.delays;
+  if (std::any_of(delays.begin(), delays.end(), [](double delay) { return delay != 0; })) {
+    line += ", delays";
+    for (std::size_t i = 0; i < delays.size(); ++i) {
+      line += (i == 0 ? " " : ", ") + number(delays[i]);
+    }
+    line += " s";
+  }
+  return line;
+}
+
+std::string gap_name(const Problem& problem, int gap) {
+  const auto left = static_cast<std::size_t>(gap);
+  return problem.buildings.at(left).name + " | " + problem.buildings.at(left + 1).name;
+}
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void message(const std::string& text) { fmt::print(stderr, "{}\n", text); }
+
+}  // namespace bentur::cli

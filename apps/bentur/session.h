@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "bentur/solve/response.h"
+#include "bentur/study/case.h"
+
+namespace bentur::cli {
+
+/// Exit statuses of the program.
+enum ExitStatus : int { exit_done = 0, exit_other = 1, exit_bad_input = 2, exit_numbers_failed = 3 };
+
+/// Ends the command with a status and a message for standard error.
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}
+  [[nodiscard]] ExitStatus status() const noexcept { return status_; }
+
+ private:
+  ExitStatus status_;
+};
+
+struct Loaded {
+  Case c;
+  Problem problem;
+};
+
+/// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
+[[nodiscard]] Loaded load(const std::filesystem::path& file);
+
+/// The same for an example built into the program. @throws Failure when there is none of that name.
+[[nodiscard]] Loaded load_example(const std::string& name);
+
+/// Solves, with histories every `output_step` [s] unless 0. With `progress`, work of more than two seconds shows how
+/// far it is, if standard error is a terminal. @throws Failure when the numbers fail (exit_numbers_failed).
+[[nodiscard]] Response solve(const Problem& problem, double output_step, bool progress);
+
+/// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
+[[nodiscard]] std::string excitation_line(const Case& c);
+
+/// "Model 1 | Model 2" for the gap to the right of building `gap`.
+[[nodiscard]] std::string gap_name(const Problem& problem, int gap);
+
+void print(const std::string& text);    ///< to standard output
+void message(const std::string& text);  ///< a line to standard error
+
+}  // namespace bentur::cli

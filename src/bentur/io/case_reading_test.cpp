@@ -1,0 +1,284 @@
+// Cases that are right, and what is read from them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <variant>
+
+#include "bentur/io/case_toml.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path bad_input = fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input";  // some good records lie there too
+
+Case read(const std::string& text) {
+  Diagnostics diagnostics;
+  auto c = read_case_text(text, bad_input / "reading.toml", diagnostics);
+  for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+  return c ? *c : Case{};
+}
+
+const std::string units_m = "[units]\nlength = \"m\"\nforce = \"kN\"\n";
+const std::string stick_a =
+    "[[building]]\nname = \"A\"\ndamping = 0.05\nstick = { storey_heights = [3.0, 3.0, 3.5], masses = [30, 28, 25], "
+    "stiffnesses = [40e3, 35e3, 30e3] }\n";
+const std::string stick_b =
+    "[[building]]\nname = \"B\"\ndamping = 0.02\nstick = { storey_heights = [3.0, 3.5, 3.0], masses = [20, 20, 18], "
+    "stiffnesses = [60e3, 50e3, 40e3] }\n";
+const std::string gap =
+    "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.02\ncontact = { law = \"linear\", stiffness = 3e5 }\n";
+const std::string harmonic = "[excitation]\nkind = \"harmonic\"\nperiod = 0.4\ndisplacement_amplitude = 0.05\n";
+const std::string analysis = "[analysis]\nduration = 5\n";
+
+std::string record_case(const std::string& units, const std::string& excitation) {
+  return units + stick_a + stick_b + gap + "[excitation]\nkind = \"record\"\n" + excitation;
+}
+
+TEST(CaseReading, DefaultsOfEveryOptionalKey) {
+  const Case c = read(stick_a + stick_b + gap + harmonic + analysis);
+  EXPECT_EQ(c.title, "");
+  EXPECT_EQ(c.units.length, "m");
+  EXPECT_EQ(c.units.force, "N");
+  EXPECT_DOUBLE_EQ(c.units.gravity, 9.80665);
+  ASSERT_EQ(c.buildings.size(), 2U);
+  EXPECT_FALSE(c.buildings[0].calibrate_period.has_value());
+  EXPECT_EQ(c.buildings[0].base_elevation, 0);
+  EXPECT_EQ(std::get<ModalDamping>(c.buildings[1].damping).ratios, std::vector<double>{0.02});
+  EXPECT_EQ(c.excitation.delays, (std::vector<double>{0, 0}));
+  EXPECT_EQ(c.excitation.kinematics, Kinematics::relative);
+  EXPECT_EQ(std::get<HarmonicMotion>(c.excitation.motion).phase, HarmonicMotion::Phase::sine);
+  EXPECT_TRUE(c.initial.displacements.empty());
+  EXPECT_EQ(c.analysis.solver, "exact");
+  EXPECT_EQ(c.analysis.output_step, 0.01);
+  EXPECT_EQ(c.analysis.duration, 5);
+  EXPECT_NO_THROW((void)make_problem(c));
+}
+
+TEST(CaseReading, GravityFollowsTheUnitOfLengthUnlessGiven) {
+  EXPECT_DOUBLE_EQ(read("[units]\nlength = \"cm\"\n" + stick_a + stick_b + gap + harmonic + analysis).units.gravity,
+                   980.665);
+  EXPECT_DOUBLE_EQ(read("[units]\nlength = \"ft\"\n" + stick_a + stick_b + gap + harmonic + analysis).units.gravity,
+                   9.80665 / 0.3048);
+  EXPECT_EQ(read("[units]\ngravity = 10\n" + stick_a + stick_b + gap + harmonic + analysis).units.gravity, 10);
+}
+
+TEST(CaseReading, ContactPointsStandWhereBothHaveAFloor) {
+  // A has floors at 3, 6, 9.5 and B at 3, 6.5, 9.5.
+  const Case c = read(stick_a + stick_b + gap + harmonic + analysis);
+  ASSERT_EQ(c.gaps.size(), 1U);
+  EXPECT_EQ(c.gaps[0].elevations, (std::vector<double>{3, 9.5}));
+  EXPECT_EQ(c.gaps[0].widths, (std::vector<double>{0.02, 0.02}));
+  EXPECT_EQ(c.gaps[0].contact.stiffness, std::vector<double>{3e5});
+}
+
+TEST(CaseReading, ElevationsMatchWithinAMillionthOfTheHeight) {
+  const auto with_base = [&](const std::string& base) {
+    std::string b = stick_b;
+    return b.replace(b.find("damping"), 0, "base_elevation = " + base + "\n");
+  };
+  // 1e-6 of 9.5 m is 9.5e-6 m.
+  EXPECT_EQ(read(stick_a + with_base("9e-6") + gap + harmonic + analysis).gaps[0].elevations,
+            (std::vector<double>{3, 9.5}));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_case_text(stick_a + with_base("1e-5") + gap + harmonic + analysis, "x", diagnostics).has_value());
+  // On a base 3 m up, B has floors at 6, 9.5, 12.5.
+  EXPECT_EQ(read(stick_a + with_base("3") + gap + harmonic + analysis).gaps[0].elevations,
+            (std::vector<double>{6, 9.5}));
+}
+
+TEST(CaseReading, GivenElevationsChoosePoints) {
+  std::string chosen = gap;
+  chosen.replace(chosen.find("width = 0.02"), 12, "width = [0.03]\nelevations = [9.5]");
+  const Case c = read(stick_a + stick_b + chosen + harmonic + analysis);
+  EXPECT_EQ(c.gaps[0].elevations, std::vector<double>{9.5});
+  EXPECT_EQ(c.gaps[0].widths, std::vector<double>{0.03});
+}
+
+TEST(CaseReading, SectionsOfAFrame) {
+  const std::string frame = R"([[building]]
+name = "A"
+damping = { modal = [0.05, 0.04] }
+calibrate_period = 0.3
+[building.frame]
+elastic_modulus = 2.5e7
+storey_heights = [4.0, 3.0]
+bay_widths = [5, 5]
+columns = [{ width = 0.3, depth = 0.4, density = 2.5 }]
+beams = [{ area = 0.12, inertia = 0.0016, unit_weight = 24.0 }, { width = 0.3, depth = 0.5, mass = 1.5 }]
+floor_masses = [10, 0]
+mass_matrix = "lumped"
+condensation = "dynamic"
+base_coupling = false
+)";
+  const std::string b =
+      "[[building]]\nname = \"B\"\ndamping = { mass_proportional = 0.03 }\nstick = { storey_heights = [4.0], masses = "
+      "[20], stiffnesses = [6e4] }\n";
+  const Case c = read("[units]\nforce = \"kN\"\ngravity = 10.0\n" + frame + b + gap + harmonic + analysis);
+  const auto& f = std::get<PlaneFrame>(c.buildings[0].structure);
+  ASSERT_EQ(f.columns.size(), 2U);
+  ASSERT_EQ(f.beams.size(), 2U);
+  EXPECT_DOUBLE_EQ(f.columns[0].area, 0.12);
+  EXPECT_DOUBLE_EQ(f.columns[0].inertia, 0.3 * 0.4 * 0.4 * 0.4 / 12);  // depth is in the plane of the frame
+  EXPECT_DOUBLE_EQ(f.columns[0].mass, 2.5 * 0.12 * 4.0);               // a column is as long as its storey is high
+  EXPECT_DOUBLE_EQ(f.columns[1].mass, 2.5 * 0.12 * 3.0);
+  EXPECT_DOUBLE_EQ(f.beams[0].mass, 24.0 / 10.0 * 0.12 * 5.0);  // unit weight over the case's gravity
+  EXPECT_EQ(f.beams[1].mass, 1.5);
+  EXPECT_EQ(f.floor_masses, (std::vector<double>{10, 0}));
+  EXPECT_EQ(f.mass_matrix, MassMatrix::lumped);
+  EXPECT_EQ(f.condensation, Condensation::dynamic);
+  EXPECT_FALSE(f.base_coupling);
+  EXPECT_EQ(c.buildings[0].width, 10.0);
+  EXPECT_EQ(c.buildings[0].calibrate_period, 0.3);
+  EXPECT_EQ(std::get<ModalDamping>(c.buildings[0].damping).ratios, (std::vector<double>{0.05, 0.04}));
+  EXPECT_EQ(std::get<MassProportionalDamping>(c.buildings[1].damping).ratio, 0.03);
+}
+
+TEST(CaseReading, MatricesWithADiagonalOrAFullMass) {
+  const auto building = [](const std::string& mass) {
+    return "[[building]]\nname = \"A\"\n[building.matrices]\nelevations = [3.0, 6.0]\nmass = " + mass +
+           "\nstiffness = [[70, -30], [-30, 30]]\ndamping = [[0, 0], [0, 0]]\n";
+  };
+  const Case diagonal = read(building("[2, 3]") + stick_b + gap + harmonic + analysis);
+  const Case full = read(building("[[2, 0], [0, 3.0]]") + stick_b + gap + harmonic + analysis);
+  Eigen::Matrix2d mass;
+  mass << 2, 0, 0, 3;
+  EXPECT_EQ(std::get<MatricesSpec>(diagonal.buildings[0].structure).mass, mass);
+  EXPECT_EQ(std::get<MatricesSpec>(full.buildings[0].structure).mass, mass);
+  EXPECT_EQ(std::get<MatrixDamping>(full.buildings[0].damping).matrix, Eigen::Matrix2d::Zero());
+}
+
+TEST(CaseReading, HarmonicAmplitudesOfAccelerationAndDisplacement) {
+  const std::string excitation =
+      "[excitation]\nkind = \"harmonic\"\nperiod = 0.5\nacceleration_amplitude = 2.0\nphase = \"cosine\"\n";
+  const auto motion = std::get<HarmonicMotion>(read(stick_a + stick_b + gap + excitation + analysis).excitation.motion);
+  const double omega = 2 * std::numbers::pi / 0.5;
+  EXPECT_DOUBLE_EQ(motion.displacement_amplitude * omega * omega, 2.0);
+  EXPECT_EQ(motion.phase, HarmonicMotion::Phase::cosine);
+}
+
+TEST(CaseReading, WaveVelocityDelaysByTheDistanceOfCentres) {
+  const auto widened = [](std::string building, const std::string& width) {
+    return building.replace(building.find("damping"), 0, "width = " + width + "\n");
+  };
+  std::string widths = gap;
+  widths.replace(widths.find("0.02"), 4, "[0.5, 0.2]");
+  const std::string c_building =
+      "[[building]]\nname = \"C\"\nwidth = 6\ndamping = 0.0\nstick = { storey_heights = [3.0], masses = [20], "
+      "stiffnesses = [6e4] }\n";
+  const std::string second =
+      "[[gap]]\nbetween = [\"B\", \"C\"]\nwidth = 0.3\ncontact = { law = \"linear\", stiffness = 3e5 }\n";
+  const Case c = read(widened(stick_a, "10") + widened(stick_b, "8") + c_building + widths + second + harmonic +
+                      "wave_velocity = 100\n" + analysis);
+  ASSERT_EQ(c.excitation.delays.size(), 3U);
+  EXPECT_EQ(c.excitation.delays[0], 0);
+  EXPECT_NEAR(c.excitation.delays[1], (5 + 0.2 + 4) / 100, 1e-15);  // round-off of sums of a few metres over 100 m/s
+  EXPECT_NEAR(c.excitation.delays[2], (5 + 0.2 + 8 + 0.3 + 3) / 100, 1e-15);
+}
+
+TEST(CaseReading, InitialStatesByNameZeroForTheOthers) {
+  const Case c = read(stick_a + stick_b + gap +
+                      "[excitation]\nkind = \"none\"\n[initial]\nvelocities = { B = [0, 0.1, 0.2] }\n" + analysis);
+  EXPECT_TRUE(c.initial.displacements.empty());
+  ASSERT_EQ(c.initial.velocities.size(), 2U);
+  EXPECT_EQ(c.initial.velocities[0], (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(c.initial.velocities[1], (std::vector<double>{0, 0.1, 0.2}));
+}
+
+TEST(CaseReading, RecordInItsUnitAndTheCasesUnits) {
+  // The AT2 file peaks at 0.06 g; a case in cm has g = 980.665 cm/s².
+  const Case c = read(record_case("[units]\nlength = \"cm\"\n", "file = \"good.AT2\"\n"));
+  const auto& motion = std::get<SampledMotion>(c.excitation.motion);
+  ASSERT_TRUE(c.excitation.record.has_value());
+  const RecordEcho& echo = *c.excitation.record;
+  EXPECT_EQ(echo.file, "good.AT2");
+  EXPECT_EQ(echo.format, "peer-at2");
+  EXPECT_EQ(echo.unit, "g");
+  EXPECT_EQ(echo.count, 6);
+  EXPECT_DOUBLE_EQ(echo.time_step, 0.01);
+  EXPECT_DOUBLE_EQ(echo.duration, 0.05);
+  EXPECT_DOUBLE_EQ(echo.pga_read, 0.06);
+  EXPECT_DOUBLE_EQ(echo.pga, 0.06 * 980.665);
+  EXPECT_DOUBLE_EQ(motion.acceleration.back(), -0.06 * 980.665);
+  EXPECT_DOUBLE_EQ(c.analysis.duration, 0.05);  // the record's length
+}
+
+TEST(CaseReading, RecordScaledToAPeakOrByAFactor) {
+  const Case peak = read(record_case(units_m, "file = \"good.AT2\"\npga = 3.0\n"));
+  EXPECT_DOUBLE_EQ(peak_acceleration(peak.excitation.motion), 3.0);
+  EXPECT_DOUBLE_EQ(peak.excitation.record->pga, 3.0);
+  const Case factor = read(record_case(units_m, "file = \"good-two-column.txt\"\nunit = \"cm/s2\"\nscale = -2\n"));
+  // 0.03 cm/s² times −2, in m/s².
+  EXPECT_NEAR(std::get<SampledMotion>(factor.excitation.motion).acceleration.at(2), -0.0006, 1e-18);
+  const Case feet = read(record_case(units_m, "file = \"good-one-column.txt\"\nunit = \"ft/s2\"\ntime_step = 0.005\n"));
+  EXPECT_NEAR(feet.excitation.record->pga, 0.03 * 0.3048, 1e-17);
+  EXPECT_DOUBLE_EQ(feet.excitation.record->duration, 0.01);
+  const Case column = read(record_case(units_m, "file = \"good-three-columns.txt\"\nunit = \"m/s2\"\ncolumn = 3\n"));
+  EXPECT_EQ(std::get<SampledMotion>(column.excitation.motion).acceleration, (std::vector<double>{0.02, 0.01, 0.0}));
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+TEST(CaseReading, ReferenceCasesOfTheLinearLaw) {
+  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference";
+  if (!fs::exists(folder)) GTEST_SKIP() << "the folder shared/reference is not beside the sources";
+  int linear = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    const std::string text = content(entry.path());
+    int laws = 0, linear_laws = 0;
+    for (std::size_t at = text.find("law = "); at != std::string::npos; at = text.find("law = ", at + 1)) {
+      ++laws;
+      linear_laws += text.compare(at, 14, "law = \"linear\"") == 0 ? 1 : 0;
+    }
+    Diagnostics diagnostics;
+    const auto c = read_case(entry.path(), diagnostics);
+    if (laws == linear_laws) {
+      ++linear;
+      for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+      ASSERT_TRUE(c.has_value());
+      EXPECT_NO_THROW((void)make_problem(*c));
+    } else {  // all that keeps it from being read is the law
+      EXPECT_EQ(static_cast<int>(diagnostics.errors().size()), laws - linear_laws);
+      for (const Diagnostic& error : diagnostics.errors()) {
+        EXPECT_NE(error.message.find("this law is not available in this version"), std::string::npos) << error.text();
+      }
+    }
+  }
+  EXPECT_GE(linear, 9);
+}
+
+TEST(CaseReading, MonographCase) {
+  const fs::path file = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "m12-el-centro-gap-02.toml";
+  if (!fs::exists(file)) GTEST_SKIP() << "the folder shared/reference is not beside the sources";
+  Diagnostics diagnostics;
+  const auto c = read_case(file, diagnostics);
+  ASSERT_TRUE(c.has_value());
+  EXPECT_EQ(c->title, "Monograph M1-2, El Centro, gap 0.2 cm");
+  EXPECT_EQ(c->units.gravity, 980.0);
+  const auto& frame = std::get<PlaneFrame>(c->buildings[0].structure);
+  EXPECT_EQ(frame.columns.size(), 3U);
+  EXPECT_DOUBLE_EQ(frame.beams[0].inertia, 9.0 * 12 * 12 * 12 / 12);
+  EXPECT_EQ(c->gaps[0].elevations, (std::vector<double>{100, 200, 300}));
+  EXPECT_EQ(c->excitation.delays, (std::vector<double>{0, 0.1}));
+  EXPECT_NEAR(c->excitation.record->pga_read, 0.34874, 5e-6);  // the five digits its description gives
+  EXPECT_DOUBLE_EQ(c->excitation.record->pga, 341.7);
+  EXPECT_NEAR(c->excitation.record->time_step, 0.02, 1e-12);
+}
+
+}  // namespace
+}  // namespace bentur

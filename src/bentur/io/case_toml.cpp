@@ -1,0 +1,182 @@
+#include "bentur/io/case_toml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "bentur/io/case_parts.h"
+
+namespace bentur {
+namespace {
+
+constexpr std::uintmax_t largest_file = 16U << 20;  // bytes; a case file has some thousand
+constexpr double most_samples = 1e7;                // of one history [-]
+
+/// One list per building, zeros where the case names none; empty when the table is missing.
+std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
+                                                    const std::vector<ReadBuilding>& buildings, bool& moves) {
+  const auto table = initial.find(key);
+  if (!table) return {};
+  if (!table->is(TomlValue::Kind::table)) {
+    table->error_value("must be a table: building name = list, one value per floor");
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const ReadBuilding& building : buildings) names.push_back(building.spec.name);
+  std::vector<std::vector<double>> lists;
+  for (const ReadBuilding& building : buildings) lists.emplace_back(building.floors, 0.0);
+  for (const TomlMember& member : table->value().members) {
+    const TomlView given = *table->find(member.key);
+    const auto found = std::find(names.begin(), names.end(), member.key);
+    if (found == names.end()) {
+      given.error("is for no building of the case, " + suggestion(member.key, names, "the buildings are"));
+      continue;
+    }
+    const auto b = static_cast<std::size_t>(found - names.begin());
+    const auto values = given.as_numbers(Rule::finite, {buildings[b].floors, "one per floor"});
+    if (!values) continue;
+    lists[b] = *values;
+    moves = moves || std::any_of(values->begin(), values->end(), [](double x) { return x != 0; });
+  }
+  return lists;
+}
+
+/// @param moves set when something is given an initial displacement or velocity.
+InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool& moves) {
+  InitialSpec initial;
+  const auto view = root.find("initial");
+  if (!view || !view->is_table_of({"displacements", "velocities"})) return initial;
+  initial.displacements = read_initial_table(*view, "displacements", buildings, moves);
+  initial.velocities = read_initial_table(*view, "velocities", buildings, moves);
+  return initial;
+}
+
+void read_solver(const TomlView& view, AnalysisSpec& analysis) {
+  const auto solver = view.word("solver", {"exact", "runge-kutta", "adaptive"}, Need::optional);
+  if (solver && *solver != "exact") {
+    view.find("solver")->error_value("this solver is not available in this version; available: exact");
+  } else if (solver || !view.has("solver")) {
+    if (const auto step = view.find("step")) step->error("is for solver = \"runge-kutta\"");
+    if (const auto tolerance = view.find("tolerance")) tolerance->error("is for solver = \"adaptive\"");
+  }
+  analysis.solver = solver.value_or("exact");
+  if (view.flag("energy_audit", Need::optional).value_or(false)) {
+    view.find("energy_audit")->error_value("the energy audit is not available in this version");
+  }
+}
+
+AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
+  AnalysisSpec analysis;
+  if (excitation.record) analysis.duration = excitation.record->duration;
+  // A record that could not be read would have given the duration.
+  const auto source = root.find("excitation");
+  const auto kind = source && source->is(TomlValue::Kind::table) ? source->find("kind") : std::nullopt;
+  const bool duration_needed = kind && (kind->value().text == "harmonic" || kind->value().text == "none");
+  const std::string reason = "only a record has a length of its own";
+
+  const auto view = root.find("analysis");
+  if (!view) {
+    if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
+    return analysis;
+  }
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit"})) return analysis;
+  if (const auto duration = view->find("duration")) {
+    analysis.duration = duration->as_number(Rule::positive).value_or(0);
+  } else if (duration_needed) {
+    view->error_missing("duration", reason);
+  }
+  read_solver(*view, analysis);
+  analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
+  if (analysis.duration / analysis.output_step > most_samples) {
+    (view->has("output_step") ? *view->find("output_step") : *view)
+        .error(fmt::format("asks for histories of {:.3g} samples, more than {:.0e}: make output_step larger",
+                           analysis.duration / analysis.output_step, most_samples));
+  }
+  return analysis;
+}
+
+/// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
+void check_assembled(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    try {
+      (void)make_building(buildings[b].spec);
+    } catch (const std::exception& error) {
+      root.find("building")
+          ->item(b)
+          .renamed(buildings[b].path)
+          .error(std::string("cannot be computed with: ") + error.what());
+    }
+  }
+}
+
+Case read_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  Case c;
+  (void)root.is_table_of({"title", "units", "building", "gap", "excitation", "initial", "analysis"});
+  c.title = root.text("title", Need::optional).value_or("");
+  c.units = read_units(root);
+  const std::vector<ReadBuilding> buildings = read_buildings(root, c.units);
+  c.gaps = read_gaps(root, buildings);
+  c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics);
+  bool moves = false;
+  c.initial = read_initial(root, buildings, moves);
+  c.analysis = read_analysis(root, c.excitation);
+  for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
+  if (!diagnostics.ok()) return c;
+  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !moves) {
+    root.find("excitation")
+        ->find("kind")
+        ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
+  }
+  check_assembled(root, buildings);
+  return c;
+}
+
+}  // namespace
+
+Units read_units(const TomlView& root) {
+  Units units;
+  const auto view = root.find("units");
+  if (!view || !view->is_table_of({"length", "force", "gravity"})) return units;
+  units.length = view->word("length", length_units(), Need::optional).value_or(units.length);
+  units.force = view->word("force", force_units(), Need::optional).value_or(units.force);
+  units.gravity = view->number("gravity", Rule::positive, Need::optional).value_or(standard_gravity(units.length));
+  return units;
+}
+
+std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics) {
+  Diagnostics found;  // those of this file decide, whatever the caller has collected before
+  const std::string name = file.string();
+  std::optional<Case> c;
+  if (const auto root = parse_toml(text, name, found)) {
+    c = read_parts(TomlView(*root, "", name, found), file.parent_path(), found);
+  }
+  for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
+  return found.ok() ? std::move(c) : std::nullopt;
+}
+
+std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::error_code failed;
+  const auto refuse = [&](const std::string& message) {
+    diagnostics.error({file.string(), 0, 0}, message);
+    return std::nullopt;
+  };
+  if (!std::filesystem::exists(file, failed)) return refuse("there is no such file");
+  if (std::filesystem::is_directory(file, failed)) return refuse("is a folder, not a case file");
+  if (std::filesystem::is_regular_file(file, failed) && std::filesystem::file_size(file, failed) > largest_file) {
+    return refuse("is larger than 16 MiB, which no case file is");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || text.str().size() > largest_file) return refuse("cannot be read");
+  return read_case_text(text.str(), file, diagnostics);
+}
+
+}  // namespace bentur

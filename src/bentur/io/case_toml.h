@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/study/case.h"
+
+namespace bentur {
+
+/// Reads and validates a case file and the record it names (docs/case-file.md). Every error found goes to
+/// `diagnostics`, each with file:line:column, key, value, rule and, for an unknown key, the nearest known one.
+/// @return the case, or nothing when there was an error.
+[[nodiscard]] std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+/// The same for a text that is already in memory. Messages carry `file`; its folder is the one record files are in.
+[[nodiscard]] std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
+                                                 Diagnostics& diagnostics);
+
+}  // namespace bentur

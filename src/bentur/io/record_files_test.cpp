@@ -1,0 +1,253 @@
+#include "bentur/io/record_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that lives as long as the test.
+class RecordFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    file_ = fs::temp_directory_path() /
+            (std::string("bentur-record-") + info->name() + "-" + std::to_string(std::random_device{}()));
+  }
+  void TearDown() override { fs::remove(file_); }
+
+  std::optional<Record> read(const std::string& text, const RecordOptions& options = {}) {
+    std::ofstream(file_, std::ios::binary) << text;
+    diagnostics_ = Diagnostics();
+    return read_record(file_, options, diagnostics_);
+  }
+
+  /// The messages without the file's name, one in a line.
+  std::string messages() const {
+    std::string all;
+    for (const Diagnostic& error : diagnostics_.errors()) all += error.text().substr(file_.string().size()) + "\n";
+    return all;
+  }
+
+  fs::path file_;
+  Diagnostics diagnostics_;
+};
+
+using Values = std::vector<double>;
+const std::string peer_head =
+    "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE\nACCELERATION TIME HISTORY IN UNITS OF G\n";
+
+TEST_F(RecordFile, PeerHeadersInEachSpelling) {
+  for (const char* const header : {"NPTS=  3, DT= .01000 SEC", "NPTS=   3, dt=  .01000", "3 0.01000 NPTS, DT",
+                                   "npts=3,dt=.01sec", "NPTS =  3 , DT = 1.0D-02 SEC,", "   3    .0100    NPTS, DT"}) {
+    SCOPED_TRACE(header);
+    const auto record = read(peer_head + header + "\n  .1E-01  -.2D-01\n   3.E-02\n");
+    ASSERT_TRUE(record.has_value()) << messages();
+    EXPECT_EQ(record->format, "peer-at2");
+    EXPECT_EQ(record->unit, "g");
+    EXPECT_DOUBLE_EQ(record->time_step, 0.01);
+    EXPECT_EQ(record->values, (Values{0.01, -0.02, 0.03}));
+  }
+}
+
+TEST_F(RecordFile, LineEndsOfDosAndOldMacintosh) {
+  for (const std::string end : {"\r\n", "\r"}) {
+    std::string text = peer_head + "NPTS= 2, DT= .01 SEC\n .1 .2\n";
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+      text.replace(at, 1, end);
+    const auto record = read(text + "\x1A");
+    ASSERT_TRUE(record.has_value()) << messages();
+    EXPECT_EQ(record->values, (Values{0.1, 0.2}));
+  }
+}
+
+TEST_F(RecordFile, PeerCountThatDisagreesStatesBoth) {
+  EXPECT_FALSE(read(peer_head + "NPTS= 4, DT= .01 SEC\n .1 .2 .3\n").has_value());
+  EXPECT_EQ(messages(), ":4:1: error: NPTS = 4, but the file holds 3 values\n");
+  EXPECT_FALSE(read(peer_head + "NPTS= 2.5, DT= -.01 SEC\n .1 .2 .3\n").has_value());
+  EXPECT_EQ(messages(), ":4:7: error: NPTS = 2.5, must be a whole number > 0\n:4:16: error: DT = -.01, must be > 0\n");
+}
+
+TEST_F(RecordFile, PeerVelocityAndDisplacementAreRefused) {
+  const std::string rest = "NPTS= 2, DT= .01 SEC\n .1 .2\n";
+  EXPECT_FALSE(read("PEER\nX\nVELOCITY TIME HISTORY IN UNITS OF CM/S\n" + rest).has_value());
+  EXPECT_NE(messages().find("a velocity record"), std::string::npos);
+  EXPECT_FALSE(read("PEER\nX\nDISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest).has_value());
+  EXPECT_NE(messages().find("a displacement record"), std::string::npos);
+  EXPECT_FALSE(read("PEER\nX\nACCELERATION TIME HISTORY IN UNITS OF CM/S/S\n" + rest).has_value());
+  EXPECT_NE(messages().find("units of \"CM/S/S\""), std::string::npos);
+  EXPECT_FALSE(read("PEER\nX\nACCELERATION TIME HISTORY\n" + rest).has_value());
+  EXPECT_NE(messages().find("IN UNITS OF G"), std::string::npos);
+}
+
+TEST_F(RecordFile, BadNumbersWithLineAndColumn) {
+  EXPECT_FALSE(read(peer_head + "NPTS= 4, DT= .01 SEC\n .1 .2\n .x NaN\n").has_value());
+  EXPECT_EQ(messages(), ":6:2: error: \".x\" is not a number\n:6:5: error: \"NaN\" is not a finite number\n");
+  EXPECT_FALSE(read("0 1\n1 inf\n2 1e999\n3 --2\n4 1.5.2\n").has_value());
+  EXPECT_EQ(messages(),
+            ":2:3: error: \"inf\" is not a finite number\n:3:3: error: \"1e999\" is not a finite number\n"
+            ":4:3: error: \"--2\" is not a number\n:5:3: error: \"1.5.2\" is not a number\n");
+}
+
+TEST_F(RecordFile, ErrorsAreCutAfterTen) {
+  std::string text = "0 1\n";
+  for (int i = 1; i < 100; ++i) text += std::to_string(i) + " x\n";
+  EXPECT_FALSE(read(text).has_value());
+  EXPECT_EQ(diagnostics_.errors().size(), 10U);
+}
+
+TEST_F(RecordFile, TwoColumnsInEachLayout) {
+  for (const char* const text :
+       {"0.00 0.5\n0.02 -0.25\n0.04 1e-1\n", "0.00,0.5\n0.02,-0.25\n0.04,.1\n", "0.00, 0.5\n0.02, -0.25\n0.04, 0.1\n",
+        "0.00;0.5\n0.02; -0.25 ;\n0.04;0.1", "0.00\t0.5\n0.02\t-0.25\n0.04\t0.1\n", "0,00;0,5\n0,02;-0,25\n0,04;0,1\n",
+        "0,00\t0,5\n0,02\t-0,25\n0,04\t0,1\n", "0,00  0,5\n0,02 -0,25\n0,04  0,1\n",
+        "Time [s], Acceleration\n0.00,0.5\n0.02,-0.25\n0.04,0.1\n", "Zeit;Beschl. a\n0,00;0,5\n0,02;-0,25\n0,04;0,1\n",
+        "# a comment, 1 2 3\n% another\n\n 0.00 0.5 # start\n0.02 -0.25\n\n0.04 0.1\n",
+        "\xEF\xBB\xBF"
+        "0.00 0.5\n0.02 -0.25\n0.04 0.1\n"}) {
+    SCOPED_TRACE(text);
+    const auto record = read(text);
+    ASSERT_TRUE(record.has_value()) << messages();
+    EXPECT_EQ(record->format, "two-column");
+    EXPECT_EQ(record->unit, "");  // never guessed
+    EXPECT_DOUBLE_EQ(record->time_step, 0.02);
+    EXPECT_EQ(record->values, (Values{0.5, -0.25, 0.1}));
+  }
+}
+
+TEST_F(RecordFile, OneColumnNeedsAStep) {
+  RecordOptions options;
+  EXPECT_FALSE(read("0.5\n-0.25\n", options).has_value());
+  EXPECT_NE(messages().find("give excitation.time_step"), std::string::npos);
+  options.time_step = 0.01;
+  const auto record = read("acceleration\n0.5\n-0.25\n", options);
+  ASSERT_TRUE(record.has_value()) << messages();
+  EXPECT_EQ(record->format, "one-column");
+  EXPECT_EQ(record->time_step, 0.01);
+  EXPECT_EQ(record->values, (Values{0.5, -0.25}));
+}
+
+TEST_F(RecordFile, FormatAskedForMustFit) {
+  RecordOptions options;
+  options.format = "one-column";
+  options.time_step = 0.01;
+  EXPECT_FALSE(read("0 0.5\n1 0.6\n", options).has_value());
+  options.format = "two-column";
+  EXPECT_FALSE(read("0.5\n0.6\n", options).has_value());
+  options.format = "peer-at2";
+  EXPECT_FALSE(read("0 0.5\n1 0.6\n", options).has_value());
+}
+
+TEST_F(RecordFile, ColumnsAreChosenNotGuessed) {
+  const std::string text = "0.0 1 2 3\n0.1 4 5 6\n";
+  EXPECT_FALSE(read(text).has_value());
+  RecordOptions options;
+  for (const int column : {1, 5}) {
+    options.column = column;
+    EXPECT_FALSE(read(text, options).has_value()) << column;
+  }
+  options.column = 3;
+  EXPECT_EQ(read(text, options).value().values, (Values{2, 5}));
+}
+
+TEST_F(RecordFile, StepMayVaryByOnePerCent) {
+  // Steps 0.0201, 0.0199: half a per cent off the mean. 0.0203, 0.0197: one and a half.
+  const auto record = read("0 1\n0.0201 2\n0.04 3\n");
+  ASSERT_TRUE(record.has_value()) << messages();
+  EXPECT_DOUBLE_EQ(record->time_step, 0.02);
+  EXPECT_FALSE(read("0 1\n0.0203 2\n0.04 3\n").has_value());
+  EXPECT_EQ(messages(), ":2:1: error: time step 0.0203 s differs from the mean step 0.02 s by more than 1 %\n");
+  EXPECT_FALSE(read("0.04 1\n0.02 2\n0 3\n").has_value());
+  EXPECT_EQ(messages(), ":3:1: error: time does not go forward from the first line to the last\n");
+}
+
+TEST_F(RecordFile, FilesWithoutNumbers) {
+  for (const char* const text : {"", "\n\n", " \t\r\n"}) {
+    EXPECT_FALSE(read(text).has_value());
+    EXPECT_EQ(messages(), ": error: is empty\n");
+  }
+  EXPECT_FALSE(read("# only a comment\ntime acceleration\n").has_value());
+  EXPECT_EQ(messages(), ": error: holds no numbers\n");
+  EXPECT_FALSE(read("0 1\n").has_value());
+  EXPECT_EQ(messages(), ": error: holds one value only, a record needs two or more\n");
+  EXPECT_FALSE(read("0,1;2\n0,2;;3\n").has_value());
+  EXPECT_FALSE(read("first title\nsecond title\n0 1\n1 2\n").has_value());
+}
+
+TEST_F(RecordFile, ATypingErrorInTheFirstRowIsNoHeader) {
+  EXPECT_FALSE(read("0.00 O.5\n0.02 0.25\n0.04 0.1\n").has_value());
+  EXPECT_EQ(messages(), ":1:6: error: \"O.5\" is not a number\n");
+}
+
+TEST(RecordFiles, RecordsOfRealEarthquakes) {
+  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "records";
+  if (!fs::exists(folder)) GTEST_SKIP() << "the folder shared/records is not beside the sources";
+  struct Known {
+    const char* name;
+    const char* format;
+    double time_step;  // [s]
+    std::size_t count;
+  };
+  // Step and number of values as headers and line counts of the files say.
+  const std::vector<Known> known = {{"A-ELC180.AT2", "peer-at2", 0.01, 4000},
+                                    {"ANLA196.AT2", "peer-at2", 0.02, 1451},
+                                    {"AZF225.AT2", "peer-at2", 0.005, 2060},
+                                    {"EUR090.AT2", "peer-at2", 0.02, 2200},
+                                    {"FOR090.AT2", "peer-at2", 0.02, 2200},
+                                    {"GCN-WE.AT2", "peer-at2", 0.00244, 8192},
+                                    {"PBFEAS.AT2", "peer-at2", 0.01, 2364},
+                                    {"RIO270.AT2", "peer-at2", 0.02, 1800},
+                                    {"RSN1044_DirRot2.AT2", "peer-at2", 0.02, 2000},
+                                    {"SHL000.AT2", "peer-at2", 0.02, 1800},
+                                    {"el-centro-1940-s00e.txt", "two-column", 0.02, 2688},
+                                    {"kobe.txt", "two-column", 0.02, 1250},
+                                    {"hollister.txt", "two-column", 0.02, 601}};
+  for (const Known& one : known) {
+    SCOPED_TRACE(one.name);
+    Diagnostics diagnostics;
+    const auto record = read_record(folder / one.name, {}, diagnostics);
+    for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+    ASSERT_TRUE(record.has_value());
+    EXPECT_EQ(record->format, one.format);
+    EXPECT_EQ(record->values.size(), one.count);
+    EXPECT_NEAR(record->time_step, one.time_step, 1e-12);
+  }
+  int read = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".md" || entry.path().filename() == "mexico-sct-1985.txt") continue;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read_record(entry.path(), {}, diagnostics).has_value()) << entry.path();
+    ++read;
+  }
+  EXPECT_GE(read, 20);
+
+  Diagnostics diagnostics;
+  const auto el_centro = read_record(folder / "el-centro-1940-s00e.txt", {}, diagnostics).value();
+  const auto peak = std::max_element(el_centro.values.begin(), el_centro.values.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  EXPECT_NEAR(std::abs(*peak), 0.34874, 5e-6);
+  EXPECT_EQ(peak - el_centro.values.begin(), 106);  // at 2.12 s
+
+  EXPECT_FALSE(read_record(folder / "mexico-sct-1985.txt", {}, diagnostics).has_value());
+  RecordOptions east;
+  east.column = 3;
+  const auto mexico = read_record(folder / "mexico-sct-1985.txt", east, diagnostics).value();
+  EXPECT_EQ(mexico.format, "two-column");
+  double largest = 0;
+  for (const double value : mexico.values) largest = std::max(largest, std::abs(value));
+  EXPECT_NEAR(largest, 0.171, 5e-4);
+  EXPECT_NEAR(mexico.time_step, 0.02, 1e-5);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,170 @@
+#include "bentur/io/results/result_json.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list(const Eigen::VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
+
+Json units_json(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
+
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Json excitation_json(const ExcitationSpec& excitation) {
+  Json json;
+  if (excitation.record) {
+    const RecordEcho& record = *excitation.record;
+    json = {{"kind", "record"},
+            {"file", record.file},
+            {"format", record.format},
+            {"unit", record.unit},
+            {"time_step", record.time_step},
+            {"count", record.count},
+            {"duration", record.duration},
+            {"pga_read", record.pga_read},
+            {"pga", record.pga}};
+  } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
+    json = {{"kind", "harmonic"},
+            {"period", harmonic->period},
+            {"displacement_amplitude", harmonic->displacement_amplitude},
+            {"phase", harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine"},
+            {"pga", peak_acceleration(excitation.motion)}};
+  } else {
+    json = {{"kind", "none"}};
+  }
+  json["delays"] = excitation.delays;
+  json["kinematics"] = excitation.kinematics == Kinematics::relative ? "relative" : "absolute";
+  return json;
+}
+
+Json building_json(const Building& building, const BuildingPeaks& peaks) {
+  const Eigen::VectorXd periods = modal_properties(building.modes, building.model.load).periods;
+  Json amplification = Json::array();
+  for (Eigen::Index i = 0; i < peaks.displacement.size(); ++i) {
+    const double free = peaks.displacement_no_contact(i);
+    amplification.push_back(free > 0 ? Json(peaks.displacement(i) / free) : Json(nullptr));
+  }
+  return {{"name", building.name},
+          {"elevations", building.model.elevations},
+          {"periods", list(periods)},
+          {"peak_displacement", list(peaks.displacement)},
+          {"peak_displacement_no_contact", list(peaks.displacement_no_contact)},
+          {"amplification", amplification},
+          {"peak_drift_ratio", list(peaks.drift_ratio)},
+          {"peak_acceleration", list(peaks.acceleration)},
+          {"peak_storey_shear", list(peaks.storey_shear)}};
+}
+
+Json point_json(const ContactPoint& point, const PointSummary& summary) {
+  return {{"elevation", point.elevation},
+          {"width", point.width},
+          {"minimum_gap_no_contact", summary.minimum_gap_no_contact},
+          {"impacts", summary.impacts},
+          {"contact_duration", summary.contact_duration},
+          {"peak_force", summary.peak_force},
+          {"peak_force_time", summary.peak_force_time ? Json(*summary.peak_force_time) : Json(nullptr)},
+          {"peak_penetration", summary.peak_penetration},
+          {"peak_closing_speed", summary.peak_closing_speed},
+          {"impulse", summary.impulse},
+          {"energy_lost", summary.energy_lost}};
+}
+
+Json between(const Problem& problem, std::size_t gap) {
+  return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
+}
+
+}  // namespace
+
+std::string summary_json(const Case& c, const Problem& problem, const Response& response, std::string_view version) {
+  Json buildings = Json::array();
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b)));
+  }
+  Json gaps = Json::array();
+  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+    Json points = Json::array();
+    double needed = 0;
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      if (problem.points[i].left == static_cast<int>(gap)) {
+        points.push_back(point_json(problem.points[i], response.points.at(i)));
+        needed = std::max(needed, response.points[i].minimum_gap_no_contact);
+      }
+    }
+    gaps.push_back({{"between", between(problem, gap)}, {"minimum_gap_no_contact", needed}, {"points", points}});
+  }
+  return dump({{"title", c.title},
+               {"units", units_json(c.units)},
+               {"version", version},
+               {"solver",
+                {{"name", c.analysis.solver},
+                 {"steps", response.steps},
+                 {"events", response.events},
+                 {"wall_time", response.wall_time},
+                 {"energy_residual", nullptr}}},
+               {"excitation", excitation_json(c.excitation)},
+               {"buildings", buildings},
+               {"gaps", gaps}});
+}
+
+std::string modes_json(const std::vector<Building>& buildings) {
+  Json all = Json::array();
+  for (const Building& building : buildings) {
+    const ModalProperties properties = modal_properties(building.modes, building.model.load);
+    Json shapes = Json::array();
+    for (Eigen::Index mode = 0; mode < building.modes.shapes.cols(); ++mode) {
+      shapes.push_back(list(building.modes.shapes.col(mode)));
+    }
+    all.push_back({{"name", building.name},
+                   {"periods", list(properties.periods)},
+                   {"participation", list(properties.participation)},
+                   {"effective_mass_fraction", list(properties.effective_mass_fraction)},
+                   {"shapes", shapes}});
+  }
+  return dump({{"buildings", all}});
+}
+
+std::string gap_json(const Case& c, const Problem& problem, const std::vector<PointSeparation>& separations,
+                     std::string_view version) {
+  Json gaps = Json::array();
+  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+    Json points = Json::array();
+    PointSeparation largest;
+    for (const PointSeparation& separation : separations) {
+      const ContactPoint& point = problem.points.at(static_cast<std::size_t>(separation.point));
+      if (point.left != static_cast<int>(gap)) {
+        continue;
+      }
+      points.push_back({{"elevation", point.elevation},
+                        {"width", point.width},
+                        {"simulated", separation.simulated},
+                        {"abs", separation.abs},
+                        {"srss", separation.srss},
+                        {"ddc", separation.ddc}});
+      largest.simulated = std::max(largest.simulated, separation.simulated);
+      largest.abs = std::max(largest.abs, separation.abs);
+      largest.srss = std::max(largest.srss, separation.srss);
+      largest.ddc = std::max(largest.ddc, separation.ddc);
+    }
+    gaps.push_back({{"between", between(problem, gap)},
+                    {"simulated", largest.simulated},
+                    {"abs", largest.abs},
+                    {"srss", largest.srss},
+                    {"ddc", largest.ddc},
+                    {"points", points}});
+  }
+  return dump({{"title", c.title},
+               {"units", units_json(c.units)},
+               {"version", version},
+               {"excitation", excitation_json(c.excitation)},
+               {"gaps", gaps}});
+}
+
+}  // namespace bentur

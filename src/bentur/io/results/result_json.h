@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+#include "bentur/study/case.h"
+#include "bentur/study/minimum_gap.h"
+
+namespace bentur {
+
+/// The summary of a run, also `summary.json`. Lists run bottom to top; a number that does not
+/// exist (amplification over a peak of zero, the time of a force that never was) is null.
+[[nodiscard]] std::string summary_json(const Case& c, const Problem& problem, const Response& response,
+                                       std::string_view version);
+
+/// Periods, participation, effective mass fractions and mass-normalised shapes of each building.
+[[nodiscard]] std::string modes_json(const std::vector<Building>& buildings);
+
+/// The gap each contact point needs: simulated, ABS, SRSS, DDC; a gap's own four are the largest of its points'.
+[[nodiscard]] std::string gap_json(const Case& c, const Problem& problem,
+                                   const std::vector<PointSeparation>& separations, std::string_view version);
+
+}  // namespace bentur

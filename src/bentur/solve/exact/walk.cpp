@@ -1,0 +1,185 @@
+#include "bentur/solve/exact/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bentur::exact {
+namespace {
+
+constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
+constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
+constexpr long segments_between_reports = 256;
+constexpr std::size_t unsettled_limit = 4096;  // bounds the memory of a long run
+constexpr int halvings_beyond_one_series = 2;  // by measurement: fewer leave more to series, more cost flights
+
+}  // namespace
+
+FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {
+  FlightTable table(grid.kinds());
+  if (!system.classical) return table;
+  const double rate = system.rate(std::vector<char>(system.points.size(), 0));
+  for (std::size_t kind = 0; kind < table.size(); ++kind) {
+    double length = grid.length(kind);
+    const double to_one_series = std::ceil(std::log2(std::max(1.0, length * rate / series_reach)));
+    for (int n = 0; n <= static_cast<int>(to_one_series) + halvings_beyond_one_series; ++n) {
+      table[kind].emplace_back(system, length);
+      length *= 0.5;
+    }
+  }
+  return table;
+}
+
+Walk::Walk(const ModalSystem& system, const Problem& problem, const TimeGrid& grid, FlightTable& flights,
+           PeakWatch::Scope scope)
+    : system_(system),
+      problem_(problem),
+      series_(system),
+      state_{system.initial_q, system.initial_v},
+      next_(state_),
+      grid_(grid),
+      flights_(flights),
+      watch_(system, scope),
+      largest_ground_(system.blocks.size(), 0.0) {
+  watch_.start(state_);
+}
+
+Status Walk::run(const std::function<bool(double)>& progress) {
+  for (long segment = 0;; ++segment) {
+    const double start = grid_.start(segment);
+    const std::size_t kind = static_cast<std::size_t>(segment) % grid_.kinds();
+    const double left = problem_.duration - start;
+    const double length = grid_.length(kind);
+    if (left <= end_slack * length) break;
+    grid_.input(segment, inputs_);
+    if (left >= length * (1.0 - end_slack)) {
+      advance(kind, 0, start, length);
+    } else {
+      walk(start, left);
+    }
+    if (!trouble_.empty()) return Status::failed;
+    if (unsettled_.size() >= unsettled_limit) scan_unsettled();
+    if (segment % segments_between_reports == 0 && !progress(start / problem_.duration)) return Status::stopped;
+  }
+  scan_unsettled();
+  settle();
+  return Status::done;
+}
+
+/// A segment, or one of its parts after so many halvings.
+void Walk::advance(std::size_t kind, std::size_t halvings, double start, double length) {
+  if (!trouble_.empty()) return;
+  auto& flights = flights_[kind];
+  if (!flights.empty() && may_fly() && fly(flights[halvings], start, length)) return;
+  if (halvings + 1 >= flights.size()) {
+    walk(start, length);
+    return;
+  }
+  const double half = 0.5 * length;
+  advance(kind, halvings + 1, start, half);
+  advance(kind, halvings + 1, start + half, half);
+}
+
+/// False, and nothing has changed, when something may happen.
+bool Walk::fly(Flight& flight, double start, double length) {
+  flight.advance(state_, inputs_, next_);
+  if (!quiet(flight)) return false;
+  watch_interval(length, flight.rise(), flight.acceleration_rise());
+  pass(start, length);
+  inputs_ = end_inputs_;
+  state_.q.swap(next_.q);
+  state_.v.swap(next_.v);
+  after_step(start + length);
+  return true;
+}
+
+/// By power series, cut at events.
+void Walk::walk(double start, double length) {
+  double elapsed = 0.0;
+  long cuts = 0;
+  while (elapsed < length && trouble_.empty()) {
+    const double left = length - elapsed;
+    double h = series_reach / system_.rate(closed());
+    const bool last = h >= left * (1.0 - end_slack);
+    if (last) h = left;
+    series_.expand(state_, inputs_, h, closed());
+    series_.evaluate(1.0, next_);
+    const double time = start + elapsed;
+    const double cut = look(time);
+    if (cut < 1.0) series_.evaluate(cut, next_);
+    const double part = cut * cut / 8.0;
+    rise_ = part * series_.curvature();
+    acceleration_rise_ = part / (h * h) * series_.fourth_derivative();
+    watch_interval(cut * h, rise_, acceleration_rise_);
+    elapsed = last && cut == 1.0 ? length : elapsed + cut * h;
+    inputs_ = end_inputs_;
+    state_.q.swap(next_.q);
+    state_.v.swap(next_.v);
+    arrived(start + elapsed);
+    after_step(start + elapsed);
+    if (cut < 1.0 && ++cuts > events_per_walk_limit) {
+      fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion",
+                       events_per_walk_limit),
+           time);
+    }
+  }
+}
+
+/// Takes the interval from state_ to next_ into the peaks and leaves the inputs at its end in end_inputs_. What its
+/// ends and bounds do not settle is kept and looked into when the run is over: peaks only rise, so most of it is
+/// settled by then.
+void Walk::watch_interval(double length, const Eigen::VectorXd& rise, const Eigen::VectorXd& acceleration_rise) {
+  end_inputs_ = inputs_;
+  system_.advance(end_inputs_, length);
+  system_.acceleration(state_, inputs_, closed(), start_acceleration_);
+  system_.acceleration(next_, end_inputs_, closed(), end_acceleration_);
+  const PeakWatch::Interval interval{state_, next_, start_acceleration_, end_acceleration_, rise, acceleration_rise};
+  for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+    if (!watch_.settled_by_bound(b, interval, reach_))
+      unsettled_.push_back({b, length, state_, inputs_, closed(), reach_, 0.0});
+  }
+}
+
+void Walk::scan_unsettled() {
+  // Those that may have gone furthest first: what they raise settles others.
+  for (Unsettled& interval : unsettled_) interval.excess = watch_.excess(interval.block, interval.reach);
+  std::sort(unsettled_.begin(), unsettled_.end(), [](const auto& a, const auto& b) { return a.excess > b.excess; });
+  for (Unsettled& interval : unsettled_) {
+    if (watch_.excess(interval.block, interval.reach) <= 1.0) continue;
+    State& from = interval.start;
+    const bool coupled = std::find(interval.closed.begin(), interval.closed.end(), 1) != interval.closed.end();
+    const double growth =
+        coupled ? system_.rate(interval.closed) : std::max(system_.blocks[interval.block].rate(), system_.nu);
+    const auto count = std::max(1.0, std::ceil(interval.length * growth * (1.0 - end_slack) / series_reach));
+    const double h = interval.length / count;
+    for (double n = 0.0; n < count; n += 1.0) {
+      if (coupled) {
+        series_.expand(from, interval.inputs, h, interval.closed);
+      } else {
+        series_.expand_block(interval.block, from, interval.inputs[interval.block], h);
+      }
+      series_.evaluate(1.0, next_);
+      watch_.scan(interval.block, series_, interval.reach);
+      system_.advance(interval.inputs, h);
+      from.q.swap(next_.q);
+      from.v.swap(next_.v);
+    }
+  }
+  unsettled_.clear();
+}
+
+void Walk::after_step(double time) {
+  ++steps_;
+  if (!state_.q.allFinite() || !state_.v.allFinite()) fail("the response is no longer a finite number", time);
+  if (problem_.kinematics == Kinematics::absolute) {
+    for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+      const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
+      largest_ground_[b] = std::max(largest_ground_[b], std::abs(state_.q(ground)));
+    }
+  }
+}
+
+void Walk::fail(const std::string& reason, double time) { trouble_ = fmt::format("{} at t = {:.6g} s", reason, time); }
+
+}  // namespace bentur::exact

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bentur/core/units.h"
+#include "bentur/excitation/ground_motion.h"
+#include "bentur/solve/problem.h"
+#include "bentur/structure/damping.h"
+#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/stick.h"
+
+namespace bentur {
+
+/// Matrices from another program. Elevations are above the building's own base.
+struct MatricesSpec {
+  std::vector<double> elevations;  ///< [length], ascending, > 0
+  Eigen::MatrixXd mass;            ///< [mass]
+  Eigen::MatrixXd stiffness;       ///< [force/length]
+};
+
+struct BuildingSpec {
+  std::string name;
+  std::variant<PlaneFrame, Stick, MatricesSpec> structure;
+  Damping damping;
+  std::optional<double> calibrate_period;  ///< [s]
+  double base_elevation = 0;               ///< [length]
+  std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
+};
+
+/// Contact of one gap. Lists have one entry per contact point.
+struct ContactSpec {
+  std::string law = "linear";
+  bool axial = false;             ///< stiffness = "axial", by (3-4)
+  std::vector<double> stiffness;  ///< [force/length]; one for all points or one each; empty when axial
+};
+
+struct GapSpec {
+  std::vector<double> widths;      ///< [length], one per point
+  std::vector<double> elevations;  ///< [length] absolute, one per point, ascending
+  ContactSpec contact;
+};
+
+/// What was read from a record file, echoed to the user.
+struct RecordEcho {
+  std::string file;      ///< as the case names it
+  std::string format;    ///< peer-at2 two-column one-column
+  std::string unit;      ///< of the file
+  double time_step = 0;  ///< [s]
+  long count = 0;
+  double duration = 0;  ///< (count − 1) · step [s]
+  double pga_read = 0;  ///< largest |a| in the file's unit
+  double pga = 0;       ///< largest |a| as applied, after scaling [length/s²]
+};
+
+struct ExcitationSpec {
+  GroundMotion motion;               ///< scaled, in the case's units
+  std::optional<RecordEcho> record;  ///< for kind = "record"
+  std::vector<double> delays;        ///< [s], one per building (from wave_velocity where that was given)
+  Kinematics kinematics = Kinematics::relative;
+};
+
+struct InitialSpec {  ///< per building, per floor; empty: at rest
+  std::vector<std::vector<double>> displacements, velocities;
+};
+
+struct AnalysisSpec {
+  double duration = 0;  ///< [s]
+  std::string solver = "exact";
+  double output_step = 0.01;  ///< [s]
+};
+
+/// A case as plain data, validated, in its own consistent units.
+struct Case {
+  std::string title;
+  Units units;
+  std::vector<BuildingSpec> buildings;
+  std::vector<GapSpec> gaps;  ///< one between each pair of neighbours
+  ExcitationSpec excitation;
+  InitialSpec initial;
+  AnalysisSpec analysis;
+};
+
+/// Mass, stiffness and load of one building, condensed and calibrated.
+[[nodiscard]] StructuralModel structural_model(const BuildingSpec& spec);
+
+/// The building with its modes and damping.
+[[nodiscard]] Building make_building(const BuildingSpec& spec);
+
+/// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
+[[nodiscard]] Problem make_problem(const Case& c);
+
+}  // namespace bentur

@@ -1,0 +1,399 @@
+#!/usr/bin/env python3
+"""Every command of bentur as a user meets it: output, files, exit statuses, help, completion.
+
+The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+BASH = os.environ.get("BENTUR_BASH", "bash")
+EXAMPLES = ["m12-el-centro", "free-impact", "m12-harmonic", "row-of-three", "two-frames-si"]
+COMMANDS = ["run", "gap", "modes", "check", "example"]
+
+
+def bentur(*arguments, cwd=None, env=None):
+    return subprocess.run([BENTUR, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, env=env, timeout=120)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="bentur-cli-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def done(self, *arguments, **keywords):
+        result = bentur(*arguments, **keywords)
+        self.assertEqual(result.returncode, 0, f"{arguments}\n{result.stderr}")
+        return result
+
+    def fails(self, status, *arguments, **keywords):
+        result = bentur(*arguments, **keywords)
+        self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}\n{result.stderr}")
+        self.assertEqual(result.stdout, "", "errors go to standard error alone")
+        self.assertTrue(result.stderr.strip(), "a failure says why")
+        self.assertNotIn("terminate called", result.stderr)
+        return result
+
+    def written(self, name):
+        self.done("example", name, "-o", self.folder)
+        return self.folder / f"{name}.toml"
+
+    def edited(self, name, old, new):
+        file = self.written(name)
+        text = file.read_text()
+        self.assertIn(old, text)
+        file.write_text(text.replace(old, new))
+        return file
+
+
+class Help(CommandLine):
+    def test_version(self):
+        self.assertRegex(self.done("--version").stdout, r"^bentur \d+\.\d+\.\d+\n$")
+
+    def test_every_help_has_an_example_that_names_its_command(self):
+        self.assertIn("bentur run", self.done("--help").stdout)
+        for command in COMMANDS:
+            text = self.done(command, "--help").stdout
+            self.assertRegex(text, rf"Example: bentur {command}\b")
+
+    def test_help_tells_the_exit_statuses(self):
+        self.assertIn("Exit status: 0 done, 2 bad input, 3 the numbers failed, 1 anything else", self.done("-h").stdout)
+
+    def test_wrong_usage_is_bad_input(self):
+        for wrong in ([], ["nonsense"], ["run", "--nonsense"], ["modes"], ["gap"], ["check"], ["run", "a", "b"],
+                      ["example", "-o", "somewhere"]):
+            with self.subTest(wrong):
+                self.fails(2, *wrong)
+
+
+class Example(CommandLine):
+    def test_list(self):
+        """One line each, narrow enough for a terminal."""
+        result = self.done("example")
+        names = [line.split()[0] for line in result.stdout.splitlines()]
+        self.assertEqual(names, EXAMPLES)
+        for line in result.stdout.splitlines():
+            self.assertLessEqual(len(line), 100)
+            self.assertGreater(len(line.split()), 4, "a name and a description")
+
+    def test_each_is_written_checked_and_run(self):
+        for name in EXAMPLES:
+            with self.subTest(name):
+                folder = self.folder / name / "deeper"
+                case = pathlib.Path(self.done("example", name, "-o", folder).stdout.strip())
+                self.assertEqual(case, folder / f"{name}.toml")
+                self.done("check", case)
+                self.done("modes", case)
+                self.done("gap", case)
+                result = self.done("run", case)
+                self.assertIn("POUNDING", result.stdout)
+                for line in result.stdout.splitlines():
+                    self.assertLessEqual(len(line), 100, line)
+
+    def test_repository_copy_gives_the_same_numbers(self):
+        for name in EXAMPLES:
+            with self.subTest(name):
+                case = self.written(name)
+                summaries = [json.loads(self.done("run", file, "--json").stdout)
+                             for file in (case, SOURCE / "examples" / f"{name}.toml")]
+                for summary in summaries:
+                    del summary["solver"]["wall_time"]
+                    summary["excitation"].pop("file", None)
+                self.assertEqual(*summaries)
+
+    def test_default_folder_is_the_current_one(self):
+        self.done("example", "free-impact", cwd=self.folder)
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["free-impact.toml"])
+
+    def test_never_overwrites_an_edited_case(self):
+        case = self.written("m12-el-centro")
+        self.done("example", "m12-el-centro", "-o", self.folder)
+        case.write_text("mine")
+        self.assertIn("not overwritten", self.fails(1, "example", "m12-el-centro", "-o", self.folder).stderr)
+        self.assertEqual(case.read_text(), "mine")
+
+    def test_unknown_name(self):
+        self.assertIn("nonsense", self.fails(2, "example", "nonsense", "-o", self.folder / "new").stderr)
+        self.assertFalse((self.folder / "new").exists())
+
+
+class Run(CommandLine):
+    def test_without_case_the_built_in_example_is_run_and_said_so(self):
+        before = set(pathlib.Path(tempfile.gettempdir()).glob("bentur-*"))
+        result = self.done("run", cwd=self.folder)
+        self.assertIn("m12-el-centro", result.stderr)
+        self.assertIn("Monograph M1-2, El Centro", result.stdout)
+        self.assertEqual(list(self.folder.iterdir()), [], "nothing is written without -o")
+        left = set(pathlib.Path(tempfile.gettempdir()).glob("bentur-*")) - before
+        self.assertFalse([path for path in left if (path / "m12-el-centro.toml").exists()])
+
+    def test_tables_echo_the_record_and_give_units(self):
+        text = self.done("run").stdout
+        for word in ["1560 values every 0.02 s", "peak 0.3188 g", "applied 341.7 cm/s²", "POUNDING", "elevation",
+                     "kgf·s", "cm/s²", "amplification", "storey shear", "to stay apart"]:
+            self.assertIn(word, text)
+        self.assertLess(text.index("POUNDING"), text.index("elevation  "), "the verdict comes first")
+
+    def test_json_has_every_key(self):
+        result = self.done("run", "--json")
+        summary = json.loads(result.stdout)
+        self.assertEqual(list(summary), ["title", "units", "version", "solver", "excitation", "buildings", "gaps"])
+        self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
+        self.assertEqual(set(summary["solver"]), {"name", "steps", "events", "wall_time", "energy_residual"})
+        self.assertEqual(summary["excitation"]["count"], 1560)
+        self.assertEqual([building["name"] for building in summary["buildings"]], ["Model 1", "Model 2"])
+        for building in summary["buildings"]:
+            self.assertEqual(set(building), {
+                "name", "elevations", "periods", "peak_displacement", "peak_displacement_no_contact", "amplification",
+                "peak_drift_ratio", "peak_acceleration", "peak_storey_shear"})
+            self.assertEqual({len(values) for key, values in building.items() if key != "name"}, {3})
+        self.assertAlmostEqual(summary["buildings"][0]["periods"][0], 0.1440, places=4)
+        self.assertAlmostEqual(summary["buildings"][1]["periods"][0], 0.1627, places=4)
+        gap, = summary["gaps"]
+        self.assertEqual(set(gap), {"between", "minimum_gap_no_contact", "points"})
+        self.assertEqual([point["elevation"] for point in gap["points"]], [100, 200, 300])
+        for point in gap["points"]:
+            self.assertEqual(set(point), {
+                "elevation", "width", "minimum_gap_no_contact", "impacts", "contact_duration", "peak_force",
+                "peak_force_time", "peak_penetration", "peak_closing_speed", "impulse", "energy_lost"})
+        self.assertGreater(gap["points"][2]["impacts"], 0)
+
+    def test_wide_gap_does_not_pound(self):
+        case = self.edited("m12-el-centro", "width = 0.2 ", "width = 5.0 ")
+        self.assertIn("NO POUNDING", self.done("run", case).stdout)
+        point = json.loads(self.done("run", case, "--json").stdout)["gaps"][0]["points"][0]
+        self.assertEqual((point["impacts"], point["peak_force"], point["peak_force_time"]), (0, 0, None))
+
+    def test_quiet_says_nothing(self):
+        result = self.done("run", "--quiet", "-o", self.folder / "out")
+        self.assertEqual((result.stdout, result.stderr), ("", ""))
+        self.assertTrue((self.folder / "out" / "summary.json").exists())
+
+    def test_no_progress_unless_on_a_terminal(self):
+        self.assertNotIn("%", self.done("run").stderr)
+
+    def test_full_standard_output_is_an_error(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([BENTUR, "run"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("standard output", result.stderr)
+
+
+class ResultFiles(CommandLine):
+    def test_three_files_that_agree(self):
+        folder = self.folder / "a" / "b"
+        summary = json.loads(self.done("run", "-o", folder, "--json").stdout)
+        self.assertEqual(sorted(file.name for file in folder.iterdir()), ["histories.nc", "impacts.csv", "summary.json"])
+        self.assertEqual(json.loads((folder / "summary.json").read_text()), summary)
+        with open(folder / "impacts.csv", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        points = summary["gaps"][0]["points"]
+        self.assertEqual(len(rows), sum(point["impacts"] for point in points))
+        for point in points:
+            mine = [row for row in rows if float(row["elevation [cm]"]) == point["elevation"]]
+            self.assertEqual(len(mine), point["impacts"])
+            self.assertEqual(max((float(row["peak_force [kgf]"]) for row in mine), default=0), point["peak_force"])
+            total = sum(float(row["end [s]"]) - float(row["start [s]"]) for row in mine)
+            self.assertAlmostEqual(total, point["contact_duration"], delta=1e-9)  # sums of rounded times up to 10 s
+        starts = [float(row["start [s]"]) for row in rows]
+        self.assertEqual(starts, sorted(starts))
+
+    def test_nothing_of_this_machine_is_in_the_files(self):
+        case = self.written("m12-el-centro")
+        self.done("run", case, "-o", self.folder / "out")
+        for file in (self.folder / "out").iterdir():
+            self.assertNotIn(str(self.folder).encode(), file.read_bytes(), file)
+
+    def test_the_same_run_gives_the_same_bytes(self):
+        for name in "one", "two":
+            self.done("run", "-o", self.folder / name)
+        for name in "impacts.csv", "histories.nc":
+            self.assertEqual((self.folder / "one" / name).read_bytes(), (self.folder / "two" / name).read_bytes())
+
+    def test_histories_open_in_xarray(self):
+        script = (
+            "import sys, json, xarray\n"
+            "d = xarray.open_dataset(sys.argv[1])\n"
+            "summary = json.load(open(sys.argv[2]))\n"
+            "assert d.attrs['Conventions'].startswith('CF-'), d.attrs\n"
+            "assert d.displacement_1.dims == ('time', 'elevation_1') and d.opening.dims == ('time', 'point')\n"
+            "assert abs(float(d.time[1]) - 0.005) < 1e-12 and abs(float(d.time[-1]) - 10) < 1e-9\n"
+            "for v in d.variables.values():\n"
+            "    assert 'long_name' in v.attrs and ('units' in v.attrs or v.dtype == object), v\n"
+            "for b, building in enumerate(summary['buildings'], 1):\n"
+            "    for z, peak in zip(building['elevations'], building['peak_displacement']):\n"
+            "        seen = float(abs(d[f'displacement_{b}'].sel({f'elevation_{b}': z})).max())\n"
+            "        assert 0.9 * peak < seen <= peak * (1 + 1e-9), (seen, peak)\n"
+            "for i, point in enumerate(summary['gaps'][0]['points']):\n"
+            "    assert float(d.force[:, i].max()) <= point['peak_force'] * (1 + 1e-9)\n"
+            "    assert float(d.opening[0, i]) == point['width']\n"
+            "assert list(d.building_name.values) == ['Model 1', 'Model 2']\n")
+        self.done("run", "-o", self.folder)
+        for python in (sys.executable, "/usr/bin/python3"):
+            if subprocess.run([python, "-c", "import xarray, netCDF4"], capture_output=True).returncode == 0:
+                subprocess.run([python, "-c", script, self.folder / "histories.nc", self.folder / "summary.json"],
+                               check=True)
+                return
+        self.skipTest("no Python with xarray and netCDF4")
+
+    def test_a_file_in_place_of_the_folder(self):
+        (self.folder / "plain").write_text("mine")
+        self.assertIn("plain", self.fails(1, "run", "-q", "-o", self.folder / "plain").stderr)
+        self.assertIn("plain", self.fails(1, "run", "-q", "-o", self.folder / "plain" / "below").stderr)
+        self.assertEqual((self.folder / "plain").read_text(), "mine")
+
+    def test_a_folder_that_cannot_be_written(self):
+        locked = self.folder / "locked"
+        locked.mkdir(mode=0o555)
+        self.folder.chmod(0o755)
+        other_user = {"user": 65534} if os.geteuid() == 0 else {}  # root may write anywhere
+        try:
+            for target in locked, locked / "below":
+                result = subprocess.run([BENTUR, "run", "-q", "-o", target], capture_output=True, text=True, **other_user)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(str(target), result.stderr)
+        except PermissionError:
+            self.skipTest("another user may not run the program")
+        self.assertEqual(list(locked.iterdir()), [])
+
+    def test_nothing_is_half_written(self):
+        """histories.nc cannot be replaced, so the other two must not be either."""
+        (self.folder / "histories.nc").mkdir()
+        (self.folder / "summary.json").write_text("old")
+        self.fails(1, "run", "-q", "-o", self.folder)
+        self.assertEqual((self.folder / "summary.json").read_text(), "old")
+        self.assertEqual(sorted(file.name for file in self.folder.iterdir()), ["histories.nc", "summary.json"])
+
+    def test_bad_input_makes_no_folder(self):
+        case = self.edited("m12-el-centro", "duration = 10.0", "duration = -1.0")
+        self.fails(2, "run", case, "-o", self.folder / "new")
+        self.assertFalse((self.folder / "new").exists())
+
+    def test_killed_while_at_work_leaves_no_result_file(self):
+        case = self.edited("two-frames-si", "duration = 20.0", "duration = 2000.0")
+        folder = self.folder / "out"
+        process = subprocess.Popen([BENTUR, "run", str(case), "-o", str(folder)], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        time.sleep(0.05)
+        process.kill()
+        process.wait()
+        if folder.exists():
+            visible = [file.name for file in folder.iterdir() if not file.name.startswith(".")]
+            self.assertIn(sorted(visible), [[], ["histories.nc", "impacts.csv", "summary.json"]])
+
+
+class BadInput(CommandLine):
+    def test_missing_case(self):
+        for command in "run", "gap", "modes", "check":
+            with self.subTest(command):
+                self.assertIn("absent.toml", self.fails(2, command, self.folder / "absent.toml").stderr)
+
+    def test_all_errors_at_once_with_their_place(self):
+        case = self.edited("m12-el-centro", "duration = 10.0", "duration = -1.0\ndurations = 3")
+        case.write_text(case.read_text().replace('law = "linear"', 'law = "liner"'))
+        for command in "run", "gap", "modes", "check":
+            with self.subTest(command):
+                stderr = self.fails(2, command, case).stderr
+                self.assertRegex(stderr, r"m12-el-centro\.toml:\d+:\d+: error: .*durations")
+                self.assertRegex(stderr, r"m12-el-centro\.toml:\d+:\d+: error: .*duration = -1")
+                self.assertRegex(stderr, r"m12-el-centro\.toml:\d+:\d+: error: .*liner")
+
+    def test_a_missing_record(self):
+        case = self.written("m12-el-centro")
+        (self.folder / "el-centro-1940-ns.csv").unlink()
+        self.assertIn("el-centro-1940-ns.csv", self.fails(2, "check", case).stderr)
+
+
+class Modes(CommandLine):
+    def test_table_and_json(self):
+        case = self.written("m12-el-centro")
+        text = self.done("modes", case).stdout
+        for word in ["Model 1", "Model 2", "period", "participation", "mass", "%", "mode 3", "0.144"]:
+            self.assertIn(word, text)
+        document = json.loads(self.done("modes", case, "--json").stdout)
+        self.assertEqual(list(document), ["buildings"])
+        for building in document["buildings"]:
+            self.assertEqual(list(building),
+                             ["name", "periods", "participation", "effective_mass_fraction", "shapes"])
+            self.assertEqual(len(building["shapes"]), 3)
+            self.assertAlmostEqual(sum(building["effective_mass_fraction"]), 1, places=12)
+            self.assertEqual(building["periods"], sorted(building["periods"], reverse=True))
+            self.assertTrue(all(shape[0] > 0 for shape in building["shapes"]))
+
+
+class Gap(CommandLine):
+    def test_table_and_json(self):
+        case = self.written("m12-el-centro")
+        text = self.done("gap", case).stdout
+        for word in ["too close", "simulated", "ABS", "SRSS", "DDC", "governs", "given", "0.2 cm"]:
+            self.assertIn(word, text)
+        document = json.loads(self.done("gap", case, "--json").stdout)
+        summary = json.loads(self.done("run", case, "--json").stdout)
+        gap, = document["gaps"]
+        self.assertEqual(gap["simulated"], summary["gaps"][0]["minimum_gap_no_contact"])
+        peaks = [building["peak_displacement_no_contact"] for building in summary["buildings"]]
+        for floor, point in enumerate(gap["points"]):
+            self.assertEqual(list(point), ["elevation", "width", "simulated", "abs", "srss", "ddc"])
+            left, right = peaks[0][floor], peaks[1][floor]
+            self.assertAlmostEqual(point["abs"], left + right, delta=1e-12)
+            self.assertAlmostEqual(point["srss"], (left**2 + right**2) ** 0.5, delta=1e-12)
+            self.assertLess(point["ddc"], point["srss"])
+            self.assertLessEqual(point["simulated"], point["abs"] * (1 + 1e-12))
+
+    def test_the_needed_gap_is_enough_and_a_smaller_one_is_not(self):
+        case = self.written("m12-el-centro")
+        needed = json.loads(self.done("gap", case, "--json").stdout)["gaps"][0]["simulated"]
+        original = case.read_text()
+        for factor, impacts in (1.001, False), (0.999, True):
+            case.write_text(original.replace("width = 0.2 ", f"width = {factor * needed} "))
+            points = json.loads(self.done("run", case, "--json").stdout)["gaps"][0]["points"]
+            self.assertEqual(sum(point["impacts"] for point in points) > 0, impacts)
+        case.write_text(original.replace("width = 0.2 ", f"width = {1.001 * needed} "))
+        self.assertIn("wide enough", self.done("gap", case).stdout)
+
+
+class Completion(CommandLine):
+    def complete(self, *words):
+        """What the last of `words` completes to."""
+        script = (f'source "{SOURCE}/apps/bentur/completion.bash"\n'
+                  'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _bentur; printf "%s\\n" "${COMPREPLY[@]}"')
+        result = subprocess.run([BASH, "-c", script, "bash", BENTUR, *words], capture_output=True, text=True,
+                                cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        return sorted(result.stdout.split())
+
+    def test_commands_and_options(self):
+        self.assertEqual(self.complete(""), sorted(COMMANDS + ["--help", "--version"]))
+        self.assertEqual(self.complete("m"), ["modes"])
+        for command in COMMANDS:
+            text = self.done(command, "--help").stdout
+            for option in self.complete(command, "--"):
+                self.assertIn(option, text, f"{command} knows {option}")
+
+    def test_cases_folders_and_examples(self):
+        (self.folder / "case.toml").touch()
+        (self.folder / "notes.txt").touch()
+        (self.folder / "cases").mkdir()
+        for command in "run", "gap", "modes", "check":
+            self.assertEqual(self.complete(command, "ca"), ["case.toml", "cases"])
+        self.assertEqual(self.complete("run", ""), ["case.toml", "cases"])
+        self.assertEqual(self.complete("run", "case.toml", "-o", ""), ["cases"])
+        self.assertEqual(self.complete("example", ""), sorted(EXAMPLES))
+        self.assertEqual(self.complete("example", "m12-h"), ["m12-harmonic"])
+
+
+if __name__ == "__main__":
+    unittest.main()

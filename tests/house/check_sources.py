@@ -1,0 +1,124 @@
+"""check_sources.py RULE ROOT: one rule of the house over the sources under ROOT; every breach is printed, status 1."""
+
+import pathlib
+import re
+import sys
+
+# What the sources of a module may include besides their own module: docs/architecture.md.
+ALLOWED = {
+    "core": set(),
+    "structure": {"core"},
+    "excitation": {"core"},
+    "contact": {"core"},
+    "solve": {"core", "structure", "excitation", "contact"},
+    "study": {"core", "structure", "excitation", "contact", "solve"},
+    "io": {"core", "structure", "excitation", "contact", "solve", "study"},
+}
+# Nothing below io reads a file or knows a file format, so that a case can be solved where there are none.
+FILE_HEADERS = re.compile(r"fstream|iostream|cstdio|stdio\.h|filesystem|toml\+\+/.*|nlohmann/.*|netcdf.*")
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def sources(root, *folders):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                yield path
+
+
+def includes(root):
+    toml_sources = []
+    for path in sources(root, "src/bentur"):
+        module = path.relative_to(root / "src/bentur").parts[0]
+        if module not in ALLOWED:
+            yield f"{path}: unknown module '{module}'"
+            continue
+        is_test = path.name.endswith("_test.cpp")
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            name = match[1]
+            parts = name.split("/")
+            if parts[0] == "bentur" and parts[1] != module and parts[1] not in ALLOWED[module]:
+                yield f"{path}:{number}: {module} must not include {name}"
+            if match[0].rstrip().endswith('"') and parts[0] not in ("bentur", "tests"):
+                yield f'{path}:{number}: write "bentur/<module>/<file>.h", not "{name}"'
+            if parts[0] == "tests" and not is_test:
+                yield f"{path}:{number}: only tests include {name}"
+            if module != "io" and not is_test and FILE_HEADERS.fullmatch(name):
+                yield f"{path}:{number}: {module} must not include <{name}>"
+            if name.startswith("toml++"):
+                toml_sources.append(str(path))
+    if len(set(toml_sources)) > 1:
+        yield "more than one source includes toml++: " + ", ".join(sorted(set(toml_sources)))
+
+
+def sizes(root):
+    for path in sources(root, "src", "apps", "tests", "bench"):
+        lines = len(path.read_text().splitlines())
+        limit = 250 if path.suffix == ".h" else 500
+        if lines > limit:
+            yield f"{path}: {lines} lines, at most {limit}"
+    for folder in {path.parent for path in sources(root, "src", "apps", "tests", "bench")}:
+        files = sum(1 for path in folder.iterdir() if path.is_file())
+        if files > 25:
+            yield f"{folder}: {files} files, at most 25"
+
+
+def output(root):
+    """The library neither prints nor ends the process: that is the program's."""
+    forbidden = re.compile(r"std::(cout|cerr|clog)\b|\b(f?printf|puts|fmt::print|exit|abort)\s*\(")
+    for path in sources(root, "src"):
+        if path.name.endswith("_test.cpp"):
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            code = re.sub(r'"(\\.|[^"\\])*"', '""', line).split("//")[0]
+            if match := forbidden.search(code):
+                yield f"{path}:{number}: {match[0].strip()} in the library"
+
+
+def headers(root):
+    for path in sources(root, "src", "apps", "tests"):
+        text = path.read_text()
+        if path.suffix == ".h" and "#pragma once" not in text:
+            yield f"{path}: no #pragma once"
+        if path.suffix == ".h" and re.search(r"^\s*using namespace", text, re.MULTILINE):
+            yield f"{path}: using namespace in a header"
+
+
+def readme(root):
+    """The commands and files the documents name exist, the README's first two commands are the ones promised, and
+    its case stands in the example it is taken from."""
+    text = (root / "README.md").read_text()
+    commands = re.findall(r"^(\./dev \S+)", text, re.MULTILINE)
+    if commands[:2] != ["./dev run", "./dev test"]:
+        yield f"README.md: the first commands are {commands[:2]}, not ./dev run and ./dev test"
+    known = re.findall(r"^  (\w+)\)", (root / "dev").read_text(), re.MULTILINE)
+    for command in commands:
+        if command.split()[1] not in known:
+            yield f"README.md: {command} is not a command of ./dev"
+    example = (root / "examples/m12-el-centro.toml").read_text()
+    given = {line.split("#")[0].strip() for line in example.splitlines()}
+    for line in re.search(r"```toml\n(.*?)```", text, re.DOTALL)[1].splitlines():
+        if line.split("#")[0].strip() not in given:
+            yield f"README.md: '{line}' is not in examples/m12-el-centro.toml"
+    for document in [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]:
+        for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", document.read_text()):
+            if not (document.parent / target).exists():
+                yield f"{document}: no {target}"
+
+
+RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme)}
+
+
+def main():
+    rule, root = RULES[sys.argv[1]], pathlib.Path(sys.argv[2]).resolve()
+    if not any(sources(root, "src/bentur")):
+        sys.exit(f"no sources under {root}")
+    breaches = list(rule(root))
+    print("\n".join(breaches))
+    sys.exit(1 if breaches else 0)
+
+
+main()
