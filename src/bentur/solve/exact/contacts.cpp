@@ -6,13 +6,6 @@
 namespace bentur::exact {
 namespace {
 
-/// Penetration −g as a polynomial.
-Polynomial penetration(const Series& series, std::size_t point) {
-  Polynomial p = series.opening(point);
-  for (double& coefficient : p) coefficient = -coefficient;
-  return p;
-}
-
 /// An event is where the opening leaves the round-off band; the impact is dated from where the opening became zero.
 double last_touch(const Polynomial& opening, double event) {
   double largest = 0.0;
@@ -44,7 +37,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Series& series, const 
     const auto& point = system_->points[i];
     std::optional<double> s;
     if (closed_[i]) {
-      s = first_negative(penetration(series, i));
+      s = first_negative(-series.opening(i));
     } else {
       const double lowest = point.width + std::min(point.sense(from.q), point.sense(to.q));
       if (lowest > point.sense_abs(series.curvature()) / 8.0) continue;
@@ -61,7 +54,7 @@ void Contacts::accumulate(const Series& series, double time, double end) {
   if (closed_count_ == 0) return;
   for (std::size_t i = 0; i < closed_.size(); ++i) {
     if (!closed_[i]) continue;
-    const Polynomial depth = penetration(series, i);
+    const Polynomial depth = -series.opening(i);
     const ContactLaw& law = *problem_->points[i].law;
     Impact& impact = under_way_[i];
     double where = 0.0;

@@ -49,9 +49,8 @@ class FreeWalk final : public Walk {
       const auto& point = system_.points[i];
       const double largest = std::max(-point.sense(state_.q), -point.sense(next_.q));
       if (largest + point.sense_abs(series_.curvature()) / 8.0 <= needed_[i]) continue;
-      Polynomial closing = series_.opening(i);
-      closing[0] -= point.width;
-      for (double& coefficient : closing) coefficient = -coefficient;
+      Polynomial closing = -series_.opening(i);
+      closing[0] += point.width;
       double where = 0.0;
       raise_to_maximum(closing, 1.0, needed_[i], where);
     }
@@ -68,6 +67,7 @@ class FreeWalk final : public Walk {
       const double h = interval.length / count;
       for (double n = 0.0; n < count; n += 1.0) {
         series_.expand(state_, interval.inputs, h, none_);
+        series_.bound();
         series_.evaluate(1.0, next_);
         look(0.0);
         system_.advance(interval.inputs, h);

@@ -26,7 +26,7 @@ struct Oscillator {
   void step(double h, double& q, double& v, double& f, double& g) const {
     Polynomial c{q, v * h};
     Polynomial a{f, g * h};
-    for (int k = 0; k + 2 <= degree; ++k) {
+    for (int k = 0; k + 2 <= highest_degree; ++k) {
       const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
       c[k + 2] = (h * h * (a[k] - omega_squared * c[k]) - h * two_sigma * (k + 1.0) * c[k + 1]) * scale;
       a[k + 2] = -nu * nu * h * h * a[k] * scale;
@@ -75,7 +75,10 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
     const double kappa = std::sqrt(w2 + d * d);
     second_(j) = chord * kappa;
     fourth_(j) = chord * (d * (d * kappa + w2) + w2 * kappa);
-    if (shift_(j) == 0.0) {
+    if (shift_(j) != 0.0) {  // u and ü stay within ±S/Ω and ±√(Ω² + D²) S: twice that is as far as a chord can be
+      second_(j) = std::min(second_(j), 2.0 / std::sqrt(w2));
+      fourth_(j) = std::min(fourth_(j), 2.0 * kappa);
+    } else {
       second_force_(j) = chord;
       fourth_force_(j) = chord * (d * d + w2 + nu * nu);
       fourth_slope_(j) = chord * d;

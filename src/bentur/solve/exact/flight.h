@@ -22,9 +22,9 @@ class Flight {
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
 
-  /// Bounds for the segment last advanced over, per coordinate: of |q̈| …
+  /// How far a coordinate can leave its chord in the segment last advanced over: a bound of |q̈| …
   [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
-  /// … and of |d⁴q/dt⁴|; both with the factor length²/8 by which a function can leave its chord.
+  /// the same for q̈: a bound of |d⁴q/dt⁴| times length²/8, or of twice |q̈| if that is less.
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
 
  private:

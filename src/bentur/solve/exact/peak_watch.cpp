@@ -10,14 +10,6 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Raises `peak` to the largest |p| on [0, 1].
-void raise_to_largest(Polynomial p, double& peak) {
-  double where = 0.0;
-  raise_to_maximum(p, 1.0, peak, where);
-  for (double& coefficient : p) coefficient = -coefficient;
-  raise_to_maximum(p, 1.0, peak, where);
-}
-
 double largest_ratio(const ArrayXd& reach, const ArrayXd& peak) {
   constexpr double tiny = 1e-300;  // over a peak of zero every reach is an excess
   return reach.size() == 0 ? 0.0 : (reach / (peak + tiny)).maxCoeff();

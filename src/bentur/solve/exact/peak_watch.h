@@ -15,6 +15,8 @@ class PeakWatch {
   enum class Scope { displacement, everything };
   PeakWatch(const ModalSystem& system, Scope scope);
 
+  [[nodiscard]] Scope scope() const { return scope_; }
+
   /// Takes the start of the run in.
   void start(const State& state);
 

@@ -30,12 +30,12 @@ struct Bounds {
   double third;
 
   Bounds(const Polynomial& p, double b) : second(0.0), third(0.0) {
-    for (int k = degree; k >= 3; --k) {
+    for (int k = p.degree; k >= 3; --k) {
       const double term = k * (k - 1.0) * std::abs(p[k]);
       third = third * b + (k - 2.0) * term;
       second = second * b + term;
     }
-    second = second * b + 2.0 * std::abs(p[2]);
+    if (p.degree >= 2) second = second * b + 2.0 * std::abs(p[2]);
   }
 };
 
@@ -82,23 +82,28 @@ class CrossingSearch {
   const Polynomial& p_;
 };
 
+/// Highest value of p, or of |p| where `absolute`.
+template <bool absolute>
 class MaximumSearch {
  public:
   MaximumSearch(const Polynomial& p, double& best, double& where) : p_(p), best_(best), where_(where) {}
 
+  /// On [a, b], given p(a) = pa and p(b) = pb.
   void search(double a, double b, double pa, double pb) {
     take(pa, a);
     take(pb, b);
     const double width = b - a;
     const Bounds bounds(p_, b);
     const double rise = bounds.second * width * width / 8.0;
-    if (std::max(pa, pb) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) return;
+    if (std::max(measure(pa), measure(pb)) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) {
+      return;
+    }
     const double mid = 0.5 * (a + b);
     if (std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0) return;  // monotone: the ends were taken
-    if (std::abs(second_derivative(p_, mid)) > bounds.third * width / 2.0) {
+    if (std::abs(second_derivative(p_, mid)) > bounds.third * width / 2.0) {        // p' is monotone: one turning point
       const double da = first_derivative(p_, a);
       const double db = first_derivative(p_, b);
-      if (da > 0.0 && db < 0.0) {
+      if ((da > 0.0 && db < 0.0) || (absolute && da < 0.0 && db > 0.0)) {
         const double top = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
         take(value(p_, top), top);
       }
@@ -112,9 +117,11 @@ class MaximumSearch {
   [[nodiscard]] bool raised() const { return raised_; }
 
  private:
+  static double measure(double x) { return absolute ? std::abs(x) : x; }
+
   void take(double candidate, double s) {
-    if (candidate > best_) {
-      best_ = candidate;
+    if (measure(candidate) > best_) {
+      best_ = measure(candidate);
       where_ = s;
       raised_ = true;
     }
@@ -128,27 +135,37 @@ class MaximumSearch {
 
 }  // namespace
 
+Polynomial::Polynomial(std::initializer_list<double> values) {
+  std::copy(values.begin(), values.end(), coefficients.begin());
+}
+
+Polynomial Polynomial::operator-() const {
+  Polynomial p = *this;
+  for (int k = 0; k <= degree; ++k) p[k] = -p[k];
+  return p;
+}
+
 double value(const Polynomial& p, double s) {
-  double sum = p[degree];
-  for (int k = degree - 1; k >= 0; --k) sum = sum * s + p[k];
+  double sum = p[p.degree];
+  for (int k = p.degree - 1; k >= 0; --k) sum = sum * s + p[k];
   return sum;
 }
 
 double first_derivative(const Polynomial& p, double s) {
-  double sum = degree * p[degree];
-  for (int k = degree - 1; k >= 1; --k) sum = sum * s + k * p[k];
+  double sum = p.degree * p[p.degree];
+  for (int k = p.degree - 1; k >= 1; --k) sum = sum * s + k * p[k];
   return sum;
 }
 
 double second_derivative(const Polynomial& p, double s) {
-  double sum = degree * (degree - 1.0) * p[degree];
-  for (int k = degree - 1; k >= 2; --k) sum = sum * s + k * (k - 1.0) * p[k];
+  double sum = p.degree * (p.degree - 1.0) * p[p.degree];
+  for (int k = p.degree - 1; k >= 2; --k) sum = sum * s + k * (k - 1.0) * p[k];
   return sum;
 }
 
 double integral(const Polynomial& p, double end) {
-  double sum = p[degree] / (degree + 1.0);
-  for (int k = degree - 1; k >= 0; --k) sum = sum * end + p[k] / (k + 1.0);
+  double sum = p[p.degree] / (p.degree + 1.0);
+  for (int k = p.degree - 1; k >= 0; --k) sum = sum * end + p[k] / (k + 1.0);
   return sum * end;
 }
 
@@ -162,9 +179,14 @@ std::optional<double> first_negative(const Polynomial& p) {
 }
 
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where) {
-  MaximumSearch search(p, best, where);
+  MaximumSearch<false> search(p, best, where);
   search.search(0.0, end, p[0], value(p, end));
   return search.raised();
+}
+
+void raise_to_largest(const Polynomial& p, double& best) {
+  double where = 0.0;
+  MaximumSearch<true>(p, best, where).search(0.0, 1.0, p[0], value(p, 1.0));
 }
 
 }  // namespace bentur::exact

@@ -1,16 +1,28 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <optional>
 
 namespace bentur::exact {
 
-/// Degree of every power series: with ω h ≤ series_reach the first term left out is below 2^25/25! = 2e-18 of the
+/// Highest degree of a power series: with ω h ≤ series_reach the first term left out is below 2.4^27/27! = 2e-18 of the
 /// value.
-inline constexpr int degree = 26;
+inline constexpr int highest_degree = 26;
 
-/// Σ p_k s^k on s ∈ [0, 1] (s = time since the start of the step over its length).
-using Polynomial = std::array<double, degree + 1>;
+/// Σ p_k s^k, k ≤ degree, on s ∈ [0, 1] (s = time since the start of the step over its length).
+struct Polynomial {
+  std::array<double, highest_degree + 1> coefficients{};
+  int degree = highest_degree;
+
+  Polynomial() = default;
+  Polynomial(std::initializer_list<double> values);  ///< at most highest_degree + 1 of them
+
+  [[nodiscard]] double operator[](int k) const { return coefficients[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] double& operator[](int k) { return coefficients[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Polynomial operator-() const;
+};
 
 [[nodiscard]] double value(const Polynomial& p, double s);
 [[nodiscard]] double first_derivative(const Polynomial& p, double s);
@@ -32,5 +44,8 @@ using Polynomial = std::array<double, degree + 1>;
 /// Raises `best` to the maximum of p on [0, end] where that is larger, and sets `where` to its place; returns whether
 /// it did. The maximum is that of the continuous function: a root of p', found by the same proof.
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where);
+
+/// The same for |p| on [0, 1].
+void raise_to_largest(const Polynomial& p, double& best);
 
 }  // namespace bentur::exact

@@ -54,12 +54,12 @@ TEST(FirstNegative, FindsAGrazeJustAboveRoundOff) {
 
 Polynomial random_polynomial(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  Polynomial p{};
+  Polynomial p;
   double factorial = 1.0;
   const double reach = std::uniform_real_distribution<double>(0.1, 6.0)(random);
-  for (int k = 0; k <= degree; ++k) {
+  for (int k = 0; k <= highest_degree; ++k) {
     if (k > 0) factorial *= k / reach;  // a solution's coefficients fall like reach^k / k!
-    p[static_cast<std::size_t>(k)] = normal(random) / factorial;
+    p[k] = normal(random) / factorial;
   }
   return p;
 }
@@ -94,7 +94,7 @@ TEST(RaiseToMaximum, FindsTheContinuousMaximum) {
     const Polynomial p = random_polynomial(random);
     const double end = std::uniform_real_distribution<double>(0.01, 1.0)(random);
     double round_off = 0.0;  // of one evaluation (polynomial.h)
-    for (const double coefficient : p) round_off += degree * 1e-16 * std::abs(coefficient);
+    for (const double coefficient : p.coefficients) round_off += highest_degree * 1e-16 * std::abs(coefficient);
     double best = -1e300;
     double where = -1.0;
     ASSERT_TRUE(raise_to_maximum(p, end, best, where));
@@ -103,6 +103,18 @@ TEST(RaiseToMaximum, FindsTheContinuousMaximum) {
     ASSERT_NEAR(value(p, where), best, 1e-15 * std::abs(best));
     for (int i = 0; i <= 200; ++i) ASSERT_LE(value(p, end * i / 200.0), best + round_off) << "case " << n;
     ASSERT_FALSE(raise_to_maximum(p, end, best, where));  // a second search finds nothing higher
+  }
+}
+
+TEST(RaiseToLargest, IsTheLargerOfBothMaxima) {
+  std::mt19937_64 random(3);
+  for (int n = 0; n < 10000; ++n) {
+    const Polynomial p = random_polynomial(random);
+    double highest = 0.0, lowest = 0.0, where = 0.0, largest = 0.0;
+    raise_to_maximum(p, 1.0, highest, where);
+    raise_to_maximum(-p, 1.0, lowest, where);
+    raise_to_largest(p, largest);
+    ASSERT_NEAR(largest, std::max(highest, lowest), 1e-15 * largest) << "case " << n;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "bentur/solve/exact/series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bentur::exact {
@@ -9,8 +10,9 @@ namespace {
 using Eigen::Index;
 
 template <class Row>
-Polynomial combine(const Row& row, const Eigen::MatrixXd& c, Index begin, Index size) {
+Polynomial combine(const Row& row, const Eigen::MatrixXd& c, Index begin, Index size, int degree) {
   Polynomial p;
+  p.degree = degree;
   for (int k = 0; k <= degree; ++k) p[k] = row.dot(c.col(k).segment(begin, size));
   return p;
 }
@@ -19,15 +21,31 @@ Polynomial combine(const Row& row, const Eigen::MatrixXd& c, Index begin, Index 
 
 Series::Series(const ModalSystem& system)
     : system_(&system),
-      c_(Eigen::MatrixXd::Zero(system.size, degree + 1)),
+      c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       stiff_(system.size),
       damp_(system.size),
       force_(system.size),
       curvature_(Eigen::VectorXd::Zero(system.size)),
       fourth_(Eigen::VectorXd::Zero(system.size)) {}
 
-void Series::begin(Index first, Index count, const State& state, double h) {
+int needed_degree(double rate_times_h) {
+  // Longest products rate · h for which degrees 2, 3, … suffice, largest last; highest_degree serves series_reach.
+  static const auto longest = [] {
+    std::array<double, highest_degree + 1> products{};
+    const double remainder = std::pow(series_reach, highest_degree + 1) / std::tgamma(highest_degree + 2.0);
+    for (int n = 0; n <= highest_degree; ++n) {
+      products[static_cast<std::size_t>(n)] = std::pow(remainder * std::tgamma(n + 2.0), 1.0 / (n + 1.0));
+    }
+    return products;
+  }();
+  constexpr int lowest = 6;  // the fourth derivatives have to be there
+  const auto found = std::lower_bound(longest.begin() + lowest, longest.end() - 1, rate_times_h);
+  return static_cast<int>(found - longest.begin());
+}
+
+void Series::begin(Index first, Index count, const State& state, double h, double rate) {
   h_ = h;
+  degree_ = needed_degree(rate * h);
   first_ = first;
   count_ = count;
   c_.col(0).segment(first, count) = state.q.segment(first, count);
@@ -65,10 +83,10 @@ void Series::add_contact(const ModalSystem::Point& point, int k) {
 
 void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h,
                     const std::vector<char>& closed) {
-  begin(0, system_->size, state, h);
+  begin(0, system_->size, state, h, system_->rate(closed));
   const double nu2 = (system_->nu * h) * (system_->nu * h);
   const double* gamma = system_->gamma.data();
-  for (int k = 0; k + 2 <= degree; ++k) {
+  for (int k = 0; k + 2 <= degree_; ++k) {
     if (k < 2 || nu2 > 0.0) {
       for (std::size_t b = 0; b < inputs.size(); ++b) {
         double a = k % 2 == 0 ? inputs[b].value : inputs[b].slope * h;
@@ -89,35 +107,33 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
     }
     recur(0, system_->size, k);
   }
-  bound(0, system_->size);
 }
 
 void Series::expand_block(std::size_t b, const State& state, const GroundInput& input, double h) {
   const auto& block = system_->blocks[b];
-  begin(block.begin, block.size, state, h);
+  begin(block.begin, block.size, state, h, std::max(block.rate(), system_->nu));
   const double nu2 = (system_->nu * h) * (system_->nu * h);
   double even = input.value * h * h;
   double odd = input.slope * h * h * h;
-  for (int k = 0; k + 2 <= degree; ++k) {
+  for (int k = 0; k + 2 <= degree_; ++k) {
     double& a = k % 2 == 0 ? even : odd;
     if (k >= 2) a *= -nu2 / (k * (k - 1.0));
     force_.segment(block.begin, block.size) = a * system_->gamma.segment(block.begin, block.size);
     if (block.damping) add_full_damping(block, k);
     recur(block.begin, block.size, k);
   }
-  bound(block.begin, block.size);
 }
 
-void Series::bound(Index first, Index count) {
-  double* second = curvature_.data() + first;
-  double* fourth = fourth_.data() + first;
-  std::fill_n(second, count, 0.0);
-  std::fill_n(fourth, count, 0.0);
-  for (int k = 2; k <= degree; ++k) {
+void Series::bound() {
+  double* second = curvature_.data() + first_;
+  double* fourth = fourth_.data() + first_;
+  std::fill_n(second, count_, 0.0);
+  std::fill_n(fourth, count_, 0.0);
+  for (int k = 2; k <= degree_; ++k) {
     const double two = k * (k - 1.0);
     const double four = two * (k - 2.0) * (k - 3.0);
-    const double* c = c_.col(k).data() + first;
-    for (Index j = 0; j < count; ++j) {
+    const double* c = c_.col(k).data() + first_;
+    for (Index j = 0; j < count_; ++j) {
       second[j] += two * std::abs(c[j]);
       fourth[j] += four * std::abs(c[j]);
     }
@@ -129,7 +145,7 @@ void Series::evaluate(double s, State& state) const {
   double* v = state.v.data() + first_;
   std::fill_n(q, count_, 0.0);
   std::fill_n(v, count_, 0.0);
-  for (int k = degree; k >= 1; --k) {
+  for (int k = degree_; k >= 1; --k) {
     const double* c = c_.col(k).data() + first_;
     for (Index j = 0; j < count_; ++j) {
       q[j] = q[j] * s + c[j];
@@ -146,22 +162,22 @@ void Series::evaluate(double s, State& state) const {
 Polynomial Series::opening(std::size_t i) const {
   const auto& point = system_->points[i];
   Polynomial p;
-  for (int k = 0; k <= degree; ++k) p[k] = point.sense(c_.col(k));
+  p.degree = degree_;
+  for (int k = 0; k <= degree_; ++k) p[k] = point.sense(c_.col(k));
   p[0] += point.width;
   return p;
 }
 
 Polynomial Series::output(std::size_t b, Index row) const {
   const auto& block = system_->blocks[b];
-  return combine(block.outputs.row(row), c_, block.begin, block.size);
+  return combine(block.outputs.row(row), c_, block.begin, block.size, degree_);
 }
 
 Polynomial Series::acceleration(std::size_t b, Index floor) const {
   const auto& block = system_->blocks[b];
-  Polynomial p = combine(block.acceleration.row(floor), c_, block.begin, block.size);
-  for (int k = 0; k <= degree; ++k) {
-    p[k] = k + 2 <= degree ? p[k + 2] * ((k + 2.0) * (k + 1.0)) / (h_ * h_) : 0.0;
-  }
+  Polynomial p = combine(block.acceleration.row(floor), c_, block.begin, block.size, degree_);
+  p.degree = degree_ - 2;
+  for (int k = 0; k <= p.degree; ++k) p[k] = p[k + 2] * ((k + 2.0) * (k + 1.0)) / (h_ * h_);
   return p;
 }
 

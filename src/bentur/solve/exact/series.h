@@ -11,6 +11,9 @@ namespace bentur::exact {
 /// Longest step of a power series as rate · h: with `degree` terms the remainder is below round-off (polynomial.h).
 inline constexpr double series_reach = 2.4;
 
+/// Degree that a step needs: the least n with (rate · h)^{n+1}/(n+1)! below that of the longest step.
+[[nodiscard]] int needed_degree(double rate_times_h);
+
 /// The solution of (T-1) over one step as a power series in s = (time − start)/h ∈ [0, 1]:
 ///   c_{k+2} = [h²(−Ω² c_k + γ a_k + Σ_closed push_i F_{i,k}) − h (k+1) D c_{k+1}] / ((k+2)(k+1)).      (T-2)
 /// Nothing is diagonalised, so critical damping, repeated or zero frequencies and full damping matrices are all the
@@ -33,6 +36,8 @@ class Series {
   [[nodiscard]] Polynomial output(std::size_t block, Eigen::Index row) const;  ///< row of Block::outputs
   [[nodiscard]] Polynomial acceleration(std::size_t block, Eigen::Index floor) const;
 
+  /// Works the bounds below out, of the coordinates of the last expansion.
+  void bound();
   /// Bound of |q_j''| with respect to s on [0, 1], one entry per coordinate.
   [[nodiscard]] const Eigen::VectorXd& curvature() const { return curvature_; }
   /// Bound of |d⁴q_j/ds⁴| on [0, 1].
@@ -40,16 +45,16 @@ class Series {
   [[nodiscard]] double h() const { return h_; }
 
  private:
-  void begin(Eigen::Index first, Eigen::Index count, const State& state, double h);
+  void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate);
   void recur(Eigen::Index first, Eigen::Index count, int k);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_contact(const ModalSystem::Point& point, int k);
-  void bound(Eigen::Index first, Eigen::Index count);
 
   const ModalSystem* system_;
   double h_ = 0;
+  int degree_ = highest_degree;
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates of the last expansion
-  Eigen::MatrixXd c_;                   ///< coordinates × (degree + 1)
+  Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd stiff_, damp_;        ///< h²Ω², h · diagonal of D
   Eigen::VectorXd force_;               ///< γ a_k h² and contact, for one k
   Eigen::VectorXd curvature_, fourth_;

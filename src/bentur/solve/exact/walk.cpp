@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bentur::exact {
 namespace {
@@ -41,6 +42,8 @@ Walk::Walk(const ModalSystem& system, const Problem& problem, const TimeGrid& gr
       grid_(grid),
       flights_(flights),
       watch_(system, scope),
+      start_acceleration_(Eigen::VectorXd::Zero(system.size)),
+      end_acceleration_(Eigen::VectorXd::Zero(system.size)),
       largest_ground_(system.blocks.size(), 0.0) {
   watch_.start(state_);
 }
@@ -104,6 +107,7 @@ void Walk::walk(double start, double length) {
     const bool last = h >= left * (1.0 - end_slack);
     if (last) h = left;
     series_.expand(state_, inputs_, h, closed());
+    series_.bound();
     series_.evaluate(1.0, next_);
     const double time = start + elapsed;
     const double cut = look(time);
@@ -132,35 +136,43 @@ void Walk::walk(double start, double length) {
 void Walk::watch_interval(double length, const Eigen::VectorXd& rise, const Eigen::VectorXd& acceleration_rise) {
   end_inputs_ = inputs_;
   system_.advance(end_inputs_, length);
-  system_.acceleration(state_, inputs_, closed(), start_acceleration_);
-  system_.acceleration(next_, end_inputs_, closed(), end_acceleration_);
+  if (watch_.scope() == PeakWatch::Scope::everything) {
+    system_.acceleration(state_, inputs_, closed(), start_acceleration_);
+    system_.acceleration(next_, end_inputs_, closed(), end_acceleration_);
+  }
   const PeakWatch::Interval interval{state_, next_, start_acceleration_, end_acceleration_, rise, acceleration_rise};
   for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
     if (!watch_.settled_by_bound(b, interval, reach_))
-      unsettled_.push_back({b, length, state_, inputs_, closed(), reach_, 0.0});
+      unsettled_.push_back({b, length, state_, inputs_, may_fly() ? std::vector<char>() : closed(), reach_});
   }
 }
 
 void Walk::scan_unsettled() {
   // Those that may have gone furthest first: what they raise settles others.
-  for (Unsettled& interval : unsettled_) interval.excess = watch_.excess(interval.block, interval.reach);
-  std::sort(unsettled_.begin(), unsettled_.end(), [](const auto& a, const auto& b) { return a.excess > b.excess; });
-  for (Unsettled& interval : unsettled_) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t n = 0; n < unsettled_.size(); ++n) {
+    const double excess = watch_.excess(unsettled_[n].block, unsettled_[n].reach);
+    if (excess > 1.0) order.emplace_back(-excess, n);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [minus_excess, n] : order) {
+    Unsettled& interval = unsettled_[n];
     if (watch_.excess(interval.block, interval.reach) <= 1.0) continue;
     State& from = interval.start;
-    const bool coupled = std::find(interval.closed.begin(), interval.closed.end(), 1) != interval.closed.end();
+    const bool coupled = !interval.closed.empty();
     const double growth =
         coupled ? system_.rate(interval.closed) : std::max(system_.blocks[interval.block].rate(), system_.nu);
     const auto count = std::max(1.0, std::ceil(interval.length * growth * (1.0 - end_slack) / series_reach));
     const double h = interval.length / count;
-    for (double n = 0.0; n < count; n += 1.0) {
+    for (double step = 1.0; step <= count; step += 1.0) {
       if (coupled) {
         series_.expand(from, interval.inputs, h, interval.closed);
       } else {
         series_.expand_block(interval.block, from, interval.inputs[interval.block], h);
       }
-      series_.evaluate(1.0, next_);
       watch_.scan(interval.block, series_, interval.reach);
+      if (step == count) break;
+      series_.evaluate(1.0, next_);
       system_.advance(interval.inputs, h);
       from.q.swap(next_.q);
       from.v.swap(next_.v);

@@ -73,9 +73,8 @@ class Walk {
     double length;  ///< [s]
     State start;
     std::vector<GroundInput> inputs;
-    std::vector<char> closed;
+    std::vector<char> closed;  ///< empty: none
     PeakWatch::Reach reach;
-    double excess;  ///< when the run was over
   };
 
   const TimeGrid& grid_;
