@@ -56,6 +56,21 @@ class CommandLine(unittest.TestCase):
         return file
 
 
+class Numerics(CommandLine):
+    def test_numbers_that_fail_are_status_3_with_reason_and_time(self):
+        case = self.edited("m12-el-centro", "pga = 341.7", "pga = 1e307")
+        message = self.fails(3, "run", case, "-o", self.folder / "out").stderr
+        self.assertRegex(message, r"no longer a finite number at t = [0-9.]+ s")
+        self.assertFalse((self.folder / "out" / "summary.json").exists())
+
+
+class Readme(CommandLine):
+    def test_the_sample_is_what_the_program_prints(self):
+        readme = (SOURCE / "README.md").read_text()
+        sample = readme.split("<!-- sample -->")[1].split("```\n")[1].rstrip()
+        self.assertTrue(self.done("run").stdout.startswith(sample + "\n"))
+
+
 class Help(CommandLine):
     def test_version(self):
         self.assertRegex(self.done("--version").stdout, r"^bentur \d+\.\d+\.\d+\n$")

@@ -47,6 +47,7 @@ class CrossingSearch {
   std::optional<double> search(double a, double b, double pa, double pb) const {
     const double width = b - a;
     const Bounds bounds(p_, b);
+    if (!std::isfinite(bounds.second)) return std::nullopt;  // numbers have overflowed: nothing can be proven
     if (std::min(pa, pb) >= bounds.second * width * width / 8.0) return std::nullopt;
     const double mid = 0.5 * (a + b);
     const bool monotone = std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0;
@@ -95,6 +96,7 @@ class MaximumSearch {
     const double width = b - a;
     const Bounds bounds(p_, b);
     const double rise = bounds.second * width * width / 8.0;
+    if (!std::isfinite(rise)) return;  // numbers have overflowed
     if (std::max(measure(pa), measure(pb)) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) {
       return;
     }

@@ -118,6 +118,15 @@ TEST(RaiseToLargest, IsTheLargerOfBothMaxima) {
   }
 }
 
+TEST(FirstNegative, OverflowEndsTheSearch) {
+  // Bounds of infinity can prove nothing; the search must end all the same (the solver reports the overflow).
+  const double huge = 1e307;
+  EXPECT_FALSE(first_negative({huge, -huge, huge, -huge, huge, -huge, huge, huge, huge}));
+  double best = 0.0;
+  raise_to_largest({huge, -huge, huge, -huge, huge, -huge, huge, huge, huge}, best);
+  EXPECT_GE(best, huge);  // the ends are still taken
+}
+
 TEST(RaiseToMaximum, LeavesAHigherPeakAlone) {
   double best = 2.0;
   double where = 0.25;

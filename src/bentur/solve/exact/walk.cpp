@@ -108,8 +108,12 @@ void Walk::walk(double start, double length) {
     if (last) h = left;
     series_.expand(state_, inputs_, h, closed());
     series_.bound();
-    series_.evaluate(1.0, next_);
     const double time = start + elapsed;
+    if (!series_.curvature().allFinite()) {
+      fail("the response is no longer a finite number", time);
+      return;
+    }
+    series_.evaluate(1.0, next_);
     const double cut = look(time);
     if (cut < 1.0) series_.evaluate(cut, next_);
     const double part = cut * cut / 8.0;
