@@ -24,18 +24,26 @@ double bracketed_root(const Function& f, double a, double b, double fa, double f
   return 0.5 * (low + high);
 }
 
-/// Bounds of |p''| and |p'''| on [0, b].
-struct Bounds {
-  double second;
-  double third;
+/// What decides an interval that ends at b: bounds of |p''| and |p'''| on [0, b], and p', p'' in its middle. One loop,
+/// so that the four sums run side by side.
+struct Inspection {
+  double second = 0.0;
+  double third = 0.0;
+  double slope = 0.0;
+  double curvature = 0.0;
 
-  Bounds(const Polynomial& p, double b) : second(0.0), third(0.0) {
+  Inspection(const Polynomial& p, double mid, double b) {
     for (int k = p.degree; k >= 3; --k) {
-      const double term = k * (k - 1.0) * std::abs(p[k]);
-      third = third * b + (k - 2.0) * term;
-      second = second * b + term;
+      const double one = k * p[k];
+      const double two = (k - 1.0) * one;
+      slope = slope * mid + one;
+      curvature = curvature * mid + two;
+      second = second * b + std::abs(two);
+      third = third * b + (k - 2.0) * std::abs(two);
     }
-    if (p.degree >= 2) second = second * b + 2.0 * std::abs(p[2]);
+    curvature = curvature * mid + 2.0 * p[2];
+    second = second * b + 2.0 * std::abs(p[2]);
+    slope = (slope * mid + 2.0 * p[2]) * mid + p[1];
   }
 };
 
@@ -46,15 +54,14 @@ class CrossingSearch {
   /// First crossing in (a, b], given p(a) = pa ≥ 0 and p(b) = pb.
   std::optional<double> search(double a, double b, double pa, double pb) const {
     const double width = b - a;
-    const Bounds bounds(p_, b);
-    if (!std::isfinite(bounds.second)) return std::nullopt;  // numbers have overflowed: nothing can be proven
-    if (std::min(pa, pb) >= bounds.second * width * width / 8.0) return std::nullopt;
     const double mid = 0.5 * (a + b);
-    const bool monotone = std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0;
+    const Inspection at(p_, mid, b);
+    if (!std::isfinite(at.second)) return std::nullopt;  // numbers have overflowed: nothing can be proven
+    if (std::min(pa, pb) >= at.second * width * width / 8.0) return std::nullopt;
+    const bool monotone = std::abs(at.slope) > at.second * width / 2.0;
     if (monotone) return pb < 0.0 ? std::optional(crossing(a, b, pa, pb)) : std::nullopt;
-    const double curvature = second_derivative(p_, mid);
-    if (std::abs(curvature) > bounds.third * width / 2.0) {
-      if (curvature > 0.0) return search_convex(a, b, pa, pb);
+    if (std::abs(at.curvature) > at.third * width / 2.0) {
+      if (at.curvature > 0.0) return search_convex(a, b, pa, pb);
       if (pb >= 0.0) return std::nullopt;  // concave: never below its chord
       if (pa > 0.0) return crossing(a, b, pa, pb);
     }
@@ -94,15 +101,15 @@ class MaximumSearch {
     take(pa, a);
     take(pb, b);
     const double width = b - a;
-    const Bounds bounds(p_, b);
-    const double rise = bounds.second * width * width / 8.0;
+    const double mid = 0.5 * (a + b);
+    const Inspection at(p_, mid, b);
+    const double rise = at.second * width * width / 8.0;
     if (!std::isfinite(rise)) return;  // numbers have overflowed
     if (std::max(measure(pa), measure(pb)) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) {
       return;
     }
-    const double mid = 0.5 * (a + b);
-    if (std::abs(first_derivative(p_, mid)) > bounds.second * width / 2.0) return;  // monotone: the ends were taken
-    if (std::abs(second_derivative(p_, mid)) > bounds.third * width / 2.0) {        // p' is monotone: one turning point
+    if (std::abs(at.slope) > at.second * width / 2.0) return;  // monotone: the ends were taken
+    if (std::abs(at.curvature) > at.third * width / 2.0) {     // p' is monotone: one turning point
       const double da = first_derivative(p_, a);
       const double db = first_derivative(p_, b);
       if ((da > 0.0 && db < 0.0) || (absolute && da < 0.0 && db > 0.0)) {

@@ -57,7 +57,8 @@ double TimeGrid::length(std::size_t kind) const {
 
 double TimeGrid::start(long segment) const {
   const auto count = static_cast<long>(offsets_.size());
-  return static_cast<double>(segment / count) * period_ + offsets_[static_cast<std::size_t>(segment % count)];
+  const long step = segment / count;
+  return static_cast<double>(step) * period_ + offsets_[static_cast<std::size_t>(segment % count)];
 }
 
 void TimeGrid::input(long segment, std::vector<GroundInput>& inputs) const {
