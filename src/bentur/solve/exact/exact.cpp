@@ -41,20 +41,26 @@ class FreeWalk final : public Walk {
       settled = settled && reach_[i] <= needed_[i];
     }
     if (!settled) unsettled_.push_back({flight.length(), state_, inputs_, reach_});
+    if (unsettled_.size() >= unsettled_limit) settle();
     return true;
   }
 
   double look(double /*time*/) override {
+    raise(state_, next_);
+    return 1.0;
+  }
+
+  /// Takes the expanded step, from one state to the other, into the gaps needed.
+  void raise(const State& from, const State& to) {
     for (std::size_t i = 0; i < needed_.size(); ++i) {
       const auto& point = system_.points[i];
-      const double largest = std::max(-point.sense(state_.q), -point.sense(next_.q));
+      const double largest = std::max(-point.sense(from.q), -point.sense(to.q));
       if (largest + point.sense_abs(series_.curvature()) / 8.0 <= needed_[i]) continue;
       Polynomial closing = -series_.opening(i);
       closing[0] += point.width;
       double where = 0.0;
       raise_to_maximum(closing, 1.0, needed_[i], where);
     }
-    return 1.0;
   }
 
   void settle() override {
@@ -62,17 +68,18 @@ class FreeWalk final : public Walk {
       bool settled = true;
       for (std::size_t i = 0; i < needed_.size(); ++i) settled = settled && interval.reach[i] <= needed_[i];
       if (settled) continue;
-      state_ = interval.start;
+      State& from = interval.start;
+      State to = from;
       const auto count = std::max(1.0, std::ceil(interval.length * system_.rate(none_) / series_reach));
       const double h = interval.length / count;
       for (double n = 0.0; n < count; n += 1.0) {
-        series_.expand(state_, interval.inputs, h, none_);
+        series_.expand(from, interval.inputs, h, none_);
         series_.bound();
-        series_.evaluate(1.0, next_);
-        look(0.0);
+        series_.evaluate(1.0, to);
+        raise(from, to);
         system_.advance(interval.inputs, h);
-        state_.q.swap(next_.q);
-        state_.v.swap(next_.v);
+        from.q.swap(to.q);
+        from.v.swap(to.v);
       }
     }
     unsettled_.clear();

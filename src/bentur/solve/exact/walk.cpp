@@ -12,7 +12,6 @@ namespace {
 constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
 constexpr long segments_between_reports = 256;
-constexpr std::size_t unsettled_limit = 4096;  // bounds the memory of a long run
 constexpr int halvings_beyond_one_series = 2;  // by measurement: fewer leave more to series, more cost flights
 
 }  // namespace

@@ -16,6 +16,9 @@ namespace bentur::exact {
 using FlightTable = std::vector<std::vector<Flight>>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 
+/// So many intervals are kept for the end of a run at most; it bounds the memory of a long one.
+inline constexpr std::size_t unsettled_limit = 4096;
+
 /// What the free response and the response with contact have in common: walking the time grid. A segment is flown over
 /// where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be halved
 /// any more are taken by power series.
