@@ -63,9 +63,20 @@ std::string modes_text(const Building& building, const Units& units) {
   return text + "\n  Shapes, largest sway 1\n\n" + shape_table(building, units.length).text();
 }
 
-void run(const std::string& file, bool json) {
-  const Loaded loaded = load(file);
-  if (json) {
+struct Arguments {
+  std::string file;
+  std::string method = "library";
+  bool json = false;
+};
+
+void run(const Arguments& arguments) {
+  Loaded loaded = load(arguments.file);
+  if (arguments.method == "jacobi") {
+    for (Building& building : loaded.problem.buildings) {
+      building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+    }
+  }
+  if (arguments.json) {
     print(modes_json(loaded.problem.buildings));
     return;
   }
@@ -79,16 +90,16 @@ void run(const std::string& file, bool json) {
 }  // namespace
 
 void add_modes_command(CLI::App& app) {
-  struct Arguments {
-    std::string file;
-    bool json = false;
-  };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, participation and shapes of each building");
   command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
   command->add_flag("--json", arguments->json, "JSON instead of tables; shapes mass-normalised");
+  command
+      ->add_option("--method", arguments->method,
+                   "library (default), or jacobi: the monograph's Cholesky factors and Jacobi rotations")
+      ->check(CLI::IsMember({"library", "jacobi"}));
   command->footer("Example: bentur modes case.toml");
-  command->callback([arguments] { run(arguments->file, arguments->json); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace bentur::cli

@@ -13,10 +13,15 @@ _bentur() {
     compopt -o filenames 2>/dev/null
     return
   fi
+  if [[ $previous == --method ]]; then
+    mapfile -t COMPREPLY < <(compgen -W 'library jacobi' -- "$current")
+    return
+  fi
   case $command in
     '') options='run gap modes check example --help --version' ;;
     run) options='--output --json --quiet --help' ;;
-    gap | modes) options='--json --help' ;;
+    gap) options='--json --help' ;;
+    modes) options='--json --method --help' ;;
     check) options='--help' ;;
     example) options='--output --help' ;;
   esac
