@@ -6,12 +6,13 @@
 namespace bentur::exact {
 namespace {
 
-/// An event is where the opening leaves the round-off band; the impact is dated from where the opening became zero.
-double last_touch(const Polynomial& opening, double event) {
+/// Where in [0, end] the opening, which ends in the round-off band, came down to zero; nothing if it was never above.
+std::optional<double> last_touch(const Polynomial& opening, double end) {
   double largest = 0.0;
   double where = 0.0;
-  if (!raise_to_maximum(opening, event, largest, where)) return 0.0;
-  return root(opening, where, event);
+  if (!raise_to_maximum(opening, end, largest, where)) return std::nullopt;
+  if (where >= end || value(opening, end) >= 0.0) return end;  // zero to within round-off
+  return root(opening, where, end);
 }
 
 }  // namespace
@@ -21,6 +22,7 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, std::vecto
       problem_(&problem),
       tolerances_(std::move(tolerances)),
       closed_(system.points.size(), 0),
+      touches_(system.points.size()),
       under_way_(system.points.size()) {}
 
 bool Contacts::clear(const State& from, const State& to, const Eigen::VectorXd& rise) const {
@@ -66,22 +68,37 @@ void Contacts::accumulate(const Series& series, double time, double end) {
   }
 }
 
+void Contacts::note_touches(const Series& series, double time, double end, const State& state) {
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    if (closed_[i]) continue;
+    const auto& point = system_->points[i];
+    if (point.width + point.sense(state.q) > 0.0) {
+      touches_[i] = {};
+      continue;
+    }
+    const Polynomial opening = series.opening(i);
+    const auto touch = last_touch(opening, end);
+    if (!touch && touches_[i].time >= 0.0) continue;  // in the band since an earlier step
+    const double s = touch.value_or(0.0);
+    touches_[i] = {time + s * series.h(), -first_derivative(opening, s) / series.h()};
+  }
+}
+
 void Contacts::change(const Event& event, const Series& series, double time) {
   const std::size_t i = event.point;
-  const Polynomial opening = series.opening(i);
   ++events_;
   if (closed_[i]) {
     under_way_[i].end = time;
-    under_way_[i].separation_speed = first_derivative(opening, event.s) / series.h();
+    under_way_[i].separation_speed = first_derivative(series.opening(i), event.s) / series.h();
     impacts_.push_back(under_way_[i]);
     closed_[i] = 0;
     --closed_count_;
   } else {
-    const double touch = last_touch(opening, event.s);
     under_way_[i] = Impact{};
     under_way_[i].point = static_cast<int>(i);
-    under_way_[i].start = time - (event.s - touch) * series.h();
-    under_way_[i].closing_speed = -first_derivative(opening, touch) / series.h();
+    under_way_[i].start = touches_[i].time;
+    under_way_[i].closing_speed = touches_[i].closing_speed;
+    touches_[i] = {};
     under_way_[i].peak_force_time = time;
     closed_[i] = 1;
     ++closed_count_;

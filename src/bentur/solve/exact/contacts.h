@@ -34,6 +34,10 @@ class Contacts {
   /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way.
   void accumulate(const Series& series, double time, double end);
 
+  /// Notes which open points have come into the round-off band by `end` of the expanded step, which began at `time`;
+  /// `state` is that at `end`. To be called after every step, before change().
+  void note_touches(const Series& series, double time, double end, const State& state);
+
   /// Closes or opens the point of the event, at `time`.
   void change(const Event& event, const Series& series, double time);
 
@@ -48,6 +52,12 @@ class Contacts {
   const Problem* problem_;
   std::vector<double> tolerances_;  ///< [length] per point
   std::vector<char> closed_;
+  /// When the opening of an open point became zero, and its closing speed then; negative time: it is above zero.
+  struct Touch {
+    double time = -1;
+    double closing_speed = 0;
+  };
+  std::vector<Touch> touches_;
   std::vector<Impact> under_way_;  ///< per point, meaningful while closed
   std::size_t closed_count_ = 0;
   long events_ = 0;

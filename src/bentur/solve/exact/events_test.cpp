@@ -68,6 +68,24 @@ TEST(Events, ContactFromRestWithoutGapIsDatedFromZero) {
   EXPECT_NEAR(response.impacts[0].closing_speed, 0.0, 1e-12);
 }
 
+TEST(Events, SeveralContactsFromRestAreAllDatedFromZero) {
+  // Two floors that do not know of each other, of very different displacements, so that they leave the round-off band
+  // one after the other; both openings are negative from t = 0 on.
+  MatrixXd stiffness = MatrixXd::Zero(2, 2);
+  stiffness.diagonal() << 4.0, 400.0;
+  const MatrixXd none = MatrixXd::Zero(2, 2);
+  Problem problem = pair(matrix_building(MatrixXd::Identity(2, 2), stiffness, none),
+                         matrix_building(MatrixXd::Identity(2, 2), 400.0 * MatrixXd::Identity(2, 2), none),
+                         {contact(0.0, 1e4, 0), contact(0.0, 1e4, 1)}, 1.0);
+  problem.motion = SampledMotion{0.02, std::vector<double>(50, -1.0)};
+  problem.delays = {0.0, 2.0};
+  const Response response = solve_exact(problem);
+  ASSERT_GE(response.impacts.size(), 2u);
+  EXPECT_EQ(response.impacts[0].start, 0.0);
+  EXPECT_EQ(response.impacts[1].start, 0.0);
+  EXPECT_NE(response.impacts[0].point, response.impacts[1].point);
+}
+
 TEST(Events, OverlappingStartIsAContactAtOnce) {
   Problem problem = pair(oscillator(1.0, 400.0), oscillator(1.0, 400.0), {contact(0.01, 1e4)}, 0.1);
   problem.initial_displacement[0](0) = 0.02;

@@ -116,6 +116,7 @@ class PoundingWalk final : public Walk {
   [[nodiscard]] const std::vector<char>& closed() const override { return contacts_.closed(); }
 
   double look(double time) override {
+    time_ = time;
     event_ = contacts_.next_event(series_, state_, next_);
     const double cut = event_ ? event_->s : 1.0;
     contacts_.accumulate(series_, time, cut);
@@ -124,6 +125,7 @@ class PoundingWalk final : public Walk {
   }
 
   void arrived(double time) override {
+    contacts_.note_touches(series_, time_, event_ ? event_->s : 1.0, state_);
     if (event_) contacts_.change(*event_, series_, time);
   }
 
@@ -147,6 +149,7 @@ class PoundingWalk final : public Walk {
   Contacts contacts_;
   Sampler sampler_;
   std::optional<Contacts::Event> event_;
+  double time_ = 0;  ///< start of the expanded step [s]
 };
 
 /// Depth below which nothing counts as a contact, per point.
