@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bentur/io/case_toml.h"
-#include "bentur/solve/exact/exact.h"
+#include "bentur/solve/solver.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ void solve_m12(benchmark::State& state) {
   const Problem problem = m12(static_cast<double>(state.range(0)) / 10.0);
   Response response;
   for (auto _ : state) {
-    response = solve_exact(problem);
+    response = solve(problem);
     benchmark::DoNotOptimize(response);
   }
   state.counters["impacts"] = static_cast<double>(response.impacts.size());

@@ -32,7 +32,8 @@ void run(const std::string& file) {
                         count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
   }
-  text += fmt::format("{} s, {} solver\n", number(loaded.c.analysis.duration), loaded.c.analysis.solver);
+  text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
+                      loaded.c.analysis.energy_audit ? ", energy audit" : "");
   print(text);
 }
 

@@ -82,7 +82,7 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
 
 void run(const std::string& file, bool json) {
   const Loaded loaded = load(file);
-  const Response response = solve(loaded.problem, 0, true);
+  const Response response = simulate(loaded, 0, true);
   const std::vector<PointSeparation> needed = separations(loaded.problem, response);
   if (json) {
     print(gap_json(loaded.c, loaded.problem, needed, BENTUR_VERSION));

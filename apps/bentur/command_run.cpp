@@ -9,6 +9,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/result_netcdf.h"
+#include "bentur/study/restitution.h"
 #include "commands.h"
 #include "session.h"
 #include "table.h"
@@ -107,6 +108,68 @@ Table contact_table(const Loaded& loaded, const Response& response, int gap) {
   return table;
 }
 
+/// What decides the law beside its stiffness and the restitution asked for: "damping_ratio 0.1359".
+std::string parameter_text(const ContactLaw& law) {
+  for (const auto& [name, value] : law.parameters()) {
+    if (name != "stiffness" && name != "restitution") {
+      return fmt::format("{} {}", name, number(value));
+    }
+  }
+  return "–";
+}
+
+/// "0.6500", or "0.6312 to 0.6644" where the impacts differ.
+std::string range_text(const PointRestitution& restitution) {
+  if (!restitution.smallest) {
+    return "–";
+  }
+  const std::string smallest = fmt::format("{:.4f}", *restitution.smallest);
+  const std::string largest = fmt::format("{:.4f}", *restitution.largest);
+  return smallest == largest ? smallest : smallest + " to " + largest;
+}
+
+/// The law of every contact point, the restitution it was asked for and the range its impacts had; empty where all are
+/// linear springs, of which there is nothing to say.
+std::string law_text(const Loaded& loaded, const Response& response) {
+  const std::vector<GapSpec>& gaps = loaded.c.gaps;
+  if (std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.contact.law == "linear"; })) {
+    return "";
+  }
+  const std::vector<PointRestitution> restitution = restitutions(loaded.problem, response);
+  const bool single_points =
+      std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() == 1; });
+  std::vector<std::string> between, law, choices, parameter, asked, obtained;
+  std::vector<double> elevation;
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+    std::string made;
+    for (const auto& [name, word] : gaps[gap].contact.choices()) {
+      made += (made.empty() ? "" : ", ") + word;
+    }
+    for (const std::size_t i : points_of(loaded.problem, static_cast<int>(gap))) {
+      between.push_back(gap_name(loaded.problem, static_cast<int>(gap)));
+      elevation.push_back(loaded.problem.points[i].elevation);
+      law.push_back(gaps[gap].contact.law);
+      choices.push_back(made);
+      parameter.push_back(parameter_text(*loaded.problem.points[i].law));
+      asked.push_back(restitution[i].asked ? number(*restitution[i].asked) : "–");
+      obtained.push_back(range_text(restitution[i]));
+    }
+  }
+  Table table;
+  if (gaps.size() > 1) {
+    table.add("gap", "", between);
+  }
+  if (!single_points) {
+    table.add("elevation", loaded.c.units.length, elevation);
+  }
+  table.add("law", "", law);
+  table.add("choices", "", choices);
+  table.add("parameter", "", parameter);
+  table.add("asked", "", asked);
+  table.add("obtained", "", obtained);
+  return "\nContact laws, restitution asked and obtained\n\n" + table.text();
+}
+
 Table building_table(const Loaded& loaded, const Building& building, const BuildingPeaks& peaks) {
   const Units& units = loaded.c.units;
   std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
@@ -137,13 +200,19 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
   for (int gap = 0; gap < gaps; ++gap) {
     text += fmt::format("\nContact {}\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
   }
+  text += law_text(loaded, response);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     text += fmt::format("\nPeaks of {}\n\n{}", problem.buildings[b].name,
                         building_table(loaded, problem.buildings[b], response.buildings[b]).text());
   }
-  return text + fmt::format("\n{} s simulated in {} ms: {} solver, {} steps, {} contacts closed or opened\n",
-                            number(problem.duration), number(1e3 * response.wall_time), loaded.c.analysis.solver,
-                            response.steps, response.events);
+  if (response.energy) {
+    text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
+                        number(response.energy->peak_input), loaded.c.units.force, loaded.c.units.length,
+                        response.energy->relative_residual());
+  }
+  return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} contacts closed or opened\n",
+                            solver_name(loaded.c.analysis.solver), number(problem.duration),
+                            number(1e3 * response.wall_time), response.steps, response.events);
 }
 
 void run(const Arguments& arguments) {
@@ -155,12 +224,12 @@ void run(const Arguments& arguments) {
   if (!arguments.directory.empty()) {
     output.emplace(arguments.directory);  // before the work, so that a folder that cannot be written costs none
   }
-  const Response response = solve(loaded.problem, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
+  const Response response = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
   const std::string summary = summary_json(loaded.c, loaded.problem, response, BENTUR_VERSION);
   if (output) {
     output->add("summary.json", summary);
     output->add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response));
-    output->add("histories.nc", histories_netcdf(loaded.c, loaded.problem, response.histories, BENTUR_VERSION));
+    output->add("histories.nc", histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION));
     output->commit();
   }
   if (arguments.json) {

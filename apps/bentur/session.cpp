@@ -13,7 +13,7 @@
 
 #include "bentur/io/case_toml.h"
 #include "bentur/io/examples/example_files.h"
-#include "bentur/solve/exact/exact.h"
+#include "bentur/solve/solver.h"
 #include "table.h"
 
 namespace bentur::cli {
@@ -102,9 +102,10 @@ Loaded load_example(const std::string& name) {
   throw Failure(exit_bad_input, "no example \"" + name + "\"; there are:" + known);
 }
 
-Response solve(const Problem& problem, double output_step, bool progress) {
-  ExactOptions options;
+Response simulate(const Loaded& loaded, double output_step, bool progress) {
+  SolveOptions options;
   options.output_step = output_step;
+  options.energy_audit = loaded.c.analysis.energy_audit;
   Progress display;
   if (progress && ::isatty(STDERR_FILENO) == 1) {
     options.progress = [&display](double fraction) {
@@ -112,11 +113,22 @@ Response solve(const Problem& problem, double output_step, bool progress) {
       return true;
     };
   }
-  Response response = solve_exact(problem, options);
+  Response response = solve(loaded.problem, loaded.c.analysis.solver, options);
   if (response.status != Status::done) {
     throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
   }
   return response;
+}
+
+std::string solver_name(const Solver& solver) {
+  std::string text(name(solver));
+  if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) {
+    text += fmt::format(", tolerance {}", adaptive->tolerance);
+  }
+  if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&solver)) {
+    text += fmt::format(", step {} s", number(stepwise->step));
+  }
+  return text;
 }
 
 std::string excitation_line(const Case& c) {

@@ -33,9 +33,13 @@ struct Loaded {
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);
 
-/// Solves, with histories every `output_step` [s] unless 0. With `progress`, work of more than two seconds shows how
-/// far it is, if standard error is a terminal. @throws Failure when the numbers fail (exit_numbers_failed).
-[[nodiscard]] Response solve(const Problem& problem, double output_step, bool progress);
+/// Solves with the solver of the case; with histories every `output_step` [s] unless 0. With `progress`, work of more
+/// than two seconds shows how far it is, if standard error is a terminal. @throws Failure when the numbers fail
+/// (exit_numbers_failed).
+[[nodiscard]] Response simulate(const Loaded& loaded, double output_step, bool progress);
+
+/// "exact", or another one with its number: "runge-kutta, step 0.006 s".
+[[nodiscard]] std::string solver_name(const Solver& solver);
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
 [[nodiscard]] std::string excitation_line(const Case& c);

@@ -98,7 +98,9 @@ std::string Table::text() const {
     text += '\n';
   };
   line([](const Column& column) -> const std::string& { return column.name; });
-  line([](const Column& column) -> const std::string& { return column.unit; });
+  if (std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); })) {
+    line([](const Column& column) -> const std::string& { return column.unit; });
+  }
   text += "  ";
   for (std::size_t i = 2; i < total; ++i) {
     text += "─";

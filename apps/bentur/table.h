@@ -15,7 +15,7 @@ namespace bentur::cli {
 /// Characters a UTF-8 text takes on a terminal.
 [[nodiscard]] std::size_t width(const std::string& text);
 
-/// A table under two header rows, names and units, everything aligned to the right.
+/// A table under two header rows, names and (where there are any) units, everything aligned to the right.
 class Table {
  public:
   /// `unit` empty: none. `cells` from top to bottom; all columns of one length.

@@ -8,6 +8,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -18,7 +19,8 @@ import unittest
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
-EXAMPLES = ["m12-el-centro", "free-impact", "m12-harmonic", "row-of-three", "two-frames-si"]
+EXAMPLES = ["m12-el-centro", "free-impact", "kelvin-voigt-pair", "m12-harmonic", "m12-runge-kutta", "restitution-asked",
+            "row-of-three", "two-frames-si"]
 COMMANDS = ["run", "gap", "modes", "check", "example"]
 
 
@@ -69,6 +71,79 @@ class Readme(CommandLine):
         readme = (SOURCE / "README.md").read_text()
         sample = readme.split("<!-- sample -->")[1].split("```\n")[1].rstrip()
         self.assertTrue(self.done("run").stdout.startswith(sample + "\n"))
+
+
+class Restitution(CommandLine):
+    """examples/restitution-asked: each contact is hit once, freely."""
+
+    def test_the_documented_table_is_what_the_program_prints(self):
+        for document in (SOURCE / "docs").rglob("*.md"):
+            for block in document.read_text().split("<!-- restitution -->")[1::2]:
+                table = block.split("```\n")[1].rstrip()
+                self.assertIn("obtained", table)
+                self.assertIn(table + "\n", self.done("run", SOURCE / "examples" / "restitution-asked.toml").stdout)
+                return
+        self.fail("no table in docs/")
+
+    def test_exact_calibration_gives_what_is_asked_and_the_published_ones_what_they_do(self):
+        case = self.written("restitution-asked")
+        document = json.loads(self.done("run", case, "--json").stdout)
+        # Springs of 1 N/m change the speeds by less than a part in 1e7 during an impact.
+        obtained = {"published": {"kelvin-voigt": 0.675, "kelvin-voigt-approach": 0.654, "jankowski": 0.647},
+                    "muthukumar-desroches": {"hertz-damp": 0.775}, "ye": {"hertz-damp": 0.630}}
+        seen = set()
+        for gap in document["gaps"]:
+            point, = gap["points"]
+            self.assertEqual(point["impacts"], 1)
+            contact, restitution = point["contact"], point["restitution"]
+            self.assertEqual(restitution["smallest"], restitution["largest"])
+            calibration = contact.get("calibration", "exact")
+            seen.add((contact["law"], calibration))
+            if restitution["asked"] is None:
+                self.assertAlmostEqual(restitution["largest"], 0.739, delta=5e-4)  # Hunt-Crossley's damping_factor
+            elif calibration == "exact":
+                self.assertAlmostEqual(restitution["largest"], 0.65, delta=1e-7)
+            else:
+                self.assertAlmostEqual(restitution["largest"], obtained[calibration][contact["law"]], delta=5e-4)
+            self.assertEqual(point["peak_tension"] > 1, contact.get("release") == "separation")
+        self.assertEqual(len(seen), 10)
+
+
+class Solvers(CommandLine):
+    def peaks(self, case, solver):
+        text = re.sub(r'solver = "exact".*', solver, case.read_text())
+        other = self.folder / "other.toml"
+        other.write_text(text)
+        return json.loads(self.done("run", other, "--json").stdout)
+
+    def test_three_solvers_one_answer(self):
+        case = self.written("kelvin-voigt-pair")
+        exact = self.peaks(case, 'solver = "exact"')
+        adaptive = self.peaks(case, 'solver = "adaptive"')
+        stepwise = self.peaks(case, 'solver = "runge-kutta"\nstep = 0.0005')
+        for summary, name in (exact, "exact"), (adaptive, "adaptive"), (stepwise, "runge-kutta"):
+            self.assertEqual(summary["solver"]["name"], name)
+        self.assertEqual((adaptive["solver"]["tolerance"], stepwise["solver"]["step"]), (1e-9, 0.0005))
+        for other in adaptive, stepwise:
+            for one, two in zip(exact["buildings"], other["buildings"], strict=True):
+                for a, b in zip(one["peak_displacement"], two["peak_displacement"], strict=True):
+                    self.assertAlmostEqual(a / b, 1, delta=1e-7)  # a tolerance of 1e-9 in some hundred steps
+
+    def test_energy_audit(self):
+        case = self.written("kelvin-voigt-pair")
+        self.assertRegex(self.done("run", case).stdout, r"\nEnergy: [0-9.]+ kN·m put in, accounted for within \S+ of it\n")
+        document = json.loads(self.done("run", case, "--json").stdout)
+        self.assertGreater(document["solver"]["peak_input_energy"], 0)
+        self.assertLess(document["solver"]["energy_residual"], 1e-9)
+        case.write_text(case.read_text().replace("energy_audit = true", "energy_audit = false"))
+        plain = json.loads(self.done("run", case, "--json").stdout)
+        self.assertIsNone(plain["solver"]["energy_residual"])
+        self.assertNotIn("Energy", self.done("run", case).stdout)
+        self.assertEqual(plain["gaps"], document["gaps"], "the audit changes nothing")
+
+    def test_the_solver_is_named(self):
+        self.assertIn("Solver runge-kutta, step 0.006 s:", self.done("run", self.written("m12-runge-kutta")).stdout)
+        self.assertIn("solver exact, energy audit", self.done("check", self.written("kelvin-voigt-pair")).stdout)
 
 
 class Help(CommandLine):
@@ -164,7 +239,8 @@ class Run(CommandLine):
         summary = json.loads(result.stdout)
         self.assertEqual(list(summary), ["title", "units", "version", "solver", "excitation", "buildings", "gaps"])
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
-        self.assertEqual(set(summary["solver"]), {"name", "steps", "events", "wall_time", "energy_residual"})
+        self.assertEqual(set(summary["solver"]), {
+            "name", "steps", "events", "wall_time", "energy_residual", "peak_input_energy"})
         self.assertEqual(summary["excitation"]["count"], 1560)
         self.assertEqual([building["name"] for building in summary["buildings"]], ["Model 1", "Model 2"])
         for building in summary["buildings"]:
@@ -180,7 +256,9 @@ class Run(CommandLine):
         for point in gap["points"]:
             self.assertEqual(set(point), {
                 "elevation", "width", "minimum_gap_no_contact", "impacts", "contact_duration", "peak_force",
-                "peak_force_time", "peak_penetration", "peak_closing_speed", "impulse", "energy_lost"})
+                "peak_force_time", "peak_penetration", "peak_closing_speed", "impulse", "energy_lost", "peak_tension",
+                "contact", "restitution"})
+            self.assertEqual(point["contact"]["law"], "linear")
         self.assertGreater(gap["points"][2]["impacts"], 0)
 
     def test_wide_gap_does_not_pound(self):
@@ -207,6 +285,14 @@ class Run(CommandLine):
 
 
 class ResultFiles(CommandLine):
+    def python_with_xarray(self, script):
+        for python in (sys.executable, "/usr/bin/python3"):
+            if subprocess.run([python, "-c", "import xarray, netCDF4"], capture_output=True).returncode == 0:
+                subprocess.run([python, "-c", script, self.folder / "histories.nc", self.folder / "summary.json"],
+                               check=True)
+                return
+        self.skipTest("no Python with xarray and netCDF4")
+
     def test_three_files_that_agree(self):
         folder = self.folder / "a" / "b"
         summary = json.loads(self.done("run", "-o", folder, "--json").stdout)
@@ -219,6 +305,7 @@ class ResultFiles(CommandLine):
         for point in points:
             mine = [row for row in rows if float(row["elevation [cm]"]) == point["elevation"]]
             self.assertEqual(len(mine), point["impacts"])
+            self.assertEqual(len({row["restitution"] for row in mine if row["open_ended"] == "0"} - {""}) > 0, bool(mine))
             self.assertEqual(max((float(row["peak_force [kgf]"]) for row in mine), default=0), point["peak_force"])
             total = sum(float(row["end [s]"]) - float(row["start [s]"]) for row in mine)
             self.assertAlmostEqual(total, point["contact_duration"], delta=1e-9)  # sums of rounded times up to 10 s
@@ -256,12 +343,21 @@ class ResultFiles(CommandLine):
             "    assert float(d.opening[0, i]) == point['width']\n"
             "assert list(d.building_name.values) == ['Model 1', 'Model 2']\n")
         self.done("run", "-o", self.folder)
-        for python in (sys.executable, "/usr/bin/python3"):
-            if subprocess.run([python, "-c", "import xarray, netCDF4"], capture_output=True).returncode == 0:
-                subprocess.run([python, "-c", script, self.folder / "histories.nc", self.folder / "summary.json"],
-                               check=True)
-                return
-        self.skipTest("no Python with xarray and netCDF4")
+        self.python_with_xarray(script)
+
+    def test_histories_hold_the_energies_of_an_audit(self):
+        script = (
+            "import sys, json, xarray\n"
+            "d = xarray.open_dataset(sys.argv[1])\n"
+            "solver = json.load(open(sys.argv[2]))['solver']\n"
+            "parts = ('kinetic', 'strain', 'damping', 'contact_stored', 'contact_lost')\n"
+            "left = d.energy_input - sum(d['energy_' + part] for part in parts)\n"
+            # The residual is the largest of the whole run, to which rounding of the samples comes.
+            "assert float(abs(left).max()) <= solver['peak_input_energy'] * (solver['energy_residual'] + 1e-13)\n"
+            "assert 0.9 * solver['peak_input_energy'] < float(abs(d.energy_input).max())\n"
+            "assert float(d.energy_contact_lost[-1]) > 0 and d.energy_input.attrs['units'] == 'kN m'\n")
+        self.done("run", self.written("kelvin-voigt-pair"), "-o", self.folder)
+        self.python_with_xarray(script)
 
     def test_a_file_in_place_of_the_folder(self):
         (self.folder / "plain").write_text("mine")

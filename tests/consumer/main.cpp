@@ -10,7 +10,7 @@
 
 #include "bentur/contact/linear.h"
 #include "bentur/io/case_toml.h"
-#include "bentur/solve/exact/exact.h"
+#include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/stick.h"
 
@@ -46,7 +46,7 @@ int main() {
   problem.initial_velocity = {Eigen::VectorXd::Constant(1, speed), Eigen::VectorXd::Constant(1, -speed)};
   problem.duration = 0.2;
 
-  const bentur::Response response = bentur::solve_exact(problem);
+  const bentur::Response response = bentur::solve(problem);
   if (response.status != bentur::Status::done || response.impacts.empty()) {
     std::printf("no impact: %s\n", response.message.c_str());
     return 1;

@@ -8,7 +8,7 @@
 
 #include "bentur/io/case_toml.h"
 #include "bentur/io/results/result_json.h"
-#include "bentur/solve/exact/exact.h"
+#include "bentur/solve/solver.h"
 
 namespace bentur {
 namespace {
@@ -27,7 +27,7 @@ TEST_P(Reference, AgreesWithTheIndependentProgram) {
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   ASSERT_TRUE(c);
   const Problem problem = make_problem(*c);
-  const Response response = solve_exact(problem);
+  const Response response = solve(problem);
   ASSERT_EQ(response.status, Status::done) << response.message;
 
   const fs::path actual = fs::path(BENTUR_BINARY_DIR) / ("reference-" + name + ".json");

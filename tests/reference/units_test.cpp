@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "bentur/io/case_toml.h"
-#include "bentur/solve/exact/exact.h"
+#include "bentur/solve/solver.h"
 
 namespace bentur {
 namespace {
@@ -56,7 +56,7 @@ std::vector<double> dimensionless(const std::string& text, const std::string& na
   const auto c = read_case(file, diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   if (!c) return {};
-  const Response response = solve_exact(make_problem(*c));
+  const Response response = solve(make_problem(*c));
   std::vector<double> numbers;
   const auto add = [&numbers](const Eigen::VectorXd& values, double scale) {
     for (const double x : values) numbers.push_back(x / scale);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/contact/linear.h"
+#include "bentur/contact/laws/linear.h"
 #include "bentur/solve/problem.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
@@ -26,6 +26,7 @@ inline Building matrix_building(const Eigen::MatrixXd& mass, const Eigen::Matrix
   building.model.mass = mass;
   building.model.stiffness = stiffness;
   building.model.load = mass.rowwise().sum();
+  building.model.floor_masses.assign(building.model.load.begin(), building.model.load.end());
   building.modes = modes(mass, stiffness);
   building.modes.omega = building.modes.omega.unaryExpr([](double w) { return std::isfinite(w) ? w : 0.0; });
   building.modal_damping = modal_damping(MatrixDamping{c}, building.modes);
@@ -41,6 +42,7 @@ inline Building oscillator(double m, double k, double zeta = 0.0) {
   building.model.mass = Eigen::MatrixXd::Constant(1, 1, m);
   building.model.stiffness = Eigen::MatrixXd::Constant(1, 1, k);
   building.model.load = Eigen::VectorXd::Constant(1, m);
+  building.model.floor_masses = {m};
   building.modes.omega = Eigen::VectorXd::Constant(1, std::sqrt(k / m));
   building.modes.shapes = Eigen::MatrixXd::Constant(1, 1, 1.0 / std::sqrt(m));
   building.modal_damping = Eigen::MatrixXd::Constant(1, 1, 2.0 * zeta * std::sqrt(k / m));

@@ -10,7 +10,13 @@ namespace bentur {
 class InvalidParameter : public std::invalid_argument {
  public:
   InvalidParameter(const std::string& parameter, const std::string& value, const std::string& rule)
-      : std::invalid_argument(parameter + " = " + value + ", " + rule) {}
+      : std::invalid_argument(parameter + " = " + value + ", " + rule), parameter_(parameter), rule_(rule) {}
+
+  [[nodiscard]] const std::string& parameter() const noexcept { return parameter_; }
+  [[nodiscard]] const std::string& rule() const noexcept { return rule_; }
+
+ private:
+  std::string parameter_, rule_;
 };
 
 }  // namespace bentur

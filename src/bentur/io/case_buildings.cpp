@@ -104,6 +104,11 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     }
   }
   for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
+  try {
+    building.model = structural_model(building.spec);
+  } catch (const std::exception&) {
+    building.model.reset();  // said already, or said once everything else is right
+  }
 
   const auto matrices = view.find("matrices");
   const auto matrix_damping = matrices ? matrices->find("damping") : std::nullopt;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "bentur/contact/laws.h"
+#include "bentur/core/errors.h"
 #include "bentur/io/case_parts.h"
 
 namespace bentur {
@@ -12,17 +14,12 @@ namespace {
 
 constexpr double elevation_tolerance = 1e-6;  // of the taller building's height [-]
 
-const std::vector<std::string>& available_laws() {
-  static const std::vector<std::string> names = {"linear"};
-  return names;
-}
-
-const std::vector<std::string>& all_laws() {
-  static const std::vector<std::string> names = {"linear",    "kelvin-voigt", "kelvin-voigt-approach",
-                                                 "darmawan",  "hertz",        "hertz-damp",
-                                                 "jankowski", "bilinear",     "restitution"};
-  return names;
-}
+/// The neighbours of a gap, and how many contact points they have; 0: not known.
+struct GapSides {
+  const ReadBuilding& left;
+  const ReadBuilding& right;
+  std::size_t points = 0;
+};
 
 /// Elevations at which both buildings have a floor [length], ascending; those of the left one where they differ
 /// slightly.
@@ -93,53 +90,152 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
   return good ? *wanted : std::vector<double>{};
 }
 
-/// The keys of every law, so that one for another law is told from a misspelt one.
-const std::vector<std::string>& all_contact_keys() {
-  static const std::vector<std::string> keys = {
-      "law",   "stiffness",      "restitution",      "damping_ratio",     "damping",    "release",
-      "alpha", "damping_factor", "second_stiffness", "yield_penetration", "calibration"};
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawEntry& law : contact_laws()) names.emplace_back(law.name);
+  return names;
+}
+
+/// The keys of one law.
+std::vector<std::string> contact_keys(const LawEntry& law) {
+  std::vector<std::string> keys = {"law"};
+  for (const LawKey& key : law.keys) keys.emplace_back(key.name);
+  for (const LawChoice& choice : law.choices) keys.emplace_back(choice.name);
   return keys;
 }
 
-ContactSpec read_contact(const TomlView& gap, std::size_t points, const ReadBuilding& left, const ReadBuilding& right) {
-  ContactSpec contact;
-  const auto view = gap.get("contact", Need::required);
-  if (!view) return contact;
-  if (!view->is(TomlValue::Kind::table)) {
-    view->error_value("must be a table with law and stiffness");
-    return contact;
-  }
-  const auto law = view->word("law", all_laws());
-  const bool available =
-      law && std::find(available_laws().begin(), available_laws().end(), *law) != available_laws().end();
-  if (!available) {
-    (void)view->is_table_of(all_contact_keys());
-    if (law) {
-      view->find("law")->error_value(
-          fmt::format("this law is not available in this version; available: {}", fmt::join(available_laws(), ", ")));
+/// The keys of every law, so that one for another law is told from a misspelt one.
+std::vector<std::string> all_contact_keys() {
+  std::vector<std::string> all;
+  for (const LawEntry& law : contact_laws()) {
+    for (const std::string& key : contact_keys(law)) {
+      if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
     }
-    return contact;
   }
-  contact.law = *law;
-  (void)view->is_table_of(all_contact_keys());
+  return all;
+}
+
+/// The law's name if it is known, after a look at all keys of the table.
+const LawEntry* read_law(const TomlView& contact) {
+  const auto name = contact.word("law", law_names());
+  const LawEntry* const law = name ? find_law(*name) : nullptr;
+  (void)contact.is_table_of(all_contact_keys());
+  if (law == nullptr) return nullptr;
+  const std::vector<std::string> own = contact_keys(*law);
   for (const std::string& key : all_contact_keys()) {
-    if (key == "law" || key == "stiffness") continue;
-    if (const auto other = view->find(key)) other->error("is not for law = \"linear\"");
-  }
-  const auto stiffness = view->get("stiffness", Need::required);
-  if (!stiffness) return contact;
-  if (stiffness->is(TomlValue::Kind::text)) {
-    contact.axial = stiffness->value().text == "axial";
-    if (!contact.axial) {
-      stiffness->error_value("must be a number, a list of numbers or \"axial\"");
-    } else if (!left.is_frame || !right.is_frame) {
-      stiffness->error_value(fmt::format("needs two frames, but {} is none", (left.is_frame ? right : left).path));
+    const auto other = contact.find(key);
+    if (other && std::find(own.begin(), own.end(), key) == own.end()) {
+      other->error(fmt::format("is not for law = \"{}\"", law->name));
     }
-    return contact;
   }
-  contact.stiffness = stiffness->as_number_or_numbers(Rule::positive, {points, "one per contact point"})
-                          .value_or(std::vector<double>{});
-  return contact;
+  return law;
+}
+
+Rule rule_of(LawKey::Range range) {
+  switch (range) {
+    case LawKey::Range::positive:
+      return Rule::positive;
+    case LawKey::Range::not_negative:
+      return Rule::not_negative;
+    case LawKey::Range::restitution:
+      break;
+  }
+  return Rule::restitution;
+}
+
+/// One key of the law into `spec`; false (and an error) unless its value is usable.
+bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, const GapSides& sides,
+                 ContactSpec& spec) {
+  if (value.is(TomlValue::Kind::text)) {
+    if (value.value().text != "axial") {
+      value.error_value(key.axial ? "must be a number, a list of numbers or \"axial\""
+                                  : "must be a number or a list of numbers");
+    } else if (!key.axial) {
+      value.error_value(fmt::format("must be a number or a list of numbers: with law = \"{}\" {} is no force/length",
+                                    law.name, key.name));
+    } else if (!sides.left.is_frame || !sides.right.is_frame) {
+      value.error_value(
+          fmt::format("needs two frames, but {} is none", (sides.left.is_frame ? sides.right : sides.left).path));
+    } else {
+      spec.axial = true;
+    }
+    return spec.axial;
+  }
+  const auto numbers = value.as_number_or_numbers(rule_of(key.range), {sides.points, "one per contact point"});
+  if (numbers) spec.numbers[std::string(key.name)] = *numbers;
+  return numbers.has_value();
+}
+
+/// What the law needs: each required key, exactly one of those that exclude one another.
+bool read_numbers(const TomlView& contact, const LawEntry& law, const GapSides& sides, ContactSpec& spec) {
+  bool good = true;
+  std::vector<std::string> one_of;
+  for (const LawKey& key : law.keys) {
+    if (key.need == LawKey::Need::one_of) one_of.emplace_back(key.name);
+    const auto value =
+        contact.get(std::string(key.name), key.need == LawKey::Need::required ? Need::required : Need::optional);
+    const bool read = value ? read_number(*value, law, key, sides, spec) : key.need == LawKey::Need::one_of;
+    good = good && read;
+  }
+  const bool one = one_of.empty() || contact.exactly_one(one_of).has_value();
+  return good && one;
+}
+
+bool read_choices(const TomlView& contact, const LawEntry& law, ContactSpec& spec) {
+  bool good = true;
+  for (const LawChoice& choice : law.choices) {
+    const auto value = contact.find(std::string(choice.name));
+    if (!value) continue;
+    if (const auto word = value->as_word({choice.words.begin(), choice.words.end()})) {
+      spec.words[std::string(choice.name)] = *word;
+    } else {
+      good = false;
+    }
+    if (!choice.with.empty() && !contact.has(std::string(choice.with))) {
+      value->error(fmt::format("goes with {}, which is not given", choice.with));
+      good = false;
+    }
+  }
+  return good;
+}
+
+/// What was said of the law, or nothing when it is not complete.
+std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides) {
+  const auto view = gap.get("contact", Need::required);
+  if (!view) return std::nullopt;
+  if (!view->is(TomlValue::Kind::table)) {
+    view->error_value("must be a table with law and what that law needs");
+    return std::nullopt;
+  }
+  const LawEntry* const law = read_law(*view);
+  if (law == nullptr) return std::nullopt;
+  ContactSpec spec;
+  spec.law = law->name;
+  const bool numbers = read_numbers(*view, *law, sides, spec);
+  const bool choices = read_choices(*view, *law, spec);
+  return numbers && choices ? std::optional(spec) : std::nullopt;
+}
+
+/// Values that are right one by one but do not go together, such as a contact that is stiffer once it has yielded: each
+/// contact point's law is made once, with the masses and beams it will have.
+void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& sides) {
+  if (!sides.left.model || !sides.right.model) return;
+  for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
+    try {
+      (void)make_contact_law(spec, i, {sides.left.spec, *sides.left.model}, {sides.right.spec, *sides.right.model});
+    } catch (const InvalidParameter& fault) {
+      const auto value = contact.find(fault.parameter());
+      if (!value) {
+        contact.error(std::string("cannot be computed with: ") + fault.what());
+      } else if (value->is(TomlValue::Kind::list)) {
+        value->item(i).error_value(fault.rule());
+        continue;
+      } else {
+        value->error_value(fault.rule());
+      }
+      return;  // the other points would say the same
+    }
+  }
 }
 
 GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
@@ -154,7 +250,11 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
                       .value_or(std::vector<double>{});
     if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
   }
-  spec.contact = read_contact(gap, points, left, right);
+  const GapSides sides{left, right, points};
+  if (const auto contact = read_contact(gap, sides)) {
+    spec.contact = *contact;
+    check_laws(*gap.find("contact"), spec, sides);
+  }
   return spec;
 }
 

@@ -18,9 +18,10 @@ struct ReadBuilding {
   BuildingSpec spec;
   std::string path;  ///< building["Model 1"], or building[0] where there is no usable name
   bool is_frame = false;
-  std::size_t floors = 0;          ///< 0: not known
-  std::size_t modes = 0;           ///< how many; 0: not known
-  std::vector<double> elevations;  ///< [length] of the floors above the ground datum; empty: not known
+  std::size_t floors = 0;                ///< 0: not known
+  std::size_t modes = 0;                 ///< how many; 0: not known
+  std::vector<double> elevations;        ///< [length] of the floors above the ground datum; empty: not known
+  std::optional<StructuralModel> model;  ///< assembled; nothing where what was read makes none
 };
 
 /// Height of the building above its own base [length].

@@ -57,18 +57,26 @@ InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& 
   return initial;
 }
 
-void read_solver(const TomlView& view, AnalysisSpec& analysis) {
-  const auto solver = view.word("solver", {"exact", "runge-kutta", "adaptive"}, Need::optional);
-  if (solver && *solver != "exact") {
-    view.find("solver")->error_value("this solver is not available in this version; available: exact");
-  } else if (solver || !view.has("solver")) {
-    if (const auto step = view.find("step")) step->error("is for solver = \"runge-kutta\"");
-    if (const auto tolerance = view.find("tolerance")) tolerance->error("is for solver = \"adaptive\"");
+/// The key of one solver; an error where another one is chosen.
+std::optional<double> read_solver_number(const TomlView& view, const std::string& key, const std::string& owner,
+                                         const std::string& chosen, Rule rule) {
+  const auto value = view.find(key);
+  if (value && chosen != owner) value->error(fmt::format("is for solver = \"{}\"", owner));
+  return value && chosen == owner ? value->as_number(rule) : std::nullopt;
+}
+
+Solver read_solver(const TomlView& view) {
+  const auto given = view.word("solver", {"exact", "runge-kutta", "adaptive"}, Need::optional);
+  if (!given && view.has("solver")) return ExactSolver{};
+  const std::string chosen = given.value_or("exact");
+  const auto step = read_solver_number(view, "step", "runge-kutta", chosen, Rule::positive);
+  const auto tolerance = read_solver_number(view, "tolerance", "adaptive", chosen, Rule::finite);
+  if (tolerance && (*tolerance < 1e-13 || *tolerance > 1e-2)) {
+    view.find("tolerance")->error_value("must be in [1e-13, 1e-2]");
   }
-  analysis.solver = solver.value_or("exact");
-  if (view.flag("energy_audit", Need::optional).value_or(false)) {
-    view.find("energy_audit")->error_value("the energy audit is not available in this version");
-  }
+  if (chosen == "runge-kutta") return RungeKuttaSolver{step.value_or(RungeKuttaSolver{}.step)};
+  if (chosen == "adaptive") return AdaptiveSolver{tolerance.value_or(AdaptiveSolver{}.tolerance)};
+  return ExactSolver{};
 }
 
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
@@ -91,7 +99,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }
-  read_solver(*view, analysis);
+  analysis.solver = read_solver(*view);
+  analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
   analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
     (view->has("output_step") ? *view->find("output_step") : *view)

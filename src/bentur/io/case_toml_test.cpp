@@ -97,13 +97,15 @@ beams = [{ area = 0.1, inertia = 0.002, unit_weight = 25.0 }]
 [[gap]]
 between = ["A", "B"]
 width = 0.02
-contact = { law = "linear", stiffness = 3e5 }
+contact = { law = "kelvin-voigt", stiffness = [3e5, 2e5], restitution = 0.65, release = "creep", calibration = "exact" }
 [excitation]
 kind = "harmonic"
 period = 0.4
 acceleration_amplitude = 2.0
 [analysis]
 duration = 5
+solver = "adaptive"
+tolerance = 1e-9
 )";
 
 TEST(CaseToml, ErrorsOfTheCallerDoNotSpoilACase) {

@@ -23,6 +23,8 @@ bool obeys(Rule rule, double x) {
       return std::isfinite(x) && x != 0;
     case Rule::ratio:
       return x >= 0 && x < 1;
+    case Rule::restitution:
+      return x > 0 && x <= 1;
   }
   return false;
 }
@@ -38,6 +40,8 @@ std::string stated(Rule rule, double x) {
       return "must not be 0";
     case Rule::ratio:
       return "must be in [0, 1)";
+    case Rule::restitution:
+      return "must be in (0, 1]";
     case Rule::finite:
       break;
   }

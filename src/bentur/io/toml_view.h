@@ -11,7 +11,7 @@
 namespace bentur {
 
 /// The values a number may take; a message states the rule.
-enum class Rule { finite, positive, not_negative, not_zero, ratio };  // ratio: [0, 1)
+enum class Rule { finite, positive, not_negative, not_zero, ratio, restitution };  // ratio: [0, 1), restitution: (0, 1]
 
 enum class Need { required, optional };
 

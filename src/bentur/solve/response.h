@@ -19,7 +19,13 @@ struct Impact {
   double peak_force_time = 0;   ///< [s]
   double peak_penetration = 0;  ///< [length]
   double impulse = 0;           ///< ∫F dt [force·s]
-  double energy_lost = 0;       ///< [force·length]
+  double peak_tension = 0;      ///< largest pull, of laws that can [force] ≥ 0
+  double energy_lost = 0;       ///< work on the contact that it does not give back [force·length]
+  /// Separation speed over closing speed [-]; nothing where that is not known or means nothing.
+  [[nodiscard]] std::optional<double> restitution() const {
+    if (open_ended || !(closing_speed > 0)) return std::nullopt;
+    return separation_speed / closing_speed;
+  }
 };
 
 /// Extrema of the continuous response of one building; each list bottom to top, one entry per floor or storey.
@@ -38,6 +44,7 @@ struct PointSummary {
   double contact_duration = 0;            ///< [s]
   double peak_force = 0;                  ///< [force]
   std::optional<double> peak_force_time;  ///< [s]
+  double peak_tension = 0;                ///< [force]
   double peak_penetration = 0;            ///< [length]
   double peak_closing_speed = 0;          ///< [length/s]
   double impulse = 0;                     ///< [force·s]
@@ -55,6 +62,26 @@ struct Histories {
   Eigen::MatrixXd force;                      ///< points × samples [force]
 };
 
+/// Where all energy is [force·length], over the sample times of Histories. Motion is relative to each building's base:
+///   input = kinetic + strain + damping + contact stored + contact lost + residual.
+struct EnergyHistories {
+  Eigen::VectorXd
+      input;  ///< initial energy + work of the ground motion (with absolute kinematics also through contact)
+  Eigen::VectorXd kinetic;  ///< of all buildings
+  Eigen::VectorXd strain;
+  Eigen::VectorXd damping;         ///< lost in the buildings so far
+  Eigen::VectorXd contact_stored;  ///< in contacts, to be given back
+  Eigen::VectorXd contact_lost;    ///< lost in contacts so far
+};
+
+/// The account of a whole run; looked at after every step, not at samples.
+struct EnergyAudit {
+  double peak_input = 0;  ///< largest |input| [force·length]
+  double residual = 0;    ///< largest |residual| [force·length]
+  [[nodiscard]] double relative_residual() const { return peak_input > 0 ? residual / peak_input : 0; }
+  EnergyHistories histories;  ///< empty unless histories are kept
+};
+
 enum class Status { done, stopped, failed };
 
 struct Response {
@@ -65,8 +92,9 @@ struct Response {
   double wall_time = 0;  ///< of the solution alone [s]
   std::vector<BuildingPeaks> buildings;
   std::vector<PointSummary> points;
-  std::vector<Impact> impacts;  ///< by start, then point
-  Histories histories;          ///< empty unless asked for
+  std::vector<Impact> impacts;        ///< by start, then point
+  Histories histories;                ///< empty unless asked for
+  std::optional<EnergyAudit> energy;  ///< when asked for
 };
 
 }  // namespace bentur

@@ -15,6 +15,9 @@ struct StructuralModel {
   Eigen::MatrixXd mass;                ///< M [mass], symmetric positive definite, dofs × dofs
   Eigen::MatrixXd stiffness;           ///< K [force/length], symmetric positive definite, dofs × dofs
   Eigen::VectorXd load;                ///< M r + m_g [mass], dofs
+  /// [mass] of each floor as a rigid body that is hit, for m_e of contact laws: a frame's lumped floor masses whatever
+  /// its mass matrix, else the row sums of M; size floors.
+  std::vector<double> floor_masses;
   [[nodiscard]] Eigen::Index floors() const { return static_cast<Eigen::Index>(elevations.size()); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };

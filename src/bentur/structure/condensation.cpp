@@ -36,6 +36,7 @@ StructuralModel with_mass_and_load(const StructuralModel& model, const Eigen::Ma
   StructuralModel reduced;
   reduced.elevations = model.elevations;
   reduced.storey_heights = model.storey_heights;
+  reduced.floor_masses = model.floor_masses;
   reduced.mass = symmetric_part(t.transpose() * model.mass * t);
   reduced.load = t.transpose() * model.load;
   return reduced;

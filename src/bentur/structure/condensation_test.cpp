@@ -56,6 +56,8 @@ TEST(StaticCondensation, MassAndLoadAreTheEnergyAndWorkOfTheRigidShapes) {
   EXPECT_EQ(reduced.stiffness, reduced.stiffness.transpose());
   EXPECT_EQ(reduced.elevations, full.elevations);
   EXPECT_EQ(reduced.storey_heights, full.storey_heights);
+  EXPECT_EQ(reduced.floor_masses, full.floor_masses);
+  EXPECT_EQ(condense_dynamically(full, 3).floor_masses, full.floor_masses);
 }
 
 TEST(StaticCondensation, FrequenciesAreUpperBounds) {

@@ -99,7 +99,9 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   for (double& elevation : model.elevations) elevation += base_elevation;
   model.stiffness = Eigen::MatrixXd::Zero(dofs, dofs);
   model.mass = Eigen::MatrixXd::Zero(dofs, dofs);
-  Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);  // m_g of theory 2 [mass]
+  model.floor_masses.assign(frame.storey_heights.size(), 0.0);   // half of the columns that meet there, and `moving`
+  std::vector<double> moving(frame.storey_heights.size(), 0.0);  // beams and floor_masses of each floor [mass]
+  Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);   // m_g of theory 2 [mass]
 
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     const auto i = static_cast<std::size_t>(floor);
@@ -116,10 +118,9 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
           base_coupling(ends[2]) += column_mass(2, 0);
           base_coupling(ends[3]) += column_mass(3, 0);
         }
-      } else {
-        model.mass(floor, floor) += column.mass / 2;
-        if (floor > 0) model.mass(floor - 1, floor - 1) += column.mass / 2;
       }
+      model.floor_masses[i] += column.mass / 2;
+      if (floor > 0) model.floor_masses[i - 1] += column.mass / 2;
     }
     const Section& beam = frame.beams[i];
     for (std::size_t bay = 0; bay < frame.bay_widths.size(); ++bay) {
@@ -128,15 +129,17 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
       const ElementDofs ends = {fixed, rotation(floor, line), fixed, rotation(floor, line + 1)};
       add(model.stiffness, element_stiffness(frame.elastic_modulus * beam.inertia, width), ends);
       if (consistent) add(model.mass, element_mass(beam.mass, width), ends);
-      model.mass(floor, floor) += beam.mass;  // it moves bodily with its floor
+      moving[i] += beam.mass;  // it moves bodily with its floor
     }
-    if (!frame.floor_masses.empty()) model.mass(floor, floor) += frame.floor_masses[i];
+    if (!frame.floor_masses.empty()) moving[i] += frame.floor_masses[i];
   }
-  for (Eigen::Index floor = 0; floor < floors; ++floor) {
-    if (!(model.mass(floor, floor) > 0)) {
-      throw InvalidParameter(indexed("floor_masses", static_cast<std::size_t>(floor)), "0",
-                             "must be > 0 where columns and beams have no mass");
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    model.floor_masses[i] += moving[i];
+    if (!(model.floor_masses[i] > 0)) {
+      throw InvalidParameter(indexed("floor_masses", i), "0", "must be > 0 where columns and beams have no mass");
     }
+    const auto floor = static_cast<Eigen::Index>(i);
+    model.mass(floor, floor) += consistent ? moving[i] : model.floor_masses[i];
   }
 
   model.load = model.mass.leftCols(floors).rowwise().sum();  // M r

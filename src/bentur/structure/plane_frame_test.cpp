@@ -167,6 +167,21 @@ TEST(PlaneFrame, LumpedMass) {
   EXPECT_LE((model.load - expected).cwiseAbs().maxCoeff(), 1e-14);  // m_g = 0
 }
 
+TEST(PlaneFrame, FloorMassesAreTheLumpedOnesWhateverTheMassMatrix) {
+  PlaneFrame frame = irregular_frame();
+  const std::vector<double> expected = {3 * (1.6 + 0.9) / 2 + 4.4 + 12, 3 * (0.9 + 0.8) / 2 + 4.2 + 11,
+                                        3 * 0.8 / 2 + 2.8 + 7};
+  for (const MassMatrix matrix : {MassMatrix::consistent, MassMatrix::lumped}) {
+    for (const Condensation each : {Condensation::static_, Condensation::dynamic, Condensation::none}) {
+      frame.mass_matrix = matrix;
+      frame.condensation = each;
+      const std::vector<double> actual = plane_frame_model(frame).floor_masses;
+      ASSERT_EQ(actual.size(), 3U);
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], 1e-14 * expected[i]);  // sums of seven
+    }
+  }
+}
+
 TEST(PlaneFrame, LumpedMassMakesEveryCondensationStatic) {
   PlaneFrame frame = irregular_frame();
   frame.mass_matrix = MassMatrix::lumped;

@@ -27,6 +27,7 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
   for (double& elevation : model.elevations) elevation += base_elevation;
   model.load = Eigen::Map<const Eigen::VectorXd>(stick.masses.data(), n);
   model.mass = model.load.asDiagonal();
+  model.floor_masses = stick.masses;
   model.stiffness = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double k = stick.stiffnesses[static_cast<std::size_t>(i)];

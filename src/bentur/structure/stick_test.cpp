@@ -20,6 +20,7 @@ TEST(Stick, Matrices) {
   EXPECT_EQ(model.mass, Eigen::MatrixXd(model.load.asDiagonal()));
   EXPECT_EQ(model.elevations, (std::vector<double>{5.0, 8.0, 11.0}));
   EXPECT_EQ(model.storey_heights, (std::vector<double>{3.5, 3.0, 3.0}));
+  EXPECT_EQ(model.floor_masses, (std::vector<double>{30, 28, 25}));
 }
 
 TEST(Stick, SpringsInSeries) {

@@ -1,13 +1,15 @@
 #include "bentur/study/case.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "bentur/contact/axial_stiffness.h"
-#include "bentur/contact/linear.h"
+#include "bentur/contact/laws.h"
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
 
@@ -34,22 +36,29 @@ StructuralModel matrices_model(const MatricesSpec& spec, double base_elevation) 
   model.mass = spec.mass;
   model.stiffness = spec.stiffness;
   model.load = spec.mass.rowwise().sum();
+  model.floor_masses.assign(model.load.begin(), model.load.end());
   return model;
 }
 
-/// The floor at an elevation, within a millionth of the building's height.
-int floor_at(const Building& building, double elevation) {
-  const std::vector<double>& floors = building.model.elevations;
-  double height = 0;
-  for (const double storey : building.model.storey_heights) {
-    height += storey;
-  }
-  for (std::size_t i = 0; i < floors.size(); ++i) {
-    if (std::abs(floors[i] - elevation) <= 1e-6 * height) {
-      return static_cast<int>(i);
+double height_of(const SpecAndModel& building) {
+  const std::vector<double>& storeys = building.model.storey_heights;
+  return std::accumulate(storeys.begin(), storeys.end(), 0.0);
+}
+
+/// The two floors that meet at an elevation, each within a millionth of the taller building's height of it.
+std::pair<int, int> floors_at(double elevation, const SpecAndModel& left, const SpecAndModel& right) {
+  const double tolerance = 1e-6 * std::max(height_of(left), height_of(right));
+  const auto floor_of = [&](const SpecAndModel& building) {
+    const std::vector<double>& floors = building.model.elevations;
+    const auto near = [&](double floor) { return std::abs(floor - elevation) <= tolerance; };
+    const auto found = std::find_if(floors.begin(), floors.end(), near);
+    if (found == floors.end()) {
+      throw InvalidParameter("elevations", std::to_string(elevation),
+                             "\"" + building.spec.name + "\" has no floor there");
     }
-  }
-  throw InvalidParameter("elevations", std::to_string(elevation), "\"" + building.name + "\" has no floor there");
+    return static_cast<int>(found - floors.begin());
+  };
+  return {floor_of(left), floor_of(right)};
 }
 
 /// Half of the beam next to the gap, (3-4): the rightmost bay of a left building, the leftmost bay of a right one.
@@ -62,41 +71,38 @@ double beam_end_stiffness(const BuildingSpec& spec, int floor, bool left_of_gap)
   return half_beam_stiffness(frame->elastic_modulus, frame->beams.at(static_cast<std::size_t>(floor)).area, bay);
 }
 
-double contact_stiffness(const Case& c, std::size_t gap, std::size_t index, const ContactPoint& point) {
-  const ContactSpec& contact = c.gaps[gap].contact;
-  if (contact.axial) {
-    return series_stiffness(beam_end_stiffness(c.buildings[gap], point.left_floor, true),
-                            beam_end_stiffness(c.buildings[gap + 1], point.right_floor, false));
+/// Of the keys that exclude one another exactly one; a key that is required and missing the law itself reports.
+void check_one_of(const LawEntry& law, const LawInput& input) {
+  std::string names;
+  int given = 0;
+  for (const LawKey& key : law.keys) {
+    if (key.need == LawKey::Need::one_of) {
+      names += (names.empty() ? "" : ", ") + std::string(key.name);
+      given += input.numbers.find(key.name) == input.numbers.end() ? 0 : 1;
+    }
   }
-  if (contact.stiffness.size() == 1) {
-    return contact.stiffness.front();
+  if (!names.empty() && given != 1) {
+    throw InvalidParameter("contact", std::to_string(given) + " of " + names, "needs exactly one of them");
   }
-  if (index >= contact.stiffness.size()) {
-    throw InvalidParameter("stiffness", std::to_string(contact.stiffness.size()) + " values",
-                           "must be one value or one per contact point");
-  }
-  return contact.stiffness[index];
 }
 
 /// Contact points of the gap to the right of building `gap`.
 std::vector<ContactPoint> contact_points(const Case& c, std::size_t gap, const std::vector<Building>& buildings) {
   const GapSpec& spec = c.gaps[gap];
-  if (spec.contact.law != "linear") {
-    throw InvalidParameter("law", spec.contact.law, "must be \"linear\"");
-  }
   if (spec.elevations.empty() || spec.widths.size() != spec.elevations.size()) {
     throw InvalidParameter("widths", std::to_string(spec.widths.size()) + " values",
                            "must be one per contact point, of which a gap has at least one");
   }
+  const SpecAndModel left{c.buildings[gap], buildings[gap].model};
+  const SpecAndModel right{c.buildings[gap + 1], buildings[gap + 1].model};
   std::vector<ContactPoint> points;
   for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
     ContactPoint point;
     point.left = static_cast<int>(gap);
-    point.left_floor = floor_at(buildings[gap], spec.elevations[i]);
-    point.right_floor = floor_at(buildings[gap + 1], spec.elevations[i]);
+    std::tie(point.left_floor, point.right_floor) = floors_at(spec.elevations[i], left, right);
     point.elevation = spec.elevations[i];
     point.width = spec.widths[i];
-    point.law = std::make_shared<Linear>(contact_stiffness(c, gap, i, point));
+    point.law = make_contact_law(spec, i, left, right);
     points.push_back(point);
   }
   return points;
@@ -136,6 +142,58 @@ std::vector<Eigen::VectorXd> initial_state(const std::vector<std::vector<double>
 }
 
 }  // namespace
+
+std::optional<double> ContactSpec::number(std::string_view key, std::size_t point) const {
+  const auto found = numbers.find(key);
+  if (found == numbers.end()) {
+    return std::nullopt;
+  }
+  const std::vector<double>& values = found->second;
+  if (values.size() != 1 && point >= values.size()) {
+    throw InvalidParameter(found->first, std::to_string(values.size()) + " values",
+                           "must be one value or one per contact point");
+  }
+  return values.size() == 1 ? values.front() : values[point];
+}
+
+std::map<std::string, std::string, std::less<>> ContactSpec::choices() const {
+  std::map<std::string, std::string, std::less<>> result;
+  const LawEntry* const entry = find_law(law);
+  if (entry == nullptr) {
+    return result;
+  }
+  for (const LawChoice& choice : entry->choices) {
+    if (choice.with.empty() || numbers.find(choice.with) != numbers.end()) {
+      const auto made = words.find(choice.name);
+      result.emplace(choice.name, made == words.end() ? choice.words.front() : std::string_view(made->second));
+    }
+  }
+  return result;
+}
+
+std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
+                                                   const SpecAndModel& right) {
+  const ContactSpec& contact = gap.contact;
+  const LawEntry* const entry = find_law(contact.law);
+  if (entry == nullptr) {
+    throw InvalidParameter("law", contact.law, "there is no such law");
+  }
+  const auto [left_floor, right_floor] = floors_at(gap.elevations.at(point), left, right);
+  LawInput input;
+  for (const auto& [key, values] : contact.numbers) {
+    input.numbers[key] = *contact.number(key, point);
+  }
+  if (contact.axial) {
+    input.numbers["stiffness"] = series_stiffness(beam_end_stiffness(left.spec, left_floor, true),
+                                                  beam_end_stiffness(right.spec, right_floor, false));
+  }
+  input.words = contact.words;
+  const double m1 = left.model.floor_masses.at(static_cast<std::size_t>(left_floor));
+  const double m2 = right.model.floor_masses.at(static_cast<std::size_t>(right_floor));
+  input.effective_mass = m1 * m2 / (m1 + m2);
+  check_one_of(*entry, input);
+  return entry->make(input);
+}
 
 StructuralModel structural_model(const BuildingSpec& spec) {
   StructuralModel model;

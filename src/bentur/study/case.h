@@ -1,14 +1,21 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "bentur/contact/law.h"
 #include "bentur/core/units.h"
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/solve/problem.h"
+#include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
@@ -31,11 +38,19 @@ struct BuildingSpec {
   std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
 };
 
-/// Contact of one gap. Lists have one entry per contact point.
+/// Contact of one gap: a law of contact/laws.h and what the case says of it, key by key.
 struct ContactSpec {
   std::string law = "linear";
-  bool axial = false;             ///< stiffness = "axial", by (3-4)
-  std::vector<double> stiffness;  ///< [force/length]; one for all points or one each; empty when axial
+  bool axial = false;  ///< stiffness = "axial", by (3-4)
+  /// One value for all contact points or one each.
+  std::map<std::string, std::vector<double>, std::less<>> numbers = {};
+  std::map<std::string, std::string, std::less<>> words = {};  ///< choices made; the others have their defaults
+
+  /// What is given for contact point `point` of the gap (0 the lowest); nothing where the key is not given.
+  /// @throws InvalidParameter when a list has no such entry.
+  [[nodiscard]] std::optional<double> number(std::string_view key, std::size_t point) const;
+  /// The choices that apply, made or by default: release; calibration where restitution is given.
+  [[nodiscard]] std::map<std::string, std::string, std::less<>> choices() const;
 };
 
 struct GapSpec {
@@ -69,8 +84,9 @@ struct InitialSpec {  ///< per building, per floor; empty: at rest
 
 struct AnalysisSpec {
   double duration = 0;  ///< [s]
-  std::string solver = "exact";
+  Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
+  bool energy_audit = false;
 };
 
 /// A case as plain data, validated, in its own consistent units.
@@ -89,6 +105,18 @@ struct Case {
 
 /// The building with its modes and damping.
 [[nodiscard]] Building make_building(const BuildingSpec& spec);
+
+/// A building as given and as assembled.
+struct SpecAndModel {
+  const BuildingSpec& spec;
+  const StructuralModel& model;
+};
+
+/// The law of contact point `point` of the gap between two buildings: with the numbers of that point, the axial
+/// stiffness of the two beams that meet there, and m_e of its two floors.
+/// @throws InvalidParameter, naming the key at fault, when the case has no such law or its values do not go together.
+[[nodiscard]] std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point,
+                                                                 const SpecAndModel& left, const SpecAndModel& right);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] Problem make_problem(const Case& c);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string_view>
 
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
@@ -37,6 +39,14 @@ BuildingSpec spec_of(std::string name, std::variant<PlaneFrame, Stick, MatricesS
 
 Stick two_storeys() { return {.storey_heights = {3, 3}, .masses = {20e3, 20e3}, .stiffnesses = {2e7, 2e7}}; }
 
+/// What the law of a contact point works with.
+double parameter(const ContactPoint& point, std::string_view name) {
+  for (const auto& [key, value] : point.law->parameters()) {
+    if (key == name) return value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Two monograph frames that meet at all three floors.
 Case frame_pair() {
   Case c;
@@ -56,20 +66,20 @@ Case frame_pair() {
 TEST(MakeProblem, AxialStiffnessIsThatOfTheBeamsNextToTheGap) {
   const Problem problem = make_problem(frame_pair());
   ASSERT_EQ(problem.points.size(), 3U);
-  EXPECT_NEAR(problem.points[0].law->stiffness(), 206181.818, 1e-3);
-  EXPECT_NEAR(problem.points[1].law->stiffness(), 183272.727, 1e-3);
-  EXPECT_NEAR(problem.points[2].law->stiffness(), 183272.727, 1e-3);
+  EXPECT_NEAR(parameter(problem.points[0], "stiffness"), 206181.818, 1e-3);
+  EXPECT_NEAR(parameter(problem.points[1], "stiffness"), 183272.727, 1e-3);
+  EXPECT_NEAR(parameter(problem.points[2], "stiffness"), 183272.727, 1e-3);
 }
 
 TEST(MakeProblem, AxialStiffnessTakesTheRightmostBayOnTheLeftAndTheLeftmostOnTheRight) {
   Case c = frame_pair();
   c.buildings[0].structure = monograph_frame(12, {50, 100});  // the bay at the gap is 100
   c.buildings[1].structure = monograph_frame(10, {100, 25});
-  EXPECT_NEAR(make_problem(c).points[0].law->stiffness(), 206181.818, 1e-3);
+  EXPECT_NEAR(parameter(make_problem(c).points[0], "stiffness"), 206181.818, 1e-3);
   c.buildings[0].structure = monograph_frame(12, {100, 50});  // half the length, twice the stiffness of that half
   const double k1 = 2.1e5 * 108 / 25;
   const double k2 = 2.1e5 * 90 / 50;
-  EXPECT_NEAR(make_problem(c).points[0].law->stiffness(), 1 / (1 / k1 + 1 / k2), 1e-6);
+  EXPECT_NEAR(parameter(make_problem(c).points[0], "stiffness"), 1 / (1 / k1 + 1 / k2), 1e-6);
 }
 
 TEST(MakeProblem, PlacesPointsAtTheFloorsOfEachBuilding) {
@@ -90,10 +100,10 @@ TEST(MakeProblem, PlacesPointsAtTheFloorsOfEachBuilding) {
 TEST(MakeProblem, OneStiffnessServesAllPointsAndAListOneEach) {
   Case c = frame_pair();
   c.gaps[0].contact.axial = false;
-  c.gaps[0].contact.stiffness = {5e4};
-  EXPECT_EQ(make_problem(c).points[2].law->stiffness(), 5e4);
-  c.gaps[0].contact.stiffness = {5e4, 6e4, 7e4};
-  EXPECT_EQ(make_problem(c).points[2].law->stiffness(), 7e4);
+  c.gaps[0].contact.numbers["stiffness"] = {5e4};
+  EXPECT_EQ(parameter(make_problem(c).points[2], "stiffness"), 5e4);
+  c.gaps[0].contact.numbers["stiffness"] = {5e4, 6e4, 7e4};
+  EXPECT_EQ(parameter(make_problem(c).points[2], "stiffness"), 7e4);
 }
 
 TEST(MakeProblem, RefusesWhatDoesNotFitTogether) {
@@ -113,6 +123,86 @@ TEST(MakeProblem, RefusesWhatDoesNotFitTogether) {
   c = frame_pair();
   c.initial.displacements = {{0.1, 0.2}, {}};
   EXPECT_THROW((void)make_problem(c), InvalidParameter);  // two values for three floors
+  c = frame_pair();
+  c.gaps[0].contact.law = "rubber";
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);
+  c = frame_pair();
+  c.gaps[0].contact = {.law = "darmawan", .axial = true};
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);  // no alpha
+  c.gaps[0].contact = {.law = "kelvin-voigt", .axial = true};
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);  // none of restitution, damping_ratio, damping
+  c.gaps[0].contact.numbers = {{"restitution", {0.5}}, {"damping_ratio", {0.5}}};
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);  // two of them
+  c.gaps[0].contact = {.law = "bilinear",
+                       .numbers = {{"stiffness", {1e5}}, {"second_stiffness", {2e5}}, {"yield_penetration", {0.1}}}};
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);  // stiffer beyond yielding
+}
+
+// m_e = m₁m₂/(m₁ + m₂) of the two floors that meet: with c = 2ξ√(k m_e) = 40 and k = 100, ξ = 2/√m_e.
+TEST(MakeProblem, EffectiveMassIsThatOfTheTwoFloorsOfThePoint) {
+  Case c;
+  MatricesSpec matrices;
+  matrices.elevations = {3, 6};
+  matrices.mass = (Eigen::Matrix2d() << 30, 2, 2, 20).finished();  // row sums 32 and 22
+  matrices.stiffness = (Eigen::Matrix2d() << 300, -100, -100, 90).finished();
+  c.buildings = {spec_of("A", matrices),
+                 spec_of("B", Stick{.storey_heights = {3, 3}, .masses = {16, 11}, .stiffnesses = {100, 100}})};
+  GapSpec gap;
+  gap.widths = {0.1, 0.1};
+  gap.elevations = {3, 6};
+  gap.contact = {.law = "kelvin-voigt", .numbers = {{"stiffness", {100}}, {"damping", {40}}}};
+  c.gaps = {gap};
+  c.excitation.delays = {0, 0};
+  c.analysis.duration = 1;
+  const Problem problem = make_problem(c);
+  EXPECT_DOUBLE_EQ(parameter(problem.points[0], "damping_ratio"), 2 / std::sqrt(32.0 * 16 / 48));
+  EXPECT_DOUBLE_EQ(parameter(problem.points[1], "damping_ratio"), 2 / std::sqrt(22.0 * 11 / 33));
+}
+
+// The annex's floor is 5e-5 off: within a millionth of the tower's 100, not of its own 3.
+TEST(MakeProblem, FloorsAreLevelWithinAMillionthOfTheTallerBuilding) {
+  Case c;
+  c.buildings = {spec_of("Tower", Stick{.storey_heights = {3, 97}, .masses = {1, 1}, .stiffnesses = {1, 1}}),
+                 spec_of("Annex", Stick{.storey_heights = {3.00005}, .masses = {1}, .stiffnesses = {1}})};
+  GapSpec gap;
+  gap.widths = {0.1};
+  gap.elevations = {3};
+  gap.contact.numbers["stiffness"] = {1};
+  c.gaps = {gap};
+  c.excitation.delays = {0, 0};
+  c.analysis.duration = 1;
+  EXPECT_EQ(make_problem(c).points.at(0).right_floor, 0);
+  c.buildings[1].base_elevation = 1e-4;
+  EXPECT_THROW((void)make_problem(c), InvalidParameter);
+}
+
+TEST(MakeProblem, EachPointHasItsNumbersAndTheChoicesTheirDefaults) {
+  Case c = frame_pair();
+  c.gaps[0].contact = {.law = "kelvin-voigt-approach",
+                       .axial = true,
+                       .numbers = {{"restitution", {0.5, 0.6, 0.7}}},
+                       .words = {{"calibration", "published"}}};
+  // ξ = (1 − e²)/(e(e(π − 2) + 2)), the published calibration.
+  const auto published = [](double e) { return (1 - e * e) / (e * (e * (std::numbers::pi - 2) + 2)); };
+  const Problem chosen = make_problem(c);
+  EXPECT_NEAR(parameter(chosen.points[0], "damping_ratio"), published(0.5), 1e-15);
+  EXPECT_NEAR(parameter(chosen.points[2], "damping_ratio"), published(0.7), 1e-15);
+  EXPECT_NEAR(parameter(chosen.points[2], "stiffness"), 183272.727, 1e-3);
+  c.gaps[0].contact.words.clear();  // exact
+  EXPECT_GT(std::abs(parameter(make_problem(c).points[0], "damping_ratio") - published(0.5)), 1e-3);
+}
+
+TEST(ContactSpec, KnowsTheChoicesThatApply) {
+  using Words = std::map<std::string, std::string, std::less<>>;
+  ContactSpec contact{.law = "kelvin-voigt", .numbers = {{"stiffness", {1}}, {"damping", {1}}}};
+  EXPECT_EQ(contact.choices(), (Words{{"release", "zero-force"}}));  // no restitution to calibrate for
+  contact.numbers = {{"stiffness", {1, 2}}, {"restitution", {0.5}}};
+  contact.words = {{"release", "creep"}};
+  EXPECT_EQ(contact.choices(), (Words{{"calibration", "exact"}, {"release", "creep"}}));
+  EXPECT_EQ(contact.number("restitution", 1), 0.5);
+  EXPECT_EQ(contact.number("stiffness", 1), 2);
+  EXPECT_EQ(contact.number("damping", 0), std::nullopt);
+  EXPECT_THROW((void)contact.number("stiffness", 2), InvalidParameter);
 }
 
 // Rotations free of moment: the rotation rows of K u vanish, to round-off of the terms that cancel.
@@ -146,6 +236,7 @@ TEST(StructuralModel, MatricesStandAboveTheirBase) {
   EXPECT_EQ(model.elevations, (std::vector<double>{6, 9}));
   EXPECT_EQ(model.storey_heights, (std::vector<double>{4, 3}));
   EXPECT_EQ(model.load, Eigen::Vector2d(53.5, 45.5));  // M r
+  EXPECT_EQ(model.floor_masses, (std::vector<double>{53.5, 45.5}));
   matrices.elevations = {4, 4};
   EXPECT_THROW((void)structural_model(spec_of("Flat", matrices)), InvalidParameter);
 }
@@ -170,7 +261,7 @@ TEST(Separations, UseTheFreePeaksAtTheContactLevel) {
   GapSpec gap;
   gap.widths = {0.1};
   gap.elevations = {3};
-  gap.contact.stiffness = {1e8};
+  gap.contact.numbers["stiffness"] = {1e8};
   c.gaps = {gap};
   c.excitation.motion = NoMotion{};
   c.excitation.delays = {0, 0};
@@ -202,7 +293,7 @@ TEST(Separations, ReadPeriodAndDampingOfTheFirstMode) {
   GapSpec gap;
   gap.widths = {0.1, 0.1};
   gap.elevations = {3, 6};
-  gap.contact.stiffness = {1e8};
+  gap.contact.numbers["stiffness"] = {1e8};
   c.gaps = {gap};
   c.excitation.motion = NoMotion{};
   c.excitation.delays = {0, 0};

@@ -2,8 +2,10 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -31,7 +33,9 @@ struct Fixture {
     GapSpec gap;
     gap.widths = {0.1};
     gap.elevations = {3};
-    gap.contact.stiffness = {1e6};
+    gap.contact = {.law = "kelvin-voigt",
+                   .numbers = {{"stiffness", {1e6}}, {"restitution", {0.65}}},
+                   .words = {{"release", "separation"}}};
     c.gaps = {gap};
     c.excitation.motion = HarmonicMotion{.period = 0.5, .displacement_amplitude = 0.01};
     c.excitation.delays = {0, 0.25};
@@ -72,6 +76,16 @@ struct Fixture {
     h.force = Eigen::RowVector3d(0, 0, 1e5);
   }
 
+  void add_energy() {
+    response.energy = EnergyAudit{.peak_input = 8, .residual = 2, .histories = {}};
+    EnergyHistories& e = response.energy->histories;
+    double first = 0;
+    for (Eigen::VectorXd* curve : {&e.input, &e.kinetic, &e.strain, &e.damping, &e.contact_stored, &e.contact_lost}) {
+      *curve = Eigen::VectorXd::LinSpaced(3, first, first + 2);
+      first += 10;
+    }
+  }
+
   Case c;
   Problem problem;
   Response response;
@@ -83,8 +97,12 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
   EXPECT_EQ(json["title"], "A \"title\"");
   EXPECT_EQ(json["units"], (Json{{"length", "m"}, {"force", "tf"}}));
   EXPECT_EQ(json["version"], "1.2.3");
-  EXPECT_EQ(json["solver"],
-            (Json{{"name", "exact"}, {"steps", 7}, {"events", 2}, {"wall_time", 0.125}, {"energy_residual", nullptr}}));
+  EXPECT_EQ(json["solver"], (Json{{"name", "exact"},
+                                  {"steps", 7},
+                                  {"events", 2},
+                                  {"wall_time", 0.125},
+                                  {"energy_residual", nullptr},
+                                  {"peak_input_energy", nullptr}}));
   EXPECT_EQ(json["excitation"]["kind"], "harmonic");
   EXPECT_EQ(json["excitation"]["delays"], (Json{0.0, 0.25}));
   const Json& left = json["buildings"][0];
@@ -98,17 +116,62 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
   const Json& gap = json["gaps"][0];
   EXPECT_EQ(gap["between"], (Json{"Left, old", "Right"}));
   EXPECT_EQ(gap["minimum_gap_no_contact"], 0.3);
-  EXPECT_EQ(gap["points"][0], (Json{{"elevation", 3.0},
-                                    {"width", 0.1},
-                                    {"minimum_gap_no_contact", 0.3},
-                                    {"impacts", 0},
-                                    {"contact_duration", 0.0},
-                                    {"peak_force", 0.0},
-                                    {"peak_force_time", nullptr},
-                                    {"peak_penetration", 0.0},
-                                    {"peak_closing_speed", 0.0},
-                                    {"impulse", 0.0},
-                                    {"energy_lost", 0.0}}));
+  // ξ = −ln e/√(π² + ln² e), exact where contact ends at separation; c = 2ξ√(k m_e), m_e = 10.
+  const double ratio = -std::log(0.65) / std::hypot(std::numbers::pi, std::log(0.65));
+  Json point = gap["points"][0];
+  EXPECT_NEAR(point["contact"]["damping_ratio"].get<double>(), ratio, 1e-15);
+  EXPECT_NEAR(point["contact"]["damping"].get<double>() / (2 * ratio * std::sqrt(1e7)), 1, 1e-14);
+  point["contact"].erase("damping_ratio");
+  point["contact"].erase("damping");
+  EXPECT_EQ(point, (Json{{"elevation", 3.0},
+                         {"width", 0.1},
+                         {"minimum_gap_no_contact", 0.3},
+                         {"impacts", 0},
+                         {"contact_duration", 0.0},
+                         {"peak_force", 0.0},
+                         {"peak_force_time", nullptr},
+                         {"peak_penetration", 0.0},
+                         {"peak_closing_speed", 0.0},
+                         {"impulse", 0.0},
+                         {"energy_lost", 0.0},
+                         {"peak_tension", 0.0},
+                         {"contact",
+                          {{"law", "kelvin-voigt"},
+                           {"stiffness", 1e6},
+                           {"restitution", 0.65},
+                           {"release", "separation"},
+                           {"calibration", "exact"}}},
+                         {"restitution", {{"asked", 0.65}, {"smallest", nullptr}, {"largest", nullptr}}}}));
+}
+
+TEST(SummaryJson, RestitutionOfTheImpactsThatHaveEnded) {
+  Fixture f;
+  const auto impact = [](double closing, double separation, bool open_ended) {
+    return Impact{.open_ended = open_ended, .closing_speed = closing, .separation_speed = separation};
+  };
+  f.response.impacts = {impact(2, 1, false), impact(4, 3, false), impact(4, 1, true), impact(0, 1, false)};
+  const Json point = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  EXPECT_EQ(point["restitution"], (Json{{"asked", 0.65}, {"smallest", 0.5}, {"largest", 0.75}}));
+  f.c.gaps[0].contact = {.law = "linear", .numbers = {{"stiffness", {1e6}}}};
+  f.problem = make_problem(f.c);
+  const Json linear = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  EXPECT_EQ(linear["contact"], (Json{{"law", "linear"}, {"stiffness", 1e6}}));
+  EXPECT_EQ(linear["restitution"], (Json{{"asked", nullptr}, {"smallest", 0.5}, {"largest", 0.75}}));
+}
+
+TEST(SummaryJson, EachSolverWithItsNumberAndTheAudit) {
+  Fixture f;
+  f.add_energy();
+  f.c.analysis.solver = AdaptiveSolver{.tolerance = 1e-7};
+  Json solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  EXPECT_EQ(solver["name"], "adaptive");
+  EXPECT_EQ(solver["tolerance"], 1e-7);
+  EXPECT_EQ(solver["energy_residual"], 0.25);
+  EXPECT_EQ(solver["peak_input_energy"], 8.0);
+  f.c.analysis.solver = RungeKuttaSolver{.step = 0.002};
+  solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  EXPECT_EQ(solver["name"], "runge-kutta");
+  EXPECT_EQ(solver["step"], 0.002);
 }
 
 TEST(SummaryJson, EchoesTheRecord) {
@@ -170,21 +233,27 @@ TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
 
 TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
   Fixture f;
-  f.response.impacts = {Impact{.point = 0,
-                               .start = 0.5,
-                               .end = 0.75,
-                               .open_ended = true,
-                               .closing_speed = 0.1,
-                               .separation_speed = 0.2,
-                               .peak_force = 3,
-                               .peak_force_time = 0.625,
-                               .peak_penetration = 0.001,
-                               .impulse = 4,
-                               .energy_lost = 5}};
+  Impact impact{.point = 0,
+                .start = 0.5,
+                .end = 0.75,
+                .open_ended = true,
+                .closing_speed = 0.1,
+                .separation_speed = 0.2,
+                .peak_force = 3,
+                .peak_force_time = 0.625,
+                .peak_penetration = 0.001,
+                .impulse = 4,
+                .peak_tension = 6,
+                .energy_lost = 5};
+  f.response.impacts = {impact};
+  impact.open_ended = false;
+  f.response.impacts.push_back(impact);
   EXPECT_EQ(impacts_csv(f.c.units, f.problem, f.response),
             "left,right,elevation [m],start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
-            "peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m]\n"
-            "\"Left, old\",Right,3,0.5,0.75,1,0.1,0.2,3,0.625,0.001,4,5\n");
+            "restitution,peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m],"
+            "peak_tension [tf]\n"
+            "\"Left, old\",Right,3,0.5,0.75,1,0.1,0.2,,3,0.625,0.001,4,5,6\n"
+            "\"Left, old\",Right,3,0.5,0.75,0,0.1,0.2,2,3,0.625,0.001,4,5,6\n");
 }
 
 /// Reads one variable back.
@@ -223,7 +292,7 @@ std::string attribute(int file, const char* variable_name, const char* name) {
 TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   Fixture f;
   f.add_histories();
-  std::string bytes = histories_netcdf(f.c, f.problem, f.response.histories, "1.2.3");
+  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1.2.3");
   int file = 0;
   ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
   EXPECT_EQ(values(file, "time", {3}), (std::vector<double>{0, 0.5, 1}));
@@ -255,11 +324,36 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   nc_close(file);
 }
 
+TEST(HistoriesNetcdf, EnergyCurvesWithAnAuditOnly) {
+  Fixture f;
+  f.add_histories();
+  const std::vector<std::string> parts = {"input", "kinetic", "strain", "damping", "contact_stored", "contact_lost"};
+  int variable = 0;
+  for (const bool audited : {false, true}) {
+    if (audited) f.add_energy();
+    std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+    int file = 0;
+    ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+    double first = 0;
+    for (const std::string& part : parts) {
+      const std::string name = "energy_" + part;
+      if (!audited) {
+        EXPECT_NE(nc_inq_varid(file, name.c_str(), &variable), NC_NOERR) << name;
+        continue;
+      }
+      EXPECT_EQ(values(file, name.c_str(), {3}), (std::vector<double>{first, first + 1, first + 2}));
+      EXPECT_EQ(attribute(file, name.c_str(), "units"), "1000 kgf m");
+      EXPECT_NE(attribute(file, name.c_str(), "long_name"), "");
+      first += 10;
+    }
+    nc_close(file);
+  }
+}
+
 TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {
   Fixture f;
   f.add_histories();
-  EXPECT_EQ(histories_netcdf(f.c, f.problem, f.response.histories, "1"),
-            histories_netcdf(f.c, f.problem, f.response.histories, "1"));
+  EXPECT_EQ(histories_netcdf(f.c, f.problem, f.response, "1"), histories_netcdf(f.c, f.problem, f.response, "1"));
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <variant>
 
 #include "bentur/structure/modes.h"
+#include "bentur/study/restitution.h"
 
 namespace bentur {
 namespace {
@@ -63,18 +65,48 @@ Json building_json(const Building& building, const BuildingPeaks& peaks) {
           {"peak_storey_shear", list(peaks.storey_shear)}};
 }
 
-Json point_json(const ContactPoint& point, const PointSummary& summary) {
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+/// The law with everything it works with, given or derived, and the choices that apply.
+Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
+  Json json = {{"law", law.name()}};
+  for (const auto& [name, value] : law.parameters()) json[std::string(name)] = value;
+  for (const auto& [name, word] : spec.choices()) json[name] = word;
+  return json;
+}
+
+Json point_json(const ContactPoint& point, const PointSummary& summary, const ContactSpec& contact,
+                const PointRestitution& restitution) {
   return {{"elevation", point.elevation},
           {"width", point.width},
           {"minimum_gap_no_contact", summary.minimum_gap_no_contact},
           {"impacts", summary.impacts},
           {"contact_duration", summary.contact_duration},
           {"peak_force", summary.peak_force},
-          {"peak_force_time", summary.peak_force_time ? Json(*summary.peak_force_time) : Json(nullptr)},
+          {"peak_force_time", or_null(summary.peak_force_time)},
           {"peak_penetration", summary.peak_penetration},
           {"peak_closing_speed", summary.peak_closing_speed},
           {"impulse", summary.impulse},
-          {"energy_lost", summary.energy_lost}};
+          {"energy_lost", summary.energy_lost},
+          {"peak_tension", summary.peak_tension},
+          {"contact", contact_json(*point.law, contact)},
+          {"restitution",
+           {{"asked", or_null(restitution.asked)},
+            {"smallest", or_null(restitution.smallest)},
+            {"largest", or_null(restitution.largest)}}}};
+}
+
+Json solver_json(const Solver& solver, const Response& response) {
+  Json json = {{"name", name(solver)}};
+  if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) json["tolerance"] = adaptive->tolerance;
+  if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&solver)) json["step"] = stepwise->step;
+  json["steps"] = response.steps;
+  json["events"] = response.events;
+  json["wall_time"] = response.wall_time;
+  const std::optional<EnergyAudit>& audit = response.energy;
+  json["energy_residual"] = audit ? Json(audit->relative_residual()) : Json(nullptr);
+  json["peak_input_energy"] = audit ? Json(audit->peak_input) : Json(nullptr);
+  return json;
 }
 
 Json between(const Problem& problem, std::size_t gap) {
@@ -88,13 +120,14 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b)));
   }
+  const std::vector<PointRestitution> restitution = restitutions(problem, response);
   Json gaps = Json::array();
   for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
     Json points = Json::array();
     double needed = 0;
     for (std::size_t i = 0; i < problem.points.size(); ++i) {
       if (problem.points[i].left == static_cast<int>(gap)) {
-        points.push_back(point_json(problem.points[i], response.points.at(i)));
+        points.push_back(point_json(problem.points[i], response.points.at(i), c.gaps.at(gap).contact, restitution[i]));
         needed = std::max(needed, response.points[i].minimum_gap_no_contact);
       }
     }
@@ -103,12 +136,7 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
-               {"solver",
-                {{"name", c.analysis.solver},
-                 {"steps", response.steps},
-                 {"events", response.events},
-                 {"wall_time", response.wall_time},
-                 {"energy_residual", nullptr}}},
+               {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
                {"buildings", buildings},
                {"gaps", gaps}});

@@ -12,7 +12,7 @@
 namespace bentur {
 
 /// The summary of a run, also `summary.json`. Lists run bottom to top; a number that does not
-/// exist (amplification over a peak of zero, the time of a force that never was) is null.
+/// exist (amplification over a peak of zero, the time of a force that never was, energy without an audit) is null.
 [[nodiscard]] std::string summary_json(const Case& c, const Problem& problem, const Response& response,
                                        std::string_view version);
 

@@ -132,16 +132,29 @@ void write_points(const NetcdfFile& file, int time, const Problem& problem, cons
   }
 }
 
+void write_energy(const NetcdfFile& file, int time, const EnergyHistories& energy, const std::string& units) {
+  const auto curve = [&](const std::string& part, const Eigen::VectorXd& values, const std::string& what) {
+    file.write("energy_" + part, {time}, values.data(), units, what);
+  };
+  curve("input", energy.input, "energy at the start and work of the ground motion so far");
+  curve("kinetic", energy.kinetic, "kinetic energy of the buildings, relative to their bases");
+  curve("strain", energy.strain, "strain energy of the buildings");
+  curve("damping", energy.damping, "energy lost to the damping of the buildings so far");
+  curve("contact_stored", energy.contact_stored, "energy stored in contacts, to be given back");
+  curve("contact_lost", energy.contact_lost, "energy lost in contacts so far");
+}
+
 }  // namespace
 
-std::string histories_netcdf(const Case& c, const Problem& problem, const Histories& histories,
+std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response,
                              std::string_view version) {
+  const Histories& histories = response.histories;
   const std::string length = udunit(c.units.length);
   const std::string force = udunit(c.units.force);
   NetcdfFile file;
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", c.title);
-  file.attribute(NC_GLOBAL, "source", "seismic pounding analysis, solver " + c.analysis.solver);
+  file.attribute(NC_GLOBAL, "source", fmt::format("seismic pounding analysis, solver {}", name(c.analysis.solver)));
   file.attribute(NC_GLOBAL, "history", fmt::format("written by bentur {}", version));
   const int time = file.dimension("time", histories.time.size());
   const int coordinate = file.write("time", {time}, histories.time.data(), "s", "time");
@@ -159,6 +172,7 @@ std::string histories_netcdf(const Case& c, const Problem& problem, const Histor
   file.write("building_name", buildings, names, "names of the buildings, left to right");
   file.write("building_delay", {buildings}, delays.data(), "s", "delay of the ground motion at the buildings");
   write_points(file, time, problem, histories, length, force);
+  if (response.energy) write_energy(file, time, response.energy->histories, force + " " + length);
   return file.take();
 }
 

@@ -1,0 +1,55 @@
+#include "bentur/contact/laws/darmawan.h"
+
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+enum { apart, pushing, cut };
+
+}  // namespace
+
+Darmawan::Darmawan(double stiffness, double alpha) : stiffness_(stiffness), alpha_(alpha) {
+  require_positive("stiffness", stiffness);
+  require_not_negative("alpha", alpha);
+}
+
+LawEntry Darmawan::entry() {
+  return {"darmawan",
+          {{.name = "stiffness", .axial = true}, {"alpha", LawKey::Range::not_negative}},
+          {},
+          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            return std::make_shared<Darmawan>(in.number("stiffness"), in.number("alpha"));
+          }};
+}
+
+Branch Darmawan::branch(const ContactState& state) const noexcept {
+  switch (state.branch) {
+    case apart:
+      return Branch::apart();
+    case cut:
+      return Branch{.touching = true}.guarded_by({{.penetration = 1}, {.constant = -1, .speed = -alpha_}});
+    default:
+      if (alpha_ == 0) return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}});
+      return Branch{.touching = true, .linear = false}.guarded_by(
+          {{.penetration = 1}, {.constant = 1, .speed = alpha_}});
+  }
+}
+
+ContactState Darmawan::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
+                            double closing_speed) const noexcept {
+  if (state.branch == apart) return {.branch = pushing, .since = time, .closing_speed = closing_speed};
+  if (guard == 0) return {.since = time};
+  return {.branch = state.branch == pushing ? cut : pushing, .since = time, .closing_speed = state.closing_speed};
+}
+
+double Darmawan::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+  if (state.branch != pushing) return ContactLaw::force(state, penetration, closing_speed);
+  return stiffness_ * penetration * (1 + alpha_ * closing_speed);
+}
+
+double Darmawan::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
+}
+
+}  // namespace bentur

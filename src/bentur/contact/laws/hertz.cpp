@@ -1,0 +1,46 @@
+#include "bentur/contact/laws/hertz.h"
+
+#include <cmath>
+
+#include "bentur/core/require.h"
+
+namespace bentur {
+
+double hertz_force(double stiffness, double penetration) noexcept {
+  if (penetration < 0) return 0;
+  return stiffness * penetration * std::sqrt(penetration);
+}
+
+double hertz_energy(double stiffness, double penetration) noexcept {
+  return 0.4 * penetration * hertz_force(stiffness, penetration);
+}
+
+Hertz::Hertz(double stiffness) : stiffness_(stiffness) { require_positive("stiffness", stiffness); }
+
+LawEntry Hertz::entry() {
+  return {"hertz", {{"stiffness"}}, {}, [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            return std::make_shared<Hertz>(in.number("stiffness"));
+          }};
+}
+
+Branch Hertz::branch(const ContactState& state) const noexcept {
+  if (state.branch == 0) return Branch::apart();
+  return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}});
+}
+
+ContactState Hertz::next(const ContactState& state, std::size_t /*guard*/, double time, double /*penetration*/,
+                         double closing_speed) const noexcept {
+  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
+  return {.since = time};
+}
+
+double Hertz::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+  if (state.branch == 0) return ContactLaw::force(state, penetration, closing_speed);
+  return hertz_force(stiffness_, penetration) + 0 * closing_speed;
+}
+
+double Hertz::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == 0 ? 0.0 : hertz_energy(stiffness_, penetration);
+}
+
+}  // namespace bentur

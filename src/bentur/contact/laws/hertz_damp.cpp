@@ -1,0 +1,92 @@
+#include "bentur/contact/laws/hertz_damp.h"
+
+#include <cmath>
+
+#include "bentur/contact/laws/hertz.h"
+#include "bentur/contact/restitution_relations.h"
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+enum { apart, pushing, cut };
+
+const LawChoice& calibration() {
+  static const LawChoice choice = {"calibration", {"exact", "muthukumar-desroches", "ye"}, "restitution"};
+  return choice;
+}
+
+double calibrated_factor(double restitution, const LawInput& in) {
+  const auto given = in.words.find("calibration");
+  if (given != in.words.end() && given->second == "published") {
+    throw InvalidParameter("calibration", "\"published\"",
+                           "leaves two formulas open here: must be exact, muthukumar-desroches or ye");
+  }
+  const auto word = in.word(calibration());
+  if (word == "muthukumar-desroches") return published::muthukumar_desroches_damping_factor(restitution);
+  if (word == "ye") return published::ye_damping_factor(restitution);
+  return exact_damping_factor(restitution);
+}
+
+}  // namespace
+
+HertzDamp::HertzDamp(double stiffness, double damping_factor, std::optional<double> restitution)
+    : stiffness_(stiffness), damping_factor_(damping_factor), restitution_(restitution) {
+  require_positive("stiffness", stiffness);
+  require_not_negative("damping_factor", damping_factor);
+}
+
+LawEntry HertzDamp::entry() {
+  return {"hertz-damp",
+          {{"stiffness"},
+           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
+           {"damping_factor", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          {calibration()},
+          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            const auto asked = in.optional_number("restitution");
+            const double factor = asked ? calibrated_factor(*asked, in) : in.number("damping_factor");
+            return std::make_shared<HertzDamp>(in.number("stiffness"), factor, asked);
+          }};
+}
+
+LawParameters HertzDamp::parameters() const {
+  LawParameters list = {{"stiffness", stiffness_}};
+  if (restitution_) list.emplace_back("restitution", *restitution_);
+  list.emplace_back("damping_factor", damping_factor_);
+  return list;
+}
+
+double HertzDamp::slowness(const ContactState& state) const noexcept {
+  const double value = damping_factor_ / state.closing_speed;
+  return state.closing_speed > 0 && std::isfinite(value) ? value : 0;
+}
+
+Branch HertzDamp::branch(const ContactState& state) const noexcept {
+  if (state.branch == apart) return Branch::apart();
+  const double slow = slowness(state);
+  if (state.branch == cut) {
+    return Branch{.touching = true}.guarded_by({{.penetration = 1}, {.constant = -1, .speed = -slow}});
+  }
+  const Branch closed = {.touching = true, .linear = false};
+  if (slow == 0) return closed.guarded_by({{.penetration = 1}});
+  return closed.guarded_by({{.penetration = 1}, {.constant = 1, .speed = slow}});
+}
+
+ContactState HertzDamp::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
+                             double closing_speed) const noexcept {
+  if (state.branch == apart) return {.branch = pushing, .since = time, .closing_speed = closing_speed};
+  if (guard == 0) return {.since = time};
+  return {.branch = state.branch == pushing ? cut : pushing, .since = time, .closing_speed = state.closing_speed};
+}
+
+double HertzDamp::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+  if (state.branch != pushing) return ContactLaw::force(state, penetration, closing_speed);
+  return hertz_force(stiffness_, penetration) * (1 + slowness(state) * closing_speed);
+}
+
+double HertzDamp::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
+}
+
+}  // namespace bentur

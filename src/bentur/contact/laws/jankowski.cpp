@@ -1,0 +1,75 @@
+#include "bentur/contact/laws/jankowski.h"
+
+#include <cmath>
+
+#include "bentur/contact/laws/hertz.h"
+#include "bentur/contact/restitution_relations.h"
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+enum { apart, closing, rebound };
+
+const LawChoice& calibration() {
+  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
+  return choice;
+}
+
+}  // namespace
+
+Jankowski::Jankowski(double stiffness, double damping_ratio, double effective_mass, std::optional<double> restitution)
+    : stiffness_(stiffness), damping_ratio_(damping_ratio), restitution_(restitution) {
+  require_positive("stiffness", stiffness);
+  require_not_negative("damping_ratio", damping_ratio);
+  require_positive("effective_mass", effective_mass);
+  damping_ = 2 * damping_ratio * std::sqrt(stiffness) * std::sqrt(effective_mass);
+}
+
+LawEntry Jankowski::entry() {
+  return {"jankowski",
+          {{"stiffness"},
+           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
+           {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          {calibration()},
+          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            const auto asked = in.optional_number("restitution");
+            const double ratio = !asked                                  ? in.number("damping_ratio")
+                                 : in.word(calibration()) == "published" ? published::jankowski_damping_ratio(*asked)
+                                                                         : exact_approach_damping_ratio(*asked, 1.5);
+            return std::make_shared<Jankowski>(in.number("stiffness"), ratio, in.effective_mass, asked);
+          }};
+}
+
+LawParameters Jankowski::parameters() const {
+  LawParameters list = {{"stiffness", stiffness_}};
+  if (restitution_) list.emplace_back("restitution", *restitution_);
+  list.emplace_back("damping_ratio", damping_ratio_);
+  return list;
+}
+
+Branch Jankowski::branch(const ContactState& state) const noexcept {
+  if (state.branch == apart) return Branch::apart();
+  const double sense = state.branch == closing ? 1 : -1;
+  return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}, {.speed = sense}});
+}
+
+ContactState Jankowski::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
+                             double closing_speed) const noexcept {
+  if (state.branch == apart) return {.branch = closing, .since = time, .closing_speed = closing_speed};
+  if (guard == 0) return {.since = time};
+  return {.branch = state.branch == closing ? rebound : closing, .since = time, .closing_speed = state.closing_speed};
+}
+
+double Jankowski::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+  if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
+  const double spring = hertz_force(stiffness_, penetration) + 0 * closing_speed;
+  if (state.branch == rebound || penetration < 0) return spring;
+  return spring + damping_ * std::sqrt(std::sqrt(penetration)) * closing_speed;
+}
+
+double Jankowski::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
+}
+
+}  // namespace bentur

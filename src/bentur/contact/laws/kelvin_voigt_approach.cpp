@@ -1,0 +1,76 @@
+#include "bentur/contact/laws/kelvin_voigt_approach.h"
+
+#include <cmath>
+
+#include "bentur/contact/restitution_relations.h"
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+enum { apart, closing, rebound };
+
+const LawChoice& calibration() {
+  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
+  return choice;
+}
+
+}  // namespace
+
+KelvinVoigtApproach::KelvinVoigtApproach(double stiffness, double damping_ratio, double effective_mass,
+                                         std::optional<double> restitution)
+    : stiffness_(stiffness), damping_ratio_(damping_ratio), restitution_(restitution) {
+  require_positive("stiffness", stiffness);
+  require_not_negative("damping_ratio", damping_ratio);
+  require_positive("effective_mass", effective_mass);
+  damping_ = 2 * damping_ratio * std::sqrt(stiffness) * std::sqrt(effective_mass);
+}
+
+LawEntry KelvinVoigtApproach::entry() {
+  return {"kelvin-voigt-approach",
+          {{.name = "stiffness", .axial = true},
+           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
+           {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          {calibration()},
+          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            const auto asked = in.optional_number("restitution");
+            const double ratio = !asked ? in.number("damping_ratio")
+                                 : in.word(calibration()) == "published"
+                                     ? published::mahmoud_jankowski_damping_ratio(*asked)
+                                     : exact_approach_damping_ratio(*asked, 1);
+            return std::make_shared<KelvinVoigtApproach>(in.number("stiffness"), ratio, in.effective_mass, asked);
+          }};
+}
+
+LawParameters KelvinVoigtApproach::parameters() const {
+  LawParameters list = {{"stiffness", stiffness_}};
+  if (restitution_) list.emplace_back("restitution", *restitution_);
+  list.emplace_back("damping_ratio", damping_ratio_);
+  list.emplace_back("damping", damping_);
+  return list;
+}
+
+Branch KelvinVoigtApproach::branch(const ContactState& state) const noexcept {
+  switch (state.branch) {
+    case apart:
+      return Branch::apart();
+    case closing:
+      return Branch{.touching = true, .stiffness = stiffness_, .damping = damping_}.guarded_by(
+          {{.penetration = 1}, {.speed = 1}});
+    default:
+      return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}, {.speed = -1}});
+  }
+}
+
+ContactState KelvinVoigtApproach::next(const ContactState& state, std::size_t guard, double time,
+                                       double /*penetration*/, double closing_speed) const noexcept {
+  if (state.branch == apart) return {.branch = closing, .since = time, .closing_speed = closing_speed};
+  if (guard == 0) return {.since = time};
+  return {.branch = state.branch == closing ? rebound : closing, .since = time, .closing_speed = state.closing_speed};
+}
+
+double KelvinVoigtApproach::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
+}
+
+}  // namespace bentur

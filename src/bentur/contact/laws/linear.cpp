@@ -1,0 +1,33 @@
+#include "bentur/contact/laws/linear.h"
+
+#include "bentur/core/require.h"
+
+namespace bentur {
+
+Linear::Linear(double stiffness) : stiffness_(stiffness) { require_positive("stiffness", stiffness); }
+
+LawEntry Linear::entry() {
+  return {"linear",
+          {{.name = "stiffness", .axial = true}},
+          {},
+          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+            return std::make_shared<Linear>(in.number("stiffness"));
+          }};
+}
+
+Branch Linear::branch(const ContactState& state) const noexcept {
+  if (state.branch == 0) return Branch::apart();
+  return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}});
+}
+
+ContactState Linear::next(const ContactState& state, std::size_t /*guard*/, double time, double /*penetration*/,
+                          double closing_speed) const noexcept {
+  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
+  return {.since = time};
+}
+
+double Linear::stored_energy(const ContactState& state, double penetration) const noexcept {
+  return state.branch == 0 ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
+}
+
+}  // namespace bentur

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bentur/solve/motion/modal_system.h"
+#include "bentur/solve/motion/polynomial.h"
+
+namespace bentur::engine {
+
+/// The motion over one step as a polynomial in s = (time − start)/h ∈ [0, 1]. Every solver makes its next step known in
+/// this form, and everything else (events, impacts, peaks, histories, energy) reads it.
+class Expansion {
+ public:
+  explicit Expansion(const ModalSystem& system);
+
+  // For those who fill it.
+  /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
+  void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
+  /// Coefficients: coordinates × powers of s.
+  [[nodiscard]] Eigen::MatrixXd& coefficients() { return c_; }
+  /// Force of a resting point [force].
+  void set_resting_force(std::size_t point, const Polynomial& force);
+  /// Works the bounds below out, of the coordinates that were filled.
+  void bound();
+
+  // For those who read it.
+  [[nodiscard]] double h() const { return h_; }
+  [[nodiscard]] int degree() const { return degree_; }
+  [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
+  /// Position and speed at s; only the coordinates that were filled are written.
+  void evaluate(double s, State& state) const;
+  [[nodiscard]] Polynomial opening(std::size_t point) const;                   ///< g(s) of (T-1) [length]
+  [[nodiscard]] Polynomial output(std::size_t block, Eigen::Index row) const;  ///< row of Block::outputs
+  [[nodiscard]] Polynomial acceleration(std::size_t block, Eigen::Index floor) const;
+  [[nodiscard]] const Polynomial& resting_force(std::size_t point) const { return resting_force_[point]; }
+  /// Bound of |q_j''| with respect to s on [0, 1], one entry per coordinate.
+  [[nodiscard]] const Eigen::VectorXd& curvature() const { return curvature_; }
+  /// Bound of |d⁴q_j/ds⁴| on [0, 1].
+  [[nodiscard]] const Eigen::VectorXd& fourth_derivative() const { return fourth_; }
+
+ private:
+  const ModalSystem* system_;
+  double h_ = 0;
+  int degree_ = highest_degree;
+  Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
+  Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
+  Eigen::VectorXd curvature_, fourth_;
+  std::vector<Polynomial> resting_force_;
+};
+
+}  // namespace bentur::engine

@@ -1,0 +1,197 @@
+#include "bentur/solve/motion/modal_system.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace bentur::engine {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Rows of displacement, drift ratio and storey shear over the modes of a building (theory 5), and a column for ground.
+MatrixXd output_rows(const Building& building) {
+  const StructuralModel& model = building.model;
+  const Index floors = model.floors();
+  const MatrixXd shapes = building.modes.shapes.topRows(floors);
+  const MatrixXd forces = (model.stiffness * building.modes.shapes).topRows(floors);
+  MatrixXd rows = MatrixXd::Zero(3 * floors, shapes.cols() + 1);
+  for (Index f = 0; f < floors; ++f) {
+    const Index modes = shapes.cols();
+    rows.row(f).head(modes) = shapes.row(f);
+    rows.row(floors + f).head(modes) = shapes.row(f);
+    if (f > 0) rows.row(floors + f).head(modes) -= shapes.row(f - 1);
+    rows.row(floors + f) /= model.storey_heights[static_cast<std::size_t>(f)];
+    rows.row(2 * floors + f).head(modes) = forces.bottomRows(floors - f).colwise().sum();
+  }
+  return rows;
+}
+
+ModalSystem::Block make_block(const Building& building, Index begin) {
+  ModalSystem::Block block;
+  const Index modes = building.modes.omega.size();
+  block.begin = begin;
+  block.size = modes + 1;
+  block.floors = building.model.floors();
+  block.outputs = output_rows(building);
+  block.acceleration = block.outputs.topRows(block.floors);
+  block.acceleration.col(modes).setOnes();
+
+  MatrixXd off_diagonal = building.modal_damping;
+  off_diagonal.diagonal().setZero();
+  double damping_norm = building.modal_damping.diagonal().cwiseAbs().maxCoeff();
+  if (!off_diagonal.isZero(0.0)) {
+    block.damping = MatrixXd::Zero(modes + 1, modes + 1);
+    block.damping->topLeftCorner(modes, modes) = building.modal_damping;
+    damping_norm = building.modal_damping.norm();
+  }
+  block.half_damping = 0.5 * damping_norm;
+  block.omega_max = building.modes.omega.maxCoeff();
+  return block;
+}
+
+VectorXd sense_row(const Building& building, int floor, Kinematics kinematics, double sign) {
+  const Index modes = building.modes.omega.size();
+  VectorXd row(modes + 1);
+  row.head(modes) = sign * building.modes.shapes.row(floor).transpose();
+  row(modes) = kinematics == Kinematics::absolute ? sign : 0.0;
+  return row;
+}
+
+VectorXd push_column(VectorXd sense) {
+  sense(sense.size() - 1) = 0.0;
+  return sense;
+}
+
+}  // namespace
+
+ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.motion)) {
+  for (const Building& building : problem.buildings) {
+    blocks.push_back(make_block(building, size));
+    size += blocks.back().size;
+    classical = classical && !blocks.back().damping;
+  }
+  omega_squared = VectorXd::Zero(size);
+  two_sigma = VectorXd::Zero(size);
+  gamma = VectorXd::Ones(size);
+  initial_q = VectorXd::Zero(size);
+  initial_v = VectorXd::Zero(size);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    const Index begin = blocks[b].begin;
+    const Index modes = blocks[b].size - 1;
+    omega_squared.segment(begin, modes) = building.modes.omega.cwiseAbs2();
+    two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
+    gamma.segment(begin, modes) = -building.modes.shapes.transpose() * building.model.load;
+    const MatrixXd to_modes = building.modes.shapes.transpose() * building.model.mass;
+    if (!problem.initial_displacement.empty()) {
+      initial_q.segment(begin, modes) = to_modes * problem.initial_displacement[b];
+    }
+    if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes * problem.initial_velocity[b];
+  }
+
+  for (const ContactPoint& contact : problem.points) {
+    const auto left = static_cast<std::size_t>(contact.left);
+    Point point;
+    point.left_begin = blocks[left].begin;
+    point.left_size = blocks[left].size;
+    point.right_begin = blocks[left + 1].begin;
+    point.right_size = blocks[left + 1].size;
+    point.sense_left = sense_row(problem.buildings[left], contact.left_floor, problem.kinematics, -1.0);
+    point.sense_right = sense_row(problem.buildings[left + 1], contact.right_floor, problem.kinematics, 1.0);
+    point.push_left = push_column(point.sense_left);
+    point.push_right = push_column(point.sense_right);
+    point.sense_left_abs = point.sense_left.cwiseAbs();
+    point.sense_right_abs = point.sense_right.cwiseAbs();
+    point.width = contact.width;
+    points.push_back(std::move(point));
+  }
+  const auto count = static_cast<Index>(points.size());
+  coupling = MatrixXd::Zero(count, count);
+  for (Index i = 0; i < count; ++i) {
+    VectorXd push = VectorXd::Zero(size);
+    const Point& from = points[static_cast<std::size_t>(i)];
+    push.segment(from.left_begin, from.left_size) = from.push_left;
+    push.segment(from.right_begin, from.right_size) = from.push_right;
+    for (Index j = 0; j < count; ++j) coupling(i, j) = points[static_cast<std::size_t>(j)].sense(push);
+  }
+}
+
+double ModalSystem::rate(const ContactForces& forces) const {
+  // The largest row sum of the pressing points' coupling bounds its largest eigenvalue.
+  double stiffness = 0.0;
+  double damping = 0.0;
+  for (const std::size_t i : forces.pressing) {
+    double stiffness_row = 0.0;
+    double damping_row = 0.0;
+    for (const std::size_t j : forces.pressing) {
+      const double between = std::abs(coupling(static_cast<Index>(i), static_cast<Index>(j)));
+      stiffness_row += between * std::sqrt(forces.linear[i].stiffness * forces.linear[j].stiffness);
+      damping_row += between * std::sqrt(forces.linear[i].damping * forces.linear[j].damping);
+    }
+    stiffness = std::max(stiffness, stiffness_row);
+    damping = std::max(damping, damping_row);
+  }
+  double half_damping = 0.0;
+  double omega = nu;
+  for (const Block& block : blocks) {
+    half_damping = std::max(half_damping, block.half_damping);
+    omega = std::max(omega, block.omega_max);
+  }
+  half_damping += 0.5 * damping;
+  return std::max(half_damping + std::sqrt(half_damping * half_damping + omega * omega + stiffness), forces.fading);
+}
+
+void ModalSystem::acceleration(const State& state, const std::vector<GroundInput>& inputs, const VectorXd& forces,
+                               VectorXd& result) const {
+  result.resize(size);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Block& block = blocks[b];
+    const double ground = inputs[b].value;
+    for (Index j = block.begin; j < block.begin + block.size; ++j) {
+      result(j) = gamma(j) * ground - omega_squared(j) * state.q(j) - two_sigma(j) * state.v(j);
+    }
+    if (block.damping) {
+      const auto speed = state.v.segment(block.begin, block.size);
+      result.segment(block.begin, block.size) -=
+          *block.damping * speed - two_sigma.segment(block.begin, block.size).cwiseProduct(speed);
+    }
+  }
+  for (Index i = 0; i < forces.size(); ++i) {
+    if (forces(i) != 0.0) push(static_cast<std::size_t>(i), forces(i), result);
+  }
+}
+
+void ModalSystem::push(std::size_t i, double force, VectorXd& result) const {
+  const Point& point = points[i];
+  result.segment(point.left_begin, point.left_size) += force * point.push_left;
+  result.segment(point.right_begin, point.right_size) += force * point.push_right;
+}
+
+VectorXd ModalSystem::forces_for(const std::vector<std::size_t>& at, const VectorXd& missing) const {
+  const auto count = static_cast<Index>(at.size());
+  MatrixXd matrix(count, count);
+  for (Index i = 0; i < count; ++i) {
+    for (Index j = 0; j < count; ++j) {
+      matrix(i, j) = coupling(static_cast<Index>(at[static_cast<std::size_t>(i)]),
+                              static_cast<Index>(at[static_cast<std::size_t>(j)]));
+    }
+  }
+  return matrix.ldlt().solve(missing);
+}
+
+void ModalSystem::advance(std::vector<GroundInput>& inputs, double dt) const {
+  if (nu == 0.0) {
+    for (GroundInput& in : inputs) in.value += in.slope * dt;
+    return;
+  }
+  const double c = std::cos(nu * dt);
+  const double s = std::sin(nu * dt);
+  for (GroundInput& in : inputs) in = {in.value * c + in.slope / nu * s, in.slope * c - in.value * nu * s};
+}
+
+double ModalSystem::Block::rate() const { return half_damping + std::hypot(half_damping, omega_max); }
+
+}  // namespace bentur::engine

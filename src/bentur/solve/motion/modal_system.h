@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "bentur/solve/motion/time_grid.h"
+#include "bentur/solve/problem.h"
+
+namespace bentur::engine {
+
+/// Position and speed of every coordinate.
+struct State {
+  Eigen::VectorXd q, v;
+};
+
+/// What contact points do over a step.
+struct ContactForces {
+  /// F = base + stiffness δ + damping δ̇; all zero where a point does not press.
+  struct Linear {
+    double base = 0, stiffness = 0, damping = 0;
+  };
+  std::vector<Linear> linear;          ///< per point
+  std::vector<std::size_t> pressing;   ///< points with a linear force
+  std::vector<std::size_t> resting;    ///< points whose opening stays zero, whatever force it takes
+  std::vector<std::size_t> nonlinear;  ///< points with a force that no Linear describes
+  double fading = 0;                   ///< fastest rate at which a surface comes back [1/s]
+
+  [[nodiscard]] bool none() const { return pressing.empty() && resting.empty() && nonlinear.empty(); }
+};
+
+/// All buildings side by side in modal coordinates. The coordinates of one building are its modes followed by its
+/// ground displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
+///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = −g_i,   g_i = w_i + sense_i q.   (T-1)
+/// Every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
+struct ModalSystem {
+  struct Block {
+    Eigen::Index begin = 0;  ///< first coordinate of the building
+    Eigen::Index size = 0;   ///< modes + 1
+    Eigen::Index floors = 0;
+    Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
+    Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
+    Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
+    std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
+    double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
+    double omega_max = 0;                    ///< largest Ω [1/s]
+    [[nodiscard]] double rate() const;       ///< growth bound of the building on its own [1/s]
+  };
+  struct Point {
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;
+    Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
+    Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates
+    Eigen::VectorXd sense_left_abs, sense_right_abs;
+    double width = 0;  ///< w [length]
+
+    /// sense · x for a vector of all coordinates. Left and right are summed alike, so that two identical buildings
+    /// that move alike give exactly zero.
+    template <class Vector>
+    [[nodiscard]] double sense(const Vector& x) const {
+      return sense_right.dot(x.segment(right_begin, right_size)) + sense_left.dot(x.segment(left_begin, left_size));
+    }
+    template <class Vector>
+    [[nodiscard]] double sense_abs(const Vector& x) const {
+      return sense_right_abs.dot(x.segment(right_begin, right_size)) +
+             sense_left_abs.dot(x.segment(left_begin, left_size));
+    }
+  };
+
+  explicit ModalSystem(const Problem& problem);
+
+  Eigen::Index size = 0;
+  Eigen::VectorXd omega_squared;  ///< Ω² [1/s²]
+  Eigen::VectorXd two_sigma;      ///< diagonal of D [1/s]
+  Eigen::VectorXd gamma;          ///< −φᵀ load for modes, 1 for ground coordinates
+  std::vector<Block> blocks;
+  std::vector<Point> points;
+  Eigen::MatrixXd coupling;  ///< push_i · sense_j [1/mass], points × points
+  double nu = 0;             ///< ν of the ground motion [rad/s]
+  bool classical = true;     ///< every D is diagonal
+
+  Eigen::VectorXd initial_q, initial_v;
+
+  /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A = Ω² + ‖contact
+  /// stiffness‖, B = ‖D‖ + ‖contact damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν.
+  [[nodiscard]] double rate(const ContactForces& forces) const;
+
+  /// q̈ by (T-1) at the given state, ground input and force of each point [force] (empty: none).
+  void acceleration(const State& state, const std::vector<GroundInput>& inputs, const Eigen::VectorXd& forces,
+                    Eigen::VectorXd& result) const;
+
+  /// result += push_i F for one point.
+  void push(std::size_t point, double force, Eigen::VectorXd& result) const;
+
+  /// The forces λ at the given points that change the opening's acceleration there by `missing` [length/s²].
+  [[nodiscard]] Eigen::VectorXd forces_for(const std::vector<std::size_t>& at, const Eigen::VectorXd& missing) const;
+
+  /// The inputs `dt` later.
+  void advance(std::vector<GroundInput>& inputs, double dt) const;
+};
+
+}  // namespace bentur::engine

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+
+namespace bentur::engine {
+
+/// Highest degree of a power series: with ω h ≤ series_reach the first term left out is below 2.4^27/27! = 2e-18 of the
+/// value.
+inline constexpr int highest_degree = 26;
+
+/// Σ p_k s^k, k ≤ degree, on s ∈ [0, 1] (s = time since the start of the step over its length).
+struct Polynomial {
+  std::array<double, highest_degree + 1> coefficients{};
+  int degree = highest_degree;
+
+  Polynomial() = default;
+  Polynomial(std::initializer_list<double> values);  ///< at most highest_degree + 1 of them
+
+  [[nodiscard]] double operator[](int k) const { return coefficients[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] double& operator[](int k) { return coefficients[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Polynomial operator-() const;
+};
+
+[[nodiscard]] double value(const Polynomial& p, double s);
+[[nodiscard]] double first_derivative(const Polynomial& p, double s);
+/// ∫ p ds from 0 to `end`.
+[[nodiscard]] double integral(const Polynomial& p, double end);
+
+/// A root of p between a and b, where p must differ in sign.
+[[nodiscard]] double root(const Polynomial& p, double a, double b);
+
+/// The first s in [0, 1] where p becomes negative, or nothing when p ≥ 0 on all of [0, 1].
+///
+/// The answer is proven (theory 4): with |p''| ≤ B₂ on the interval, two ends above B₂w²/8 exclude a negative value in
+/// between; otherwise the interval is one where p or p' is monotone (|p'(mid)| > B₂w/2, |p''(mid)| > B₃w/2), which
+/// settles it with one bracketed root, or it is halved. So the only limit is round-off of p itself, about
+/// degree · 1e-16 · Σ|p_k|; a touch from above (p = 0, not negative) is no crossing.
+[[nodiscard]] std::optional<double> first_negative(const Polynomial& p);
+
+/// Raises `best` to the maximum of p on [0, end] where that is larger, and sets `where` to its place; returns whether
+/// it did. The maximum is that of the continuous function: a root of p', found by the same proof.
+bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where);
+
+/// The same for |p| on [0, 1].
+void raise_to_largest(const Polynomial& p, double& best);
+
+}  // namespace bentur::engine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <variant>
+
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+
+namespace bentur {
+
+/// Event-driven exact solution (docs/theory/exact-solver.md): no time step. Between events of laws with straight
+/// branches the solution is known; a nonlinear contact is integrated by an embedded Runge-Kutta pair while it lasts.
+struct ExactSolver {};
+
+/// One embedded Runge-Kutta pair for everything, with event location (docs/theory/runge-kutta.md).
+struct AdaptiveSolver {
+  double tolerance = 1e-9;  ///< relative, of one step [-], in [1e-13, 1e-2]
+};
+
+/// The monograph's fourth-order scheme (3.4): `step` in free flight, a third of it in contact, contact instants by
+/// bisection.
+struct RungeKuttaSolver {
+  double step = 0.006;  ///< [s] > 0
+};
+
+using Solver = std::variant<ExactSolver, AdaptiveSolver, RungeKuttaSolver>;
+
+/// As a case names it: "exact", "adaptive", "runge-kutta".
+[[nodiscard]] std::string_view name(const Solver& solver);
+
+struct SolveOptions {
+  /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
+  double output_step = 0;
+  /// Accounts for all energy (Response::energy); it never changes the solution.
+  bool energy_audit = false;
+  /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
+  std::function<bool(double)> progress;
+};
+
+/// Runs the free response (contact off) first, then the response with contact.
+/// Numerical trouble is a status with time and reason, never an exception.
+/// @throws InvalidParameter when the problem or the solver's parameter is not valid.
+[[nodiscard]] Response solve(const Problem& problem, const Solver& solver = ExactSolver{},
+                             const SolveOptions& options = {});
+
+}  // namespace bentur

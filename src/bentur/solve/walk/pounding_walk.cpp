@@ -1,0 +1,80 @@
+#include "bentur/solve/walk/pounding_walk.h"
+
+namespace bentur::engine {
+
+PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, const SolveOptions& options)
+    : Walk(ground, PeakWatch::Scope::everything),
+      contacts_(system_, problem_, std::move(tolerances), stepper_.accuracy()),
+      force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
+        contacts_.forces_at(state, inputs, forces);
+      }),
+      sampler_(system_, problem_, options.output_step) {
+  if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step);
+}
+
+/// The first event of the step, which ends there if it is no power series.
+void PoundingWalk::find_event(double time) {
+  if (!stepper_.is_fixed()) {
+    event_ = contacts_.next_event(motion_, state_, next_, time);
+    if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {
+      stepper_.retake(here(), event_->s * motion_.h(), motion_, next_);
+      motion_.bound();
+      event_->s = 1.0;
+    }
+    return;
+  }
+  // As the monograph does it: by what is found at the end of a step, and bisection.
+  const double whole = motion_.h();
+  std::vector<GroundInput> inputs;
+  const auto due = [&] {
+    inputs = inputs_;
+    system_.advance(inputs, motion_.h());
+    return contacts_.due(next_, inputs, time + motion_.h());
+  };
+  event_ = due();
+  if (!event_) return;
+  constexpr int halvings = 50;
+  double before = 0.0;
+  double after = 1.0;
+  for (int n = 0; n < halvings && before < after; ++n) {
+    const double middle = 0.5 * (before + after);
+    stepper_.retake(here(), middle * whole, motion_, next_);
+    if (const auto found = due()) {
+      event_ = found;
+      after = middle;
+    } else {
+      before = middle;
+    }
+  }
+  stepper_.retake(here(), after * whole, motion_, next_);
+  motion_.bound();
+}
+
+double PoundingWalk::look(double time) {
+  time_ = time;
+  find_event(time);
+  const double cut = event_ ? event_->s : 1.0;
+  contacts_.accumulate(motion_, time, cut);
+  sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, contacts_);
+  if (energy_) energy_->take(motion_, time, cut, inputs_, contacts_);
+  return cut;
+}
+
+void PoundingWalk::arrived(double time) {
+  contacts_.note_touches(motion_, time_, event_ ? event_->s : 1.0, state_);
+  if (!event_) return;
+  contacts_.change(*event_, time, state_);
+  if (energy_) energy_->take_jumps(contacts_, state_);
+  if (contacts_.began()) stepper_.contact_begins();
+}
+
+void PoundingWalk::pass(double start, double length) {
+  if (!sampler_.due(start + length) && !energy_) return;
+  replay(state_, inputs_, length,
+         [&](double offset, const State&, const std::vector<GroundInput>& inputs, const State&) {
+           sampler_.take(motion_, start + offset, start + offset + motion_.h(), inputs, contacts_);
+           if (energy_) energy_->take(motion_, start + offset, 1.0, inputs, contacts_);
+         });
+}
+
+}  // namespace bentur::engine

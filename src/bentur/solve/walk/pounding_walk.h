@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bentur/solve/walk/contacts.h"
+#include "bentur/solve/walk/energy_account.h"
+#include "bentur/solve/walk/sampler.h"
+#include "bentur/solve/walk/walk.h"
+
+namespace bentur::engine {
+
+/// The response with contact.
+class PoundingWalk final : public Walk {
+ public:
+  PoundingWalk(const Ground& ground, std::vector<double> tolerances, const SolveOptions& options);
+
+  Contacts& contacts() { return contacts_; }
+  Sampler& sampler() { return sampler_; }
+  std::optional<EnergyAccount>& energy() { return energy_; }
+
+ private:
+  [[nodiscard]] const ContactForces& forces() const override { return contacts_.forces(); }
+  [[nodiscard]] const ForceFunction& force_at() const override { return force_at_; }
+  [[nodiscard]] bool may_fly() const override { return contacts_.all_apart(); }
+  bool quiet(const Flight& flight) override { return contacts_.clear(state_, next_, flight.rise()); }
+  double look(double time) override;
+  void find_event(double time);
+  void arrived(double time) override;
+  void pass(double start, double length) override;
+
+  Contacts contacts_;
+  const ForceFunction force_at_;
+  Sampler sampler_;
+  std::optional<EnergyAccount> energy_;
+  std::optional<Contacts::Event> event_;
+  double time_ = 0;  ///< start of the expanded step [s]
+};
+
+}  // namespace bentur::engine
