@@ -65,12 +65,13 @@ std::string verdict(const Loaded& loaded, const Response& response, int gap) {
     text += "NO POUNDING. ";
   } else {
     const PointSummary& worst = response.points[hardest];
-    text +=
-        fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  Hardest: {} {} at elevation {} {}", impacts,
-                    impacts == 1 ? "" : "s", touched, points.size(), points.size() == 1 ? "" : "s",
-                    number(worst.peak_force), loaded.c.units.force, number(problem.points[hardest].elevation), length);
-    text +=
-        worst.peak_force_time ? fmt::format(", t = {} s.\n  ", number(*worst.peak_force_time)) : std::string(".\n  ");
+    text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", impacts, impacts == 1 ? "" : "s",
+                        touched, points.size(), points.size() == 1 ? "" : "s");
+    if (worst.peak_force_time) {  // an impact without duration has no force
+      text += fmt::format("Hardest: {} {} at elevation {} {}, t = {} s.\n  ", number(worst.peak_force),
+                          loaded.c.units.force, number(problem.points[hardest].elevation), length,
+                          number(*worst.peak_force_time));
+    }
   }
   return text + fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n",
                             number(problem.points[closest].elevation), length, number(problem.points[closest].width),

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "bentur/contact/linear.h"
+#include "bentur/contact/laws/linear.h"
 #include "bentur/io/case_toml.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"

@@ -26,15 +26,16 @@ void validate(const Solver& solver) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) require_positive("step", fixed->step);
 }
 
-/// Depth below which nothing counts as a contact, per point.
-std::vector<double> tolerances(const Problem& problem, const std::vector<BuildingPeaks>& peaks, const Walk& walk) {
+/// How large the displacements are whose difference a point's opening is: of both floors in the free response and of the
+/// ground.
+std::vector<double> largest_displacements(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
+                                          const Walk& walk) {
   std::vector<double> result;
   for (const ContactPoint& point : problem.points) {
     const auto left = static_cast<std::size_t>(point.left);
-    const double scale = point.width + peaks[left].displacement_no_contact(point.left_floor) +
-                         peaks[left + 1].displacement_no_contact(point.right_floor) +
-                         walk.largest_ground_displacement(left) + walk.largest_ground_displacement(left + 1);
-    result.push_back(round_off_band * scale);
+    result.push_back(peaks[left].displacement_no_contact(point.left_floor) +
+                     peaks[left + 1].displacement_no_contact(point.right_floor) +
+                     walk.largest_ground_displacement(left) + walk.largest_ground_displacement(left + 1));
   }
   return result;
 }
@@ -74,42 +75,80 @@ std::string_view name(const Solver& solver) {
   return "exact";
 }
 
-Response solve(const Problem& problem, const Solver& solver, const SolveOptions& options) {
+namespace engine {
+
+/// In the order in which each part is made of those before.
+struct FreeParts {
+  FreeParts(Problem p, const Solver& s) : problem(std::move(p)), solver(s) {}
+  FreeParts(const FreeParts&) = delete;  // its members point to one another
+  FreeParts& operator=(const FreeParts&) = delete;
+
+  Problem problem;
+  Solver solver;
+  bool exact = std::holds_alternative<ExactSolver>(solver);
+  ModalSystem system{problem};
+  TimeGrid grid{problem, exact};
+  FlightTable flights = exact ? make_flights(system, grid) : FlightTable(grid.kinds());
+  Response response;  ///< as far as it goes without contact
+  std::vector<double> largest_displacement;  ///< scale of round-off per point: of floors and ground [length]
+};
+
+}  // namespace engine
+
+FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress) {
   validate(problem);
   engine::validate(solver);
+  const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver);
+  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->flights});
+  const Status status = walk.run(progress);
+  Response& response = parts->response;
+  engine::report_end(response, status, walk);
+  response.buildings.resize(parts->problem.buildings.size());
+  response.points.resize(parts->problem.points.size());
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) walk.watch().report(b, response.buildings[b]);
+  for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = walk.needed()[i];
+  parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, walk);
+  parts_ = parts;
+}
+
+Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
+  validate(problem);
   const auto began = std::chrono::steady_clock::now();
-  const bool exact = std::holds_alternative<ExactSolver>(solver);
-  const engine::ModalSystem system(problem);
-  const engine::TimeGrid grid(problem, exact);
-  const auto report = [&options](double fraction) { return !options.progress || options.progress(fraction); };
-
-  Response response;
-  response.buildings.resize(problem.buildings.size());
-  response.points.resize(problem.points.size());
-
-  engine::FlightTable flights = exact ? engine::make_flights(system, grid) : engine::FlightTable(grid.kinds());
-  const engine::Walk::Ground ground{system, problem, solver, grid, flights};
-  engine::FreeWalk free(ground);
-  Status status = free.run([&](double fraction) { return report(0.25 * fraction); });
-  for (std::size_t b = 0; b < response.buildings.size(); ++b) free.watch().report(b, response.buildings[b]);
-  for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = free.needed()[i];
-  if (status != Status::done) {
-    engine::report_end(response, status, free);
-    return response;
+  Response response = parts_->response;
+  if (response.status != Status::done) return response;
+  engine::ModalSystem system = parts_->system;
+  std::vector<double> tolerances;
+  for (std::size_t i = 0; i < system.points.size(); ++i) {
+    system.points[i].width = problem.points[i].width;
+    tolerances.push_back(engine::round_off_band * (problem.points[i].width + parts_->largest_displacement[i]));
   }
-
-  engine::PoundingWalk pounding(ground, engine::tolerances(problem, response.buildings, free), options);
-  status = pounding.run([&](double fraction) { return report(0.25 + 0.75 * fraction); });
-  engine::report_end(response, status, pounding);
-  pounding.contacts().finish(problem.duration);
-  for (std::size_t b = 0; b < response.buildings.size(); ++b) pounding.watch().report(b, response.buildings[b]);
-  response.impacts = std::move(pounding.contacts().impacts());
-  response.events = pounding.contacts().events();
-  response.steps = pounding.steps();
+  engine::FlightTable flights = parts_->flights;  // they hold room for their results
+  engine::PoundingWalk walk({system, problem, parts_->solver, parts_->grid, flights}, std::move(tolerances), options);
+  const Status status = walk.run(options.progress);
+  engine::report_end(response, status, walk);
+  walk.contacts().finish(problem.duration);
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) walk.watch().report(b, response.buildings[b]);
+  response.impacts = std::move(walk.contacts().impacts());
+  response.events = walk.contacts().events();
+  response.steps = walk.steps();
   engine::summarise(response.impacts, response.points);
-  pounding.sampler().finish();
-  response.histories = std::move(pounding.sampler().histories());
-  if (pounding.energy()) response.energy = pounding.energy()->finish();
+  walk.sampler().finish();
+  response.histories = std::move(walk.sampler().histories());
+  if (walk.energy()) response.energy = walk.energy()->finish();
+  response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return response;
+}
+
+Response solve(const Problem& problem, const Solver& solver, const SolveOptions& options) {
+  const auto began = std::chrono::steady_clock::now();
+  constexpr double free_part = 0.25;  // of the work, for the progress shown
+  SolveOptions rest = options;
+  std::function<bool(double)> first;
+  if (options.progress) {
+    first = [&](double fraction) { return options.progress(free_part * fraction); };
+    rest.progress = [&](double fraction) { return options.progress(free_part + (1.0 - free_part) * fraction); };
+  }
+  Response response = FreeResponse(problem, solver, first).solve(problem, rest);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <variant>
 
@@ -43,5 +44,25 @@ struct SolveOptions {
 /// @throws InvalidParameter when the problem or the solver's parameter is not valid.
 [[nodiscard]] Response solve(const Problem& problem, const Solver& solver = ExactSolver{},
                              const SolveOptions& options = {});
+
+namespace engine {
+struct FreeParts;
+}
+
+/// The response without contact and whatever else problems share that differ in gap widths and contact laws alone.
+/// Immutable; may serve many threads.
+class FreeResponse {
+ public:
+  /// @throws InvalidParameter as solve().
+  explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
+                        const std::function<bool(double)>& progress = {});
+
+  /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
+  /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
+  [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
+
+ private:
+  std::shared_ptr<const engine::FreeParts> parts_;
+};
 
 }  // namespace bentur

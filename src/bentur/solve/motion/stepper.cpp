@@ -125,15 +125,15 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
 bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {
   const bool all = range_.first == 0 && range_.end == system_->blocks.size();
   if (!all) longest = std::min(longest, series_reach / system_->rate(start.forces));
-  if (fresh_) {
-    parting_scale_ = 0.0;
+  const bool first = fresh_;
+  if (first) {
     fresh_ = false;
+    parting_scale_ = 0.0;
     control_.reset();
+    const bool exact = std::holds_alternative<ExactSolver>(solver_);
+    const bool begun = exact && begin_contact(start, longest, motion, to);
     guess_ = first_guess_;
-    if (!start.forces.nonlinear.empty() && begin_contact(start, longest, motion, to)) {
-      guess_ = first_guess_;
-      return true;
-    }
+    if (begun) return true;
   }
   double h = guess_;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -143,11 +143,12 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
     const double error = pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
     const double next = control_.next(h, error);
     if (error <= 1.0) {
+      if (first && !last) first_guess_ = h;
       guess_ = last ? std::max(next, guess_) : next;
       expand_pair(start, h, motion, to);
       return true;
     }
-    if (parting_scale_ == 0.0) parting_scale_ = h;
+    if (!first && parting_scale_ == 0.0) parting_scale_ = h;
     h = next;
   }
   return false;

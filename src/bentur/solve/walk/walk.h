@@ -37,7 +37,7 @@ class Walk {
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
 
-  /// Runs to the end of the analysis. `progress(fraction)` returning false stops.
+  /// Runs to the end of the analysis. `progress(fraction)`, where given, returning false stops.
   Status run(const std::function<bool(double)>& progress);
 
   [[nodiscard]] const PeakWatch& watch() const { return watch_; }

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "bentur/contact/laws/linear.h"  // IWYU pragma: export
