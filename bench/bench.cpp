@@ -1,11 +1,16 @@
 // What this measures and what it does not prove: bench/README.md.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "bentur/contact/laws.h"
 #include "bentur/io/case_toml.h"
 #include "bentur/solve/solver.h"
 
@@ -13,33 +18,98 @@ namespace {
 
 using namespace bentur;
 
-/// The monograph's M1-2 under El Centro with the given gap [cm].
-Problem m12(double gap) {
+/// The monograph's M1-2 under El Centro with linear contact and the given gap [cm].
+Case m12(double gap) {
   Diagnostics diagnostics;
   auto c = read_case(std::filesystem::path(BENTUR_SOURCE_DIR) / "examples/m12-el-centro.toml", diagnostics);
   if (!c) throw std::runtime_error(diagnostics.errors().front().text());
   for (double& width : c->gaps[0].widths) width = gap;
-  return make_problem(*c);
+  return *c;
+}
+
+constexpr double some_impacts = 0.2;  // gap [cm]
+
+/// M1-2 with another law. Springs have the stiffness of the linear one, Hertz's kind one that makes impacts about as
+/// long.
+Problem m12_with(const LawEntry& law) {
+  static const std::map<std::string_view, double> values = {{"stiffness", 2e6},  // kgf/cm^1.5, where not a spring's
+                                                            {"second_stiffness", 1e5},
+                                                            {"yield_penetration", 0.005},
+                                                            {"alpha", 0.02},
+                                                            {"restitution", 0.65}};
+  Case c = m12(some_impacts);
+  ContactSpec& contact = c.gaps[0].contact;
+  const std::vector<double> spring = contact.numbers.at("stiffness");
+  contact.law = law.name;
+  contact.numbers.clear();
+  for (const LawKey& key : law.keys) {
+    if (key.need == LawKey::Need::one_of && key.name != "restitution") continue;
+    contact.numbers[std::string(key.name)] = key.axial ? spring : std::vector<double>{values.at(key.name)};
+  }
+  return make_problem(c);
+}
+
+void count(benchmark::State& state, const Response& response) {
+  state.counters["impacts"] = static_cast<double>(response.impacts.size());
+  state.counters["steps"] = static_cast<double>(response.steps);
+  state.counters["events"] = static_cast<double>(response.events);
 }
 
 /// The solution alone: free response and response with contact, no reading and no writing.
 void solve_m12(benchmark::State& state) {
-  const Problem problem = m12(static_cast<double>(state.range(0)) / 10.0);
+  const Problem problem = make_problem(m12(static_cast<double>(state.range(0)) / 10.0));
   Response response;
   for (auto _ : state) {
     response = solve(problem);
     benchmark::DoNotOptimize(response);
   }
-  state.counters["impacts"] = static_cast<double>(response.impacts.size());
-  state.counters["steps"] = static_cast<double>(response.steps);
+  count(state, response);
 }
 BENCHMARK(solve_m12)->ArgName("gap_mm")->Arg(0)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond)->MinTime(1.0);
 
+/// Seconds that one solution takes.
+double time_of(const Problem& problem, const Solver& solver, Response& response) {
+  const auto began = std::chrono::steady_clock::now();
+  response = solve(problem, solver);
+  benchmark::DoNotOptimize(response);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+/// A solution, in turn with the exact one of linear contact, so that both see the same state of the machine.
+/// `to_linear` is the median of the ratios.
+void solve_in_turn(benchmark::State& state, const Problem& problem, const Solver& solver) {
+  const Problem linear = make_problem(m12(some_impacts));
+  Response response, other;
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    const double time = time_of(problem, solver, response);
+    state.SetIterationTime(time);
+    ratios.push_back(time / time_of(linear, ExactSolver{}, other));
+  }
+  count(state, response);
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  state.counters["to_linear"] = *middle;
+}
+
+void register_solutions() {
+  const auto add = [](const std::string& name, const Problem& problem, const Solver& solver) {
+    const auto run = [problem, solver](benchmark::State& state) { solve_in_turn(state, problem, solver); };
+    benchmark::RegisterBenchmark(name.c_str(), run)->UseManualTime()->Unit(benchmark::kMillisecond);
+  };
+  for (const LawEntry& law : contact_laws()) add("law/" + std::string(law.name), m12_with(law), ExactSolver{});
+  const Problem linear = make_problem(m12(some_impacts));
+  const Problem hertz = m12_with(*find_law("hertz"));
+  for (const Solver& solver : {Solver{ExactSolver{}}, Solver{AdaptiveSolver{}}, Solver{RungeKuttaSolver{0.0005}}}) {
+    add("solver/" + std::string(name(solver)) + "/linear", linear, solver);
+    add("solver/" + std::string(name(solver)) + "/hertz", hertz, solver);
+  }
+}
+
 /// From the matrices of the frames to the problem: assembly, condensation, modes, damping.
 void build_m12(benchmark::State& state) {
-  Diagnostics diagnostics;
-  const auto c = read_case(std::filesystem::path(BENTUR_SOURCE_DIR) / "examples/m12-el-centro.toml", diagnostics);
-  for (auto _ : state) benchmark::DoNotOptimize(make_problem(*c));
+  const Case c = m12(some_impacts);
+  for (auto _ : state) benchmark::DoNotOptimize(make_problem(c));
 }
 BENCHMARK(build_m12)->Unit(benchmark::kMillisecond);
 
@@ -67,4 +137,10 @@ BENCHMARK(whole_process)->ArgName("files")->Arg(0)->Arg(1)->Unit(benchmark::kMil
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  register_solutions();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
