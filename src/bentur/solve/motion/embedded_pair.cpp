@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace bentur::engine {
 namespace {
@@ -90,25 +91,74 @@ constexpr std::array<std::array<double, 16>, 4> interpolant = {
       -37.45832313645163, 104.0996495089623, 29.8402934266605, -43.53345659001114, 96.32455395918828,
       -39.17726167561544, -149.72683625798564}}};
 
-/// The interpolant is y₀ + Σ F_i b_i(s) with b₀ = s, b₁ = s(1 − s), b₂ = s²(1 − s), …; its powers of s.
-const std::array<std::array<double, 8>, 7>& basis_powers() {
-  static const auto powers = [] {
-    std::array<std::array<double, 8>, 7> result{};
-    std::array<double, 8> b{};
-    b[1] = 1.0;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = b;
-      std::array<double, 8> times_s{};
-      for (std::size_t k = 0; k + 1 < b.size(); ++k) times_s[k + 1] = b[k];
-      if (i % 2 == 0) {
-        for (std::size_t k = 0; k < b.size(); ++k) b[k] -= times_s[k];
-      } else {
-        b = times_s;
+constexpr int stages = 12;
+constexpr int all_stages = 16;
+constexpr int speed_degree = 7;  // of the interpolant of v
+
+/// What follows from the coefficients for q̈ = a(t, q, v).
+struct Tables {
+  std::array<std::array<double, 15>, 15> position{};  ///< h² (a²)_ij, rows as in `weights`
+  std::array<double, 12> five_q{}, three_q{};         ///< h² times: the errors of q
+  /// v = v₀ + h Σ_j v̇_j Σ_n power_jn sⁿ: the interpolant y₀ + Σ F_i b_i(s), b₀ = s, b₁ = s(1 − s), b₂ = s²(1 − s), …,
+  /// in powers of s, with F₀ = y₁ − y₀, F₁ = h f₀ − F₀, F₂ = 2F₀ − h (f₀ + f₁), F₃ … F₆ = h Σ interpolant_ij f_j.
+  std::array<std::array<double, speed_degree + 1>, all_stages> power{};
+
+  Tables() {
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      for (std::size_t l = 0; l < i; ++l) {
+        for (std::size_t j = 0; j <= l; ++j) position[i][j] += weights[i][l + 1] * weights[l][j];
       }
     }
-    return result;
-  }();
-  return powers;
+    for (std::size_t l = 1; l < five_q.size(); ++l) {
+      for (std::size_t j = 0; j < l; ++j) {
+        five_q[j] += error_five[l] * weights[l - 1][j];
+        three_q[j] += error_three[l] * weights[l - 1][j];
+      }
+    }
+    std::array<std::array<double, all_stages>, 7> f{};
+    for (std::size_t j = 0; j < stages; ++j) f[0][j] = weights[stages - 1][j];
+    for (std::size_t j = 0; j < all_stages; ++j) {
+      f[1][j] = -f[0][j];
+      f[2][j] = 2.0 * f[0][j];
+      for (std::size_t i = 0; i < interpolant.size(); ++i) f[3 + i][j] = interpolant[i][j];
+    }
+    f[1][0] += 1.0;
+    f[2][0] -= 1.0;
+    f[2][stages] -= 1.0;
+    std::array<double, speed_degree + 1> b{};
+    b[1] = 1.0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      for (std::size_t j = 0; j < all_stages; ++j) {
+        for (std::size_t n = 0; n < b.size(); ++n) power[j][n] += f[i][j] * b[n];
+      }
+      auto times_s = b;
+      for (std::size_t n = b.size() - 1; n > 0; --n) times_s[n] = b[n - 1];
+      times_s[0] = 0.0;
+      for (std::size_t n = 0; n < b.size(); ++n) b[n] = i % 2 == 0 ? b[n] - times_s[n] : times_s[n];
+    }
+  }
+};
+
+/// Calls work(coordinate, width) for coordinates from `first` on, four at a time while there are as many: sums over
+/// stages then stay in a processor's registers.
+template <class Work>
+void by_fours(Index first, Index count, const Work& work) {
+  Index k = first;
+  for (; k + 4 <= first + count; k += 4) work(k, std::integral_constant<int, 4>());
+  for (; k < first + count; ++k) work(k, std::integral_constant<int, 1>());
+}
+
+template <int width>
+using Lane = Eigen::Array<double, width, 1>;
+
+template <int width>
+Lane<width> lane(const MatrixXd& matrix, Index row, int column) {
+  return Eigen::Map<const Lane<width>>(matrix.col(column).data() + row);
+}
+
+const Tables& tables() {
+  static const Tables result;
+  return result;
 }
 
 }  // namespace
@@ -116,34 +166,31 @@ const std::array<std::array<double, 8>, 7>& basis_powers() {
 EmbeddedPair::EmbeddedPair(const ModalSystem& system, double tolerance)
     : system_(&system),
       tolerance_(tolerance),
-      speed_(MatrixXd::Zero(system.size, all_stages)),
       rate_(MatrixXd::Zero(system.size, all_stages)),
       forces_(static_cast<Index>(system.points.size())) {}
 
-/// Slopes of stage i, from those before it.
+/// Slope of stage i, from those before it.
 void EmbeddedPair::stage(int i, const ForceFunction& forces) {
-  double* q = at_.q.data() + begin_;
-  double* v = at_.v.data() + begin_;
-  std::copy_n(start_.q.data() + begin_, count_, q);
-  std::copy_n(start_.v.data() + begin_, count_, v);
-  if (i > 0) {
-    const auto& row = weights[static_cast<std::size_t>(i - 1)];
+  const double after = nodes[static_cast<std::size_t>(i)] * h_;
+  const auto* speeds = i > 0 ? weights[static_cast<std::size_t>(i - 1)].data() : nullptr;
+  const auto* positions = i > 0 ? tables().position[static_cast<std::size_t>(i - 1)].data() : nullptr;
+  by_fours(begin_, count_, [&](Index k, auto width) {
+    using L = Lane<width()>;
+    const L v0 = Eigen::Map<const L>(start_.v.data() + k);
+    L position = L::Zero();
+    L speed = L::Zero();
     for (int j = 0; j < i; ++j) {
-      const double weight = h_ * row[static_cast<std::size_t>(j)];
-      if (weight == 0.0) continue;
-      const double* speed = speed_.col(j).data() + begin_;
-      const double* rate = rate_.col(j).data() + begin_;
-      for (Index k = 0; k < count_; ++k) {
-        q[k] += weight * speed[k];
-        v[k] += weight * rate[k];
-      }
+      const L rate = lane<width()>(rate_, k, j);
+      position += positions[j] * rate;
+      speed += speeds[j] * rate;
     }
-  }
+    Eigen::Map<L>(at_.q.data() + k) = Eigen::Map<const L>(start_.q.data() + k) + after * v0 + (h_ * h_) * position;
+    Eigen::Map<L>(at_.v.data() + k) = v0 + h_ * speed;
+  });
   inputs_at_ = *inputs_;
-  system_->advance(inputs_at_, nodes[static_cast<std::size_t>(i)] * h_);
+  system_->advance(inputs_at_, after);
   forces(at_, inputs_at_, forces_);
   system_->acceleration(at_, inputs_at_, forces_, acceleration_);
-  std::copy_n(v, count_, speed_.col(i).data() + begin_);
   std::copy_n(acceleration_.data() + begin_, count_, rate_.col(i).data() + begin_);
 }
 
@@ -159,52 +206,57 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
   to.q.segment(begin_, count_) = at_.q.segment(begin_, count_);
   to.v.segment(begin_, count_) = at_.v.segment(begin_, count_);
 
-  // The error of order 5, e_q = h five_q taken as e_q/h and e_v = h five_v, and that of order 3 alike; the motion's
-  // size.
-  double five = 0.0, three = 0.0, before = 0.0, after = 0.0, change = 0.0;
-  for (Index k = begin_; k < begin_ + count_; ++k) {
-    double five_q = 0.0, five_v = 0.0, three_q = 0.0, three_v = 0.0;
+  // The errors of order 5, e_q/h and e_v, and those of order 3 alike; the motion's size.
+  const Tables& table = tables();
+  double five = 0.0;
+  double three = 0.0;
+  by_fours(begin_, count_, [&](Index k, auto width) {
+    using L = Lane<width()>;
+    L five_q = L::Zero(), five_v = L::Zero(), three_q = L::Zero(), three_v = L::Zero();
     for (int j = 0; j < stages; ++j) {
       const auto n = static_cast<std::size_t>(j);
-      five_q += error_five[n] * speed_(k, j);
-      five_v += error_five[n] * rate_(k, j);
-      three_q += error_three[n] * speed_(k, j);
-      three_v += error_three[n] * rate_(k, j);
+      const L rate = lane<width()>(rate_, k, j);
+      five_q += table.five_q[n] * rate;
+      five_v += error_five[n] * rate;
+      three_q += table.three_q[n] * rate;
+      three_v += error_three[n] * rate;
     }
-    five += five_q * five_q + h * h * five_v * five_v;
-    three += three_q * three_q + h * h * three_v * three_v;
-    const double w2 = system_->omega_squared(k);
-    before += from.v(k) * from.v(k) + w2 * from.q(k) * from.q(k);
-    after += to.v(k) * to.v(k) + w2 * to.q(k) * to.q(k);
-    change += h * h * rate_(k, 0) * rate_(k, 0);
-  }
+    five += h * h * (five_q.square() + five_v.square()).sum();
+    three += h * h * (three_q.square() + three_v.square()).sum();
+  });
   if (five == 0.0 && three == 0.0) return 0.0;
-  const double size = std::sqrt(std::max({before, after, change}));
+  const auto omega_squared = system_->omega_squared.segment(begin_, count_).array();
+  const auto energy = [&](const State& state) {
+    return (state.v.segment(begin_, count_).array().square() +
+            omega_squared * state.q.segment(begin_, count_).array().square())
+        .sum();
+  };
+  const double change = h * h * rate_.col(0).segment(begin_, count_).squaredNorm();
+  const double size = std::sqrt(std::max({energy(from), energy(to), change}));
   return five / std::sqrt(five + 0.01 * three) / (tolerance_ * size);
 }
 
 void EmbeddedPair::expand(const ForceFunction& forces, Expansion& motion) {
   for (int i = stages + 1; i < all_stages; ++i) stage(i, forces);
   // v is interpolated, and q is its integral.
+  const Tables& table = tables();
   auto& c = motion.coefficients();
-  const auto& powers = basis_powers();
-  for (Index k = begin_; k < begin_ + count_; ++k) {
-    std::array<double, 7> f{};
-    for (int j = 0; j < stages; ++j) f[0] += h_ * weights[stages - 1][static_cast<std::size_t>(j)] * rate_(k, j);
-    f[1] = h_ * rate_(k, 0) - f[0];
-    f[2] = 2.0 * f[0] - h_ * (rate_(k, stages) + rate_(k, 0));
-    for (std::size_t i = 0; i < interpolant.size(); ++i) {
-      for (int j = 0; j < all_stages; ++j) f[3 + i] += h_ * interpolant[i][static_cast<std::size_t>(j)] * rate_(k, j);
+  c.block(begin_, degree + 1, count_, highest_degree - degree).setZero();
+  c.col(0).segment(begin_, count_) = start_.q.segment(begin_, count_);
+  c.col(1).segment(begin_, count_) = h_ * start_.v.segment(begin_, count_);
+  by_fours(begin_, count_, [&](Index k, auto width) {
+    using L = Lane<width()>;
+    std::array<L, speed_degree> power;
+    power.fill(L::Zero());
+    for (int j = 0; j < all_stages; ++j) {
+      const L rate = lane<width()>(rate_, k, j);
+      for (std::size_t n = 0; n < power.size(); ++n) power[n] += table.power[static_cast<std::size_t>(j)][n + 1] * rate;
     }
-    c(k, 0) = start_.q(k);
-    c(k, 1) = h_ * start_.v(k);
-    for (int n = 1; n < degree; ++n) {
-      double power = 0.0;
-      for (std::size_t i = 0; i < f.size(); ++i) power += powers[i][static_cast<std::size_t>(n)] * f[i];
-      c(k, n + 1) = power * (h_ / (n + 1.0));
+    for (std::size_t n = 0; n < power.size(); ++n) {
+      const auto degree_of_q = static_cast<Index>(n) + 2;
+      Eigen::Map<L>(c.col(degree_of_q).data() + k) = (h_ * h_ / static_cast<double>(degree_of_q)) * power[n];
     }
-    for (int n = degree + 1; n <= highest_degree; ++n) c(k, n) = 0.0;
-  }
+  });
 }
 
 }  // namespace bentur::engine

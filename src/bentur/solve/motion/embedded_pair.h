@@ -17,7 +17,8 @@ struct BuildingRange {
 };
 
 /// The explicit Runge-Kutta pair of Dormand and Prince of order 8(5,3) with its interpolant of order 7
-/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no contact joins to others.
+/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no contact joins to others. As q̇ = v
+/// the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the
 /// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends and the change of v. As coordinates are
@@ -38,8 +39,6 @@ class EmbeddedPair {
   static constexpr int degree = 8;
 
  private:
-  static constexpr int stages = 12;
-  static constexpr int all_stages = 16;
   void stage(int i, const ForceFunction& forces);
 
   const ModalSystem* system_;
@@ -49,8 +48,8 @@ class EmbeddedPair {
   double h_ = 0;
   Eigen::Index begin_ = 0, count_ = 0;  ///< coordinates of the range
   State start_;
-  Eigen::MatrixXd speed_, rate_;  ///< q̇ and v̇ of each stage, coordinates × stages
-  State at_;                      ///< of a stage
+  Eigen::MatrixXd rate_;  ///< v̇ of each stage, coordinates × stages
+  State at_;              ///< of a stage
   std::vector<GroundInput> inputs_at_;
   Eigen::VectorXd forces_, acceleration_;
 };

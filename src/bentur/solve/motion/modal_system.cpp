@@ -149,10 +149,9 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
   result.resize(size);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
-    const double ground = inputs[b].value;
-    for (Index j = block.begin; j < block.begin + block.size; ++j) {
-      result(j) = gamma(j) * ground - omega_squared(j) * state.q(j) - two_sigma(j) * state.v(j);
-    }
+    const auto part = [&block](const VectorXd& x) { return x.segment(block.begin, block.size).array(); };
+    result.segment(block.begin, block.size).array() =
+        inputs[b].value * part(gamma) - part(omega_squared) * part(state.q) - part(two_sigma) * part(state.v);
     if (block.damping) {
       const auto speed = state.v.segment(block.begin, block.size);
       result.segment(block.begin, block.size) -=

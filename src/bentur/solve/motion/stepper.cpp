@@ -8,10 +8,10 @@
 namespace bentur::engine {
 namespace {
 
-constexpr double contact_tolerance = 1e-11;  // of the pair in the exact solver; by measurement, docs/decisions.md
+constexpr double contact_tolerance = 1e-10;  // of the pair in the exact solver; by measurement, docs/decisions.md
 constexpr double end_slack = 1e-9;           // of what is left: a remainder shorter than this is not a step
-constexpr double parting_part = 0.7;         // of the time that is left of a contact
-constexpr double parting_crossed = 1e-4;     // of a step: when so little is left the end is crossed
+constexpr double parting_part = 0.8;         // of the time that is left of a contact
+constexpr double parting_crossed = 1e-3;     // of a step: when so little is left the end is crossed
 constexpr int attempts = 60;                 // each may shorten a step to a fifth
 constexpr double first_part = 1e-3;          // of 1/rate: first length ever tried
 
@@ -105,7 +105,11 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
       system_->push(i, impulse(static_cast<Eigen::Index>(i)), dv);
       system_->push(i, moment(static_cast<Eigen::Index>(i)), dq);
     }
-    const double change = dv.norm() / size;
+    double change = dv.norm() / size;
+    for (const std::size_t i : start.forces.nonlinear) {  // and, at each point, its closing speed
+      const auto& point = system_->points[i];
+      change = std::max(change, std::abs(point.sense(dv) / point.sense(start.state.v)));
+    }
     if (!std::isfinite(change)) return false;
     if (change > limit || (change < 0.1 * limit && attempt == 0)) {  // forces grow with the 1.25th to the 2.5th power
       h *= std::clamp(std::pow(0.5 * limit / std::max(change, 1e-300), change > limit ? 0.8 : 0.4), 1e-4, 1e4);
