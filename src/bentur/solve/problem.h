@@ -12,7 +12,7 @@
 namespace bentur {
 
 /// A place where two neighbouring buildings can touch: building `left` and building `left + 1`, at one elevation.
-/// Opening g = width + x_right − x_left (theory 1).
+/// Opening g = width + x_right − x_left (T-1).
 struct ContactPoint {
   int left = 0;        ///< index of the left building
   int left_floor = 0;  ///< floor index of the left building (0 the lowest)

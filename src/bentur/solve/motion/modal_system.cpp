@@ -11,7 +11,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Rows of displacement, drift ratio and storey shear over the modes of a building (theory 5), and a column for ground.
+/// Rows of displacement, drift ratio and storey shear over the modes of a building (docs/theory/exact-solver.md), and a
+/// column for ground.
 MatrixXd output_rows(const Building& building) {
   const StructuralModel& model = building.model;
   const Index floors = model.floors();
