@@ -329,59 +329,5 @@ TEST(Events, TwoTouchingIdenticalBuildingsNeverCollide) {
   }
 }
 
-TEST(Events, SamplingDoesNotChangeTheSolution) {
-  std::mt19937_64 random(9);
-  const Problem problem = random_problem(random);
-  const Response plain = solve(problem);
-  for (const double step : {0.1, 0.01, 0.00037}) {
-    SolveOptions options;
-    options.output_step = step;
-    const Response sampled = solve(problem, ExactSolver{}, options);
-    ASSERT_EQ(sampled.impacts.size(), plain.impacts.size());
-    for (std::size_t i = 0; i < plain.impacts.size(); ++i) {
-      EXPECT_EQ(sampled.impacts[i].start, plain.impacts[i].start);
-      EXPECT_EQ(sampled.impacts[i].end, plain.impacts[i].end);
-      EXPECT_EQ(sampled.impacts[i].peak_force, plain.impacts[i].peak_force);
-    }
-    EXPECT_EQ(sampled.histories.time.size(), static_cast<std::size_t>(std::floor(1.0 / step + 1e-9)) + 1);
-  }
-}
-
-TEST(Events, MirrorImageGivesMirroredResponse) {
-  std::mt19937_64 random(13);
-  const Building a = random_stick(random, 2), b = random_stick(random, 2);
-  Problem problem = pair(a, b, {contact(0.01, 1e4, 0), contact(0.01, 1e4, 1)}, 1.0);
-  SampledMotion motion = noise(random, 40, 0.02, 20.0);
-  problem.motion = motion;
-  const Response response = solve(problem);
-  Problem mirrored = pair(b, a, {contact(0.01, 1e4, 0), contact(0.01, 1e4, 1)}, 1.0);
-  for (double& x : motion.acceleration) x = -x;
-  mirrored.motion = motion;
-  const Response other = solve(mirrored);
-  ASSERT_GT(response.impacts.size(), 0u);
-  ASSERT_EQ(response.impacts.size(), other.impacts.size());
-  for (std::size_t i = 0; i < response.impacts.size(); ++i) {
-    EXPECT_NEAR(response.impacts[i].start, other.impacts[i].start, 1e-11);
-    EXPECT_NEAR(response.impacts[i].peak_force, other.impacts[i].peak_force, 1e-9 * response.impacts[i].peak_force);
-  }
-}
-
-TEST(Events, StopsWhenAsked) {
-  std::mt19937_64 random(3);
-  Problem problem = random_problem(random);
-  SolveOptions options;
-  options.progress = [](double) { return false; };
-  const Response response = solve(problem, ExactSolver{}, options);
-  EXPECT_EQ(response.status, Status::stopped);
-}
-
-TEST(Events, AnInfiniteMotionIsAFailureWithATime) {
-  Problem problem = pair(oscillator(1.0, 400.0), wall(), {contact(1.0, 1.0)}, 1.0);
-  problem.motion = SampledMotion{0.02, {0.0, 0.0, 0.0, std::numeric_limits<double>::infinity(), 0.0}};
-  const Response response = solve(problem);
-  EXPECT_EQ(response.status, Status::failed);
-  EXPECT_NE(response.message.find("t = "), std::string::npos) << response.message;
-}
-
 }  // namespace
 }  // namespace bentur

@@ -128,7 +128,10 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
 
 bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {
   const bool all = range_.first == 0 && range_.end == system_->blocks.size();
-  if (!all) longest = std::min(longest, series_reach / system_->rate(start.forces));
+  // Others advance by power series; and where damping sets the pace the interpolant is worse than the step.
+  const auto damps = [&](std::size_t i) { return start.forces.linear[i].damping > 0.0; };
+  const bool damped = std::any_of(start.forces.pressing.begin(), start.forces.pressing.end(), damps);
+  if (!all || damped) longest = std::min(longest, series_reach / system_->rate(start.forces));
   const bool first = fresh_;
   if (first) {
     fresh_ = false;

@@ -273,10 +273,24 @@ void Contacts::change(const Event& event, double time, State& state) {
   }
 }
 
+/// A contact rests within its tolerance of zero. It lets go at zero, or what is left of the tolerance, less than the
+/// round-off of the next step, would decide whether it closes again at once.
+void Contacts::let_go(std::size_t point, State& state) {
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(forces_.resting.size()));
+  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
+    if (forces_.resting[n] == point) missing(static_cast<Eigen::Index>(n)) = penetration(point, state);
+  }
+  const Eigen::VectorXd moves = system_->forces_for(forces_.resting, missing);
+  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
+    system_->push(forces_.resting[n], moves(static_cast<Eigen::Index>(n)), state.q);
+  }
+  set(point, {});
+}
+
 /// Impacts without duration: every point that is closed and has such a law takes part; or a resting point lets go.
 void Contacts::collide(std::size_t point, double time, State& state) {
   if (resting(point)) {
-    set(point, {});
+    let_go(point, state);
     log_.end(point, time, 0.0);
     return;
   }

@@ -81,6 +81,7 @@ class Contacts {
                                    double time) const;
   void set(std::size_t point, const ContactState& state);
   void forget_faded(double time);
+  void let_go(std::size_t point, State& state);
   void collide(std::size_t point, double time, State& state);
 
   const ModalSystem* system_;
