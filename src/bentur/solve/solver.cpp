@@ -26,8 +26,8 @@ void validate(const Solver& solver) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) require_positive("step", fixed->step);
 }
 
-/// How large the displacements are whose difference a point's opening is: of both floors in the free response and of the
-/// ground.
+/// How large the displacements are whose difference a point's opening is: of both floors in the free response and of
+/// the ground.
 std::vector<double> largest_displacements(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
                                           const Walk& walk) {
   std::vector<double> result;
@@ -89,7 +89,7 @@ struct FreeParts {
   ModalSystem system{problem};
   TimeGrid grid{problem, exact};
   FlightTable flights = exact ? make_flights(system, grid) : FlightTable(grid.kinds());
-  Response response;  ///< as far as it goes without contact
+  Response response;                         ///< as far as it goes without contact
   std::vector<double> largest_displacement;  ///< scale of round-off per point: of floors and ground [length]
 };
 

@@ -17,8 +17,8 @@ struct BuildingRange {
 };
 
 /// The explicit Runge-Kutta pair of Dormand and Prince of order 8(5,3) with its interpolant of order 7
-/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no contact joins to others. As q̇ = v
-/// the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
+/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no contact joins to others. As q̇
+/// = v the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the
 /// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends and the change of v. As coordinates are

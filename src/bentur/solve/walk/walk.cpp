@@ -62,7 +62,8 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     }
     if (!trouble_.empty()) return Status::failed;
     if (unsettled_.size() >= unsettled_limit) scan_unsettled();
-    if (progress && segment % segments_between_reports == 0 && !progress(start / problem_.duration)) return Status::stopped;
+    if (progress && segment % segments_between_reports == 0 && !progress(start / problem_.duration))
+      return Status::stopped;
   }
   scan_unsettled();
   settle();
