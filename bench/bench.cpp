@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bentur/contact/laws.h"
 #include "bentur/io/case_toml.h"
+#include "bentur/io/record_files.h"
+#include "bentur/solve/motion/polynomial.h"
 #include "bentur/solve/solver.h"
+#include "bentur/structure/modes.h"
 
 namespace {
 
@@ -122,6 +127,76 @@ void read_m12(benchmark::State& state) {
   }
 }
 BENCHMARK(read_m12)->Unit(benchmark::kMillisecond);
+
+/// A pair pressed together for good: a steady ground acceleration leans the softer building on the stiffer one.
+Problem pressed() {
+  Case c = m12(0.0);
+  c.excitation.motion = SampledMotion{0.02, std::vector<double>(500, 300.0)};
+  c.excitation.delays = {0, 0};
+  return make_problem(c);
+}
+
+/// Time per step [s] of the response with contact.
+void per_step(benchmark::State& state, const Problem& problem) {
+  const FreeResponse free(problem);
+  Response response;
+  for (auto _ : state) {
+    response = free.solve(problem);
+    benchmark::DoNotOptimize(response);
+  }
+  using benchmark::Counter;
+  state.counters["per_step"] =
+      Counter(static_cast<double>(response.steps), Counter::kIsIterationInvariantRate | Counter::kInvert);
+  count(state, response);
+}
+
+void part_flight(benchmark::State& state) { per_step(state, make_problem(m12(100.0))); }
+BENCHMARK(part_flight)->Name("part/free_flight")->Unit(benchmark::kMicrosecond);
+
+void part_contact(benchmark::State& state) { per_step(state, pressed()); }
+BENCHMARK(part_contact)->Name("part/contact")->Unit(benchmark::kMicrosecond);
+
+/// The first negative value of an opening that nearly touches, and of one that does.
+void part_event_search(benchmark::State& state) {
+  const double lift = state.range(0) != 0 ? -1e-6 : 1e-6;
+  engine::Polynomial opening;  // 1 + lift − cos(2 s − 1): lowest at s = 1/2
+  double factorial = 1;
+  for (int k = 0; k <= engine::highest_degree; ++k) {
+    if (k > 0) factorial *= k;
+    opening[k] = -std::pow(2.0, k) / factorial * std::cos(-1.0 + 0.5 * k * std::numbers::pi) + (k == 0 ? 1 + lift : 0);
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(engine::first_negative(opening));
+}
+BENCHMARK(part_event_search)->Name("part/event_search")->ArgName("touches")->Arg(0)->Arg(1);
+
+/// Modes of a chain of so many storeys.
+void part_modes(benchmark::State& state) {
+  const auto storeys = static_cast<Eigen::Index>(state.range(0));
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(storeys, storeys);
+  for (Eigen::Index i = 0; i < storeys; ++i) {
+    stiffness(i, i) = i + 1 < storeys ? 2 : 1;
+    if (i > 0) stiffness(i, i - 1) = stiffness(i - 1, i) = -1;
+  }
+  const Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(storeys, storeys);
+  for (auto _ : state) benchmark::DoNotOptimize(modes(mass, stiffness));
+}
+BENCHMARK(part_modes)
+    ->Name("part/eigen_decomposition")
+    ->ArgName("storeys")
+    ->Arg(3)
+    ->Arg(12)
+    ->Arg(40)
+    ->Unit(benchmark::kMicrosecond);
+
+/// Reading a record of 1560 values.
+void part_record(benchmark::State& state) {
+  const auto file = std::filesystem::path(BENTUR_SOURCE_DIR) / "data/el-centro-1940-ns.csv";
+  for (auto _ : state) {
+    Diagnostics diagnostics;
+    benchmark::DoNotOptimize(read_record(file, {}, diagnostics));
+  }
+}
+BENCHMARK(part_record)->Name("part/read_record")->Unit(benchmark::kMicrosecond);
 
 /// The whole program, as a user starts it: `bentur run --quiet` of the built-in example, and the same with result
 /// files.

@@ -1,11 +1,12 @@
 # Writes a C++ source that holds files as string literals; needs nothing but CMake.
-#   cmake -DOUTPUT=embedded_files.cpp "-DFILES=a.toml;b.csv" -P embed.cmake
+#   cmake -DOUTPUT=embedded_files.cpp -DHEADER=path/of/declaration.h -DFUNCTION=embedded_files "-DFILES=a.toml;b.csv" -P embed.cmake
+# HEADER declares std::span<const EmbeddedFile> FUNCTION().
 # Each file is cut at line ends into raw literals of at most 16 KiB, which compilers take without complaint.
 # A case in examples/ finds its ground motion in ../data; written out, both stand side by side, so that path is shortened.
 set(chunk_size 16000)
 set(delimiter "embedded")
 
-set(out "#include \"bentur/io/examples/example_files.h\"\n\n")
+set(out "#include \"${HEADER}\"\n\n")
 string(APPEND out "#include <array>\n\nnamespace bentur {\nnamespace {\n\n")
 string(APPEND out "using namespace std::string_view_literals;\n\n")
 list(LENGTH FILES count)
@@ -39,5 +40,5 @@ foreach(file IN LISTS FILES)
   string(APPEND out "},\n")
 endforeach()
 string(APPEND out "}};\n\n}  // namespace\n\n")
-string(APPEND out "std::span<const EmbeddedFile> embedded_files() { return files; }\n\n}  // namespace bentur\n")
+string(APPEND out "std::span<const EmbeddedFile> ${FUNCTION}() { return files; }\n\n}  // namespace bentur\n")
 file(WRITE "${OUTPUT}" "${out}")

@@ -1,29 +1,115 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
+#include "bentur/io/gap/gap_study.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/study/minimum_gap.h"
 #include "commands.h"
+#include "gap_study_text.h"
 #include "session.h"
 #include "table.h"
 
 namespace bentur::cli {
 namespace {
 
+struct Arguments {
+  std::string file;
+  std::optional<double> at;
+  bool json = false;
+};
+
+std::string_view title_of(const CodeSeparation& code) { return find_code_rule(code.rule)->title; }
+
 /// The rules whose gap is smaller than the simulated one at some point of a gap.
 std::string rules_that_fall_short(const std::vector<PointSeparation>& points) {
-  std::string names;
-  const auto add = [&](const char* name, double PointSeparation::*rule) {
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view name, const auto& gap_of) {
     if (std::any_of(points.begin(), points.end(),
-                    [&](const PointSeparation& p) { return p.*rule < p.simulated * (1 - 1e-9); })) {
-      names += (names.empty() ? "" : " and ") + std::string(name);
+                    [&](const PointSeparation& p) { return gap_of(p) < p.simulated * (1 - 1e-9); })) {
+      names.emplace_back(name);
     }
   };
-  add("SRSS", &PointSeparation::srss);
-  add("DDC", &PointSeparation::ddc);
-  return names;
+  add("SRSS", [](const PointSeparation& p) { return p.srss; });
+  add("DDC", [](const PointSeparation& p) { return p.ddc; });
+  for (std::size_t i = 0; i < points.front().codes.size(); ++i) {
+    add(title_of(points.front().codes[i]), [i](const PointSeparation& p) { return p.codes[i].gap; });
+  }
+  if (names.empty()) return {};
+  const std::string last = names.back();
+  names.pop_back();
+  return names.empty() ? last : fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
+/// The rules of the codes, each at the point where it asks for most over what is given.
+std::string codes_text(const Problem& problem, const std::vector<PointSeparation>& points, const std::string& length) {
+  std::vector<std::string> titles, clauses, wordings, marks;
+  std::vector<double> gaps, elevations, lefts, rights;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < points.front().codes.size(); ++i) {
+    const auto short_by = [&](const PointSeparation& s) {
+      return s.codes[i].gap - problem.points[static_cast<std::size_t>(s.point)].width;
+    };
+    const auto most = std::max_element(points.begin(), points.end(),
+                                       [&](const auto& a, const auto& b) { return short_by(a) < short_by(b); });
+    const CodeSeparation& code = most->codes[i];
+    titles.emplace_back(title_of(code));
+    clauses.emplace_back(find_code_rule(code.rule)->clause);
+    wordings.emplace_back(find_code_rule(code.rule)->wording);
+    gaps.push_back(code.gap);
+    elevations.push_back(problem.points[static_cast<std::size_t>(most->point)].elevation);
+    lefts.push_back(code.to_left.value_or(none));
+    rights.push_back(code.to_right.value_or(none));
+    marks.emplace_back(short_by(*most) > 0 ? "too close" : "wide enough");
+  }
+  Table table;
+  table.add("code", "", titles);
+  table.add("clause", "", clauses);
+  table.add("gap", length, gaps);
+  table.add("elevation", length, elevations);
+  table.add("given is", "", marks);
+  table.add("left to line", length, lefts);
+  table.add("right to line", length, rights);
+  table.add("wording", "", wordings);
+  return table.text();
+}
+
+/// What a user may want to know of the rules: those not shown and why, and what the numbers are worth.
+std::string codes_note(const CodeSpec& code) {
+  if (code.rules.empty()) {
+    std::vector<std::string_view> titles;
+    for (const CodeRule& rule : code_rules()) titles.push_back(rule.title);
+    return fmt::format("\nRules of building codes appear when the case gives their factors in [code]:\n{}.\n",
+                       fmt::join(titles, ", "));
+  }
+  std::vector<std::string> others;
+  for (const CodeRule& rule : code_rules()) {
+    if (std::any_of(code.rules.begin(), code.rules.end(), [&](const auto& given) { return given.rule == rule.name; })) {
+      continue;
+    }
+    std::vector<std::string_view> keys;
+    for (const CodeKey& key : rule.keys) {
+      if (key.kind != CodeKey::Kind::flag) keys.push_back(key.name);
+    }
+    others.push_back(fmt::format("  code.{}: {}\n", rule.name, fmt::join(keys, ", ")));
+  }
+  std::string text =
+      "\nCodes: the same peaks, amplified by the factors of [code]; they belong to displacements under a code's\n"
+      "reduced design forces and are 1 where the ground motion is not reduced. To line: from a building to a\n"
+      "property line. Wording: whether the clause itself was read; to check: as commonly cited.\n";
+  if (!others.empty()) {
+    text += fmt::format("\nNot shown, because the case does not give what {} need{}:\n{}",
+                        others.size() == 1 ? "this code" : "these codes", others.size() == 1 ? "s" : "",
+                        fmt::join(others, ""));
+  }
+  return text;
 }
 
 std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSeparation>& all) {
@@ -73,6 +159,7 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
   table.add("DDC", length, ddc);
   table.add("", "", marks);
   text += "\n" + table.text();
+  if (!points.front().codes.empty()) text += "\n" + codes_text(problem, points, length);
   const std::string unsafe = rules_that_fall_short(points);
   if (!unsafe.empty()) {
     text += fmt::format("  {} would be too small here.\n", unsafe);
@@ -80,11 +167,27 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
   return text;
 }
 
-void run(const std::string& file, bool json) {
-  const Loaded loaded = load(file);
+void run_study(const Arguments& arguments) {
+  Diagnostics diagnostics;
+  std::optional<GapStudy> study;
+  try {
+    Progress progress("of the records");
+    study = gap_study(
+        arguments.file, arguments.at, [&](double fraction) { progress.show(fraction); }, diagnostics);
+  } catch (const std::runtime_error& error) {
+    throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
+  }
+  if (!study) throw Failure(diagnostics);
+  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : gap_study_text(*study));
+}
+
+void run(const Arguments& arguments) {
+  if (is_study(arguments.file)) return run_study(arguments);
+  if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
+  const Loaded loaded = load(arguments.file);
   const Response response = simulate(loaded, 0, true);
-  const std::vector<PointSeparation> needed = separations(loaded.problem, response);
-  if (json) {
+  const std::vector<PointSeparation> needed = separations(loaded.problem, response, loaded.c.code, loaded.c.units);
+  if (arguments.json) {
     print(gap_json(loaded.c, loaded.problem, needed, BENTUR_VERSION));
     return;
   }
@@ -96,22 +199,24 @@ void run(const std::string& file, bool json) {
   text +=
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"
       "combination of their peak displacements at that elevation.\n";
+  text += codes_note(loaded.c.code);
   print(text);
 }
 
 }  // namespace
 
 void add_gap_command(CLI::App& app) {
-  struct Arguments {
-    std::string file;
-    bool json = false;
-  };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("gap", "The gap that keeps the buildings apart, simulated and by the rules");
-  command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
+  command->add_option("FILE", arguments->file, "the case file (TOML), or a study: then over all of its records")
+      ->required();
+  command->add_option("--at", arguments->at, "for a study with [ida]: the intensity; default its highest level")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", arguments->json, "JSON instead of tables");
-  command->footer("Example: bentur gap case.toml");
-  command->callback([arguments] { run(arguments->file, arguments->json); });
+  command->footer(
+      "Example: bentur gap case.toml\n"
+      "Over the records of a study: bentur gap study.toml --at 0.5");
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace bentur::cli

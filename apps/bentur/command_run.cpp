@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,8 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/result_netcdf.h"
+#include "bentur/report/figures/figure_files.h"
+#include "bentur/report/figures/gnuplot.h"
 #include "bentur/study/restitution.h"
 #include "commands.h"
 #include "session.h"
@@ -20,6 +23,7 @@ namespace {
 struct Arguments {
   std::string file;
   std::string directory;
+  std::vector<std::string> figures;  // their formats
   bool json = false;
   bool quiet = false;
 };
@@ -216,7 +220,24 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
                             number(1e3 * response.wall_time), response.steps, response.events);
 }
 
+/// Draws what the run has to show into the folder "figures" beside its results.
+void write_pictures(const Arguments& arguments, const std::string& histories) {
+  const std::filesystem::path folder = std::filesystem::path(arguments.directory) / "figures";
+  try {
+    const std::vector<std::string> names = write_run_figures(folder, histories, arguments.figures);
+    if (arguments.quiet) return;
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    message(fmt::format("Wrote the figures {} into {}", list, folder.string()));
+  } catch (const NoGnuplot& error) {
+    message(fmt::format("bentur: {}; their data and scripts are in {}", error.what(), folder.string()));
+  }
+}
+
 void run(const Arguments& arguments) {
+  if (!arguments.figures.empty() && arguments.directory.empty()) {
+    throw Failure(exit_bad_input, "bentur run: --figures needs --output, the folder for them");
+  }
   std::optional<AtomicFiles> output;
   if (arguments.file.empty() && !arguments.quiet) {
     message("No case given: running the built-in example m12-el-centro.");
@@ -227,10 +248,14 @@ void run(const Arguments& arguments) {
   }
   const Response response = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
   const std::string summary = summary_json(loaded.c, loaded.problem, response, BENTUR_VERSION);
+  std::string histories;
   if (output) {
+    const bool figures = !arguments.figures.empty();
+    const FigureData data = figures ? figure_data(loaded.problem, response, loaded.c.analysis.solver) : FigureData{};
+    histories = histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION, figures ? &data : nullptr);
     output->add("summary.json", summary);
     output->add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response));
-    output->add("histories.nc", histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION));
+    output->add("histories.nc", histories);
     output->commit();
   }
   if (arguments.json) {
@@ -241,6 +266,7 @@ void run(const Arguments& arguments) {
   if (output && !arguments.quiet) {
     message("Wrote summary.json, impacts.csv and histories.nc into " + arguments.directory);
   }
+  if (!arguments.figures.empty()) write_pictures(arguments, histories);
 }
 
 }  // namespace
@@ -251,9 +277,14 @@ void add_run_command(CLI::App& app) {
   command->add_option("CASE", arguments->file, "the case file (TOML); without it the example m12-el-centro is run");
   command->add_option("-o,--output", arguments->directory, "folder for summary.json, impacts.csv and histories.nc")
       ->type_name("DIR");
+  command->add_option("--figures", arguments->figures, "draw figures too, as svg, pdf, png or several: svg,pdf")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(picture_formats()))
+      ->type_name("FORMATS");
   command->add_flag("--json", arguments->json, "print the summary as JSON instead of tables");
   command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
-  command->footer("Example: bentur run case.toml -o results");
+  command->footer("Example: bentur run case.toml -o results --figures svg,pdf");
   command->callback([arguments] { run(*arguments); });
 }
 

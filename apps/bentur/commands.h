@@ -9,6 +9,12 @@ void add_example_command(CLI::App& app);
 void add_run_command(CLI::App& app);
 void add_modes_command(CLI::App& app);
 void add_gap_command(CLI::App& app);
+void add_report_command(CLI::App& app);
+void add_sweep_command(CLI::App& app);
+void add_ida_command(CLI::App& app);
+void add_fragility_command(CLI::App& app);
 void add_check_command(CLI::App& app);
+void add_spectrum_command(CLI::App& app);
+void add_plot_command(CLI::App& app);
 
 }  // namespace bentur::cli

@@ -4,12 +4,12 @@ _bentur() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      run | gap | modes | check | example) command=$word && break ;;
+      run | report | gap | sweep | ida | fragility | modes | check | spectrum | plot | example) command=$word && break ;;
     esac
   done
   COMPREPLY=()
   if [[ $previous == -o || $previous == --output ]]; then
-    mapfile -t COMPREPLY < <(compgen -d -- "$current")
+    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|spectrum|plot|report) ]] && echo -f || echo -d)" -- "$current")
     compopt -o filenames 2>/dev/null
     return
   fi
@@ -17,22 +17,46 @@ _bentur() {
     mapfile -t COMPREPLY < <(compgen -W 'library jacobi' -- "$current")
     return
   fi
+  if [[ $previous == --figures ]]; then
+    mapfile -t COMPREPLY < <(compgen -W 'svg pdf png svg,pdf' -- "$current")
+    return
+  fi
+  if [[ $previous == --lang ]]; then
+    mapfile -t COMPREPLY < <(compgen -W 'en id' -- "$current")
+    return
+  fi
   case $command in
-    '') options='run gap modes check example --help --version' ;;
-    run) options='--output --json --quiet --help' ;;
-    gap) options='--json --help' ;;
+    '') options='run report gap sweep ida fragility modes check spectrum plot example --help --version' ;;
+    run) options='--output --figures --json --quiet --help' ;;
+    report) options='--output --lang --help' ;;
+    gap) options='--at --json --help' ;;
+    sweep | ida) options='--output --resume --check --threads --quiet --help' ;;
+    fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--help' ;;
+    spectrum) options='--unit --format --time-step --column --damping --periods --length --output --json --help' ;;
+    plot) options='--output --list --from --to --gap --elevation --at --against --event --width --help' ;;
     example) options='--output --help' ;;
   esac
   if [[ -z $command || $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+  elif [[ $command == spectrum || $command == fragility ]]; then
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    compopt -o filenames 2>/dev/null
+  elif [[ $command == plot && $previous == *.nc ]]; then
+    local kinds=''
+    while read -r word _; do kinds+=" $word"; done < <("${COMP_WORDS[0]}" plot "$previous" --list 2>/dev/null)
+    mapfile -t COMPREPLY < <(compgen -W "$kinds" -- "$current")
+  elif [[ $command == plot ]]; then
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.nc' -- "$current"; compgen -d -- "$current")
+    compopt -o filenames 2>/dev/null
   elif [[ $command == example ]]; then
     local names=''
     while read -r word _; do names+=" $word"; done < <("${COMP_WORDS[0]}" example 2>/dev/null)
     mapfile -t COMPREPLY < <(compgen -W "$names" -- "$current")
   else
-    mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- "$current"; compgen -d -- "$current")
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- "$current"; compgen -d -- "$current"
+      [[ $command != report ]] || compgen -f -X '!*.nc' -- "$current")
     compopt -o filenames 2>/dev/null
   fi
 }

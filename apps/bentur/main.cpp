@@ -22,8 +22,14 @@ int run(int argc, char** argv) {
       "Help on a command: bentur COMMAND --help");
   add_run_command(app);
   add_gap_command(app);
+  add_report_command(app);
+  add_sweep_command(app);
+  add_ida_command(app);
+  add_fragility_command(app);
   add_modes_command(app);
   add_check_command(app);
+  add_spectrum_command(app);
+  add_plot_command(app);
   add_example_command(app);
   app.require_subcommand(1);
 
@@ -39,7 +45,7 @@ int run(int argc, char** argv) {
     message(std::string("bentur: ") + error.what() + "\nRun with --help for more information.");
     return exit_bad_input;
   } catch (const Failure& failure) {
-    message(failure.what());
+    if (*failure.what() != '\0') message(failure.what());
     return failure.status();
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -4,84 +4,49 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <system_error>
+#include <utility>
 #include <variant>
 
 #include "bentur/io/case_toml.h"
 #include "bentur/io/examples/example_files.h"
+#include "bentur/io/results/temporary_folder.h"
 #include "bentur/solve/solver.h"
 #include "table.h"
 
 namespace bentur::cli {
 namespace {
 
-/// A private folder that is gone when this is.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "bentur-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error(pattern + ": cannot create the folder: " + std::generic_category().message(errno));
-    }
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// Prints how far a long run is, on one line of a terminal that is cleared at the end.
-class Progress {
- public:
-  void show(double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - start_ < std::chrono::seconds(2) || now - shown_ < std::chrono::milliseconds(200)) {
-      return;
-    }
-    shown_ = now;
-    fmt::print(stderr, "\r{:3.0f} % of the duration simulated", 100 * fraction);
-    std::fflush(stderr);
-    visible_ = true;
-  }
-  Progress() = default;
-  ~Progress() {
-    if (visible_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point shown_ = start_;
-  bool visible_ = false;
-};
+std::string all_of(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.errors()) text += (text.empty() ? "" : "\n") + diagnostic.text();
+  return text;
+}
 
 }  // namespace
+
+void Progress::show(double fraction) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!terminal_ || now - start_ < std::chrono::seconds(2) || now - shown_ < std::chrono::milliseconds(200)) return;
+  shown_ = now;
+  fmt::print(stderr, "\r{:3.0f} % {}", 100 * fraction, what_);
+  std::fflush(stderr);
+  visible_ = true;
+}
+
+Progress::Progress(std::string what) : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (visible_) std::fputs("\r\033[K", stderr);
+}
+
+Failure::Failure(const Diagnostics& diagnostics) : Failure(exit_bad_input, all_of(diagnostics)) {}
 
 Loaded load(const std::filesystem::path& file) {
   Diagnostics diagnostics;
   std::optional<Case> c = read_case(file, diagnostics);
-  if (!c) {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics.errors()) {
-      text += text.empty() ? "" : "\n";
-      text += diagnostic.text();
-    }
-    throw Failure(exit_bad_input, text);
-  }
+  if (!c) throw Failure(diagnostics);
   try {
     Problem problem = make_problem(*c);
     return {std::move(*c), std::move(problem)};
@@ -106,8 +71,8 @@ Response simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
-  Progress display;
-  if (progress && ::isatty(STDERR_FILENO) == 1) {
+  Progress display("of the duration simulated");
+  if (progress) {
     options.progress = [&display](double fraction) {
       display.show(fraction);
       return true;

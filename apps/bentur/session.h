@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
 
@@ -16,10 +18,31 @@ enum ExitStatus : int { exit_done = 0, exit_other = 1, exit_bad_input = 2, exit_
 class Failure : public std::runtime_error {
  public:
   Failure(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}
+  /// Bad input, with every error found.
+  explicit Failure(const Diagnostics& diagnostics);
   [[nodiscard]] ExitStatus status() const noexcept { return status_; }
 
  private:
   ExitStatus status_;
+};
+
+/// How far a long run is, after two seconds, on one line of a terminal that is cleared at the end.
+class Progress {
+ public:
+  /// `what` follows the percentage.
+  explicit Progress(std::string what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(double fraction);
+
+ private:
+  std::string what_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_ = start_;
+  bool terminal_ = false;
+  bool visible_ = false;
 };
 
 struct Loaded {

@@ -1,68 +1,9 @@
 #include "table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace bentur::cli {
-namespace {
-
-/// Takes zeros off the end of a decimal fraction.
-std::string without_zeros(std::string text) {
-  if (text.find('.') != std::string::npos && text.find('e') == std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-      text.pop_back();
-    }
-  }
-  return text;
-}
-
-/// Decimals that leave four significant digits of `largest`; −1 where an exponent reads better.
-int decimals_for(double largest) {
-  if (largest == 0) {
-    return 0;
-  }
-  if (largest < 1e-4 || largest >= 1e7) {
-    return -1;
-  }
-  return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 7);
-}
-
-std::string with_decimals(double value, int decimals) {
-  if (std::isnan(value)) {
-    return "–";
-  }
-  return decimals < 0 && value != 0 ? fmt::format("{:.3e}", value)
-                                    : fmt::format("{:.{}f}", value, std::max(decimals, 0));
-}
-
-}  // namespace
-
-std::string number(double value) { return without_zeros(with_decimals(value, decimals_for(std::abs(value)))); }
-
-std::vector<std::string> column(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) {
-    largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
-  }
-  const int most = decimals_for(largest);
-  int needed = 0;
-  for (const double value : values) {  // no more decimals than some number uses: 100 200 300, 0.2 0.25
-    const std::string text = without_zeros(with_decimals(value, most));
-    const std::size_t point = text.find('.');
-    needed = std::max(needed, point == std::string::npos ? 0 : static_cast<int>(text.size() - point) - 1);
-  }
-  const int decimals = most < 0 ? most : needed;
-  std::vector<std::string> cells;
-  cells.reserve(values.size());
-  for (const double value : values) {
-    cells.push_back(value == 0 ? "0" : with_decimals(value, decimals));
-  }
-  return cells;
-}
 
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(

@@ -3,14 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/number_text.h"
+
 namespace bentur::cli {
-
-/// A number for people: four significant digits, no exponent between 1e-4 and 1e7.
-[[nodiscard]] std::string number(double value);
-
-/// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits.
-/// A value that does not exist (NaN) becomes a dash.
-[[nodiscard]] std::vector<std::string> column(const std::vector<double>& values);
 
 /// Characters a UTF-8 text takes on a terminal.
 [[nodiscard]] std::size_t width(const std::string& text);

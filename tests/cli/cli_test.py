@@ -5,6 +5,7 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 """
 
 import csv
+import html
 import json
 import os
 import pathlib
@@ -21,7 +22,7 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 EXAMPLES = ["m12-el-centro", "free-impact", "kelvin-voigt-pair", "m12-harmonic", "m12-runge-kutta", "restitution-asked",
             "row-of-three", "two-frames-si"]
-COMMANDS = ["run", "gap", "modes", "check", "example"]
+COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
 
 
 def bentur(*arguments, cwd=None, env=None):
@@ -333,7 +334,7 @@ class ResultFiles(CommandLine):
             "assert d.displacement_1.dims == ('time', 'elevation_1') and d.opening.dims == ('time', 'point')\n"
             "assert abs(float(d.time[1]) - 0.005) < 1e-12 and abs(float(d.time[-1]) - 10) < 1e-9\n"
             "for v in d.variables.values():\n"
-            "    assert 'long_name' in v.attrs and ('units' in v.attrs or v.dtype.kind in 'OUT'), v\n"  # text has no unit
+            "    assert 'long_name' in v.attrs and ('units' in v.attrs or v.dtype.kind in 'OUTi'), v\n"  # text, number of a point
             "for b, building in enumerate(summary['buildings'], 1):\n"
             "    for z, peak in zip(building['elevations'], building['peak_displacement']):\n"
             "        seen = float(abs(d[f'displacement_{b}'].sel({f'elevation_{b}': z})).max())\n"
@@ -466,7 +467,7 @@ class Gap(CommandLine):
         self.assertEqual(gap["simulated"], summary["gaps"][0]["minimum_gap_no_contact"])
         peaks = [building["peak_displacement_no_contact"] for building in summary["buildings"]]
         for floor, point in enumerate(gap["points"]):
-            self.assertEqual(list(point), ["elevation", "width", "simulated", "abs", "srss", "ddc"])
+            self.assertEqual(list(point), ["elevation", "width", "simulated", "abs", "srss", "ddc", "codes"])
             left, right = peaks[0][floor], peaks[1][floor]
             self.assertAlmostEqual(point["abs"], left + right, delta=1e-12)
             self.assertAlmostEqual(point["srss"], (left**2 + right**2) ** 0.5, delta=1e-12)
@@ -485,6 +486,190 @@ class Gap(CommandLine):
         self.assertIn("wide enough", self.done("gap", case).stdout)
 
 
+    CODE = """
+[code]
+asce-7-16 = { deflection_amplification = [5.5, 4.5], importance_factor = 1 }
+gb-50011-2010 = { intensity = 8, system = "frame" }
+"""
+
+    def test_codes_say_clause_and_wording_and_what_is_missing(self):
+        case = self.written("m12-el-centro")
+        self.assertIn("when the case gives their factors in [code]", self.done("gap", case).stdout)
+        case.write_text(case.read_text() + self.CODE)
+        text = self.done("gap", case).stdout
+        self.assertRegex(text, r"ASCE 7-16, IBC +12\.12\.3 .*checked, C_d/I_e to check")
+        self.assertRegex(text, r"GB 50011-2010 +6\.1\.4 +10[.0]* .*checked")
+        self.assertNotIn("EN 1998", text)
+        self.assertIn("code.en-1998-1: behaviour_factor\n", text)
+        self.assertNotIn("code.asce-7-16:", text)
+        document = json.loads(self.done("gap", case, "--json").stdout)
+        self.assertEqual([rule["rule"] for rule in document["code_rules"]], ["asce-7-16", "gb-50011-2010"])
+        peaks = [b["peak_displacement_no_contact"] for b in json.loads(self.done("run", case, "--json").stdout)["buildings"]]
+        for floor, point in enumerate(document["gaps"][0]["points"]):
+            asce, chinese = point["codes"]
+            left, right = 5.5 * peaks[0][floor], 4.5 * peaks[1][floor]
+            self.assertAlmostEqual(asce["gap"], (left**2 + right**2) ** 0.5, delta=1e-12)
+            self.assertAlmostEqual(asce["to_property_line"][1], right, delta=1e-12)
+            self.assertEqual(chinese["gap"], 10)  # 100 mm in the case's centimetres
+            self.assertEqual(chinese["to_property_line"], [None, None])
+
+    def test_the_documented_table_is_read_and_shows_every_rule(self):
+        example = (SOURCE / "docs" / "separation-rules.md").read_text().split("```toml\n")[1].split("```")[0]
+        case = self.written("m12-el-centro")
+        case.write_text(case.read_text() + "\n" + example)
+        text = self.done("gap", case).stdout
+        self.assertNotIn("Not shown", text)
+        rules = json.loads(self.done("gap", case, "--json").stdout)["code_rules"]
+        self.assertEqual(len(rules), 8)
+        for rule in rules:
+            self.assertIn(f"{rule['title']}  {rule['clause']:>8}", text)
+            self.assertIn(f"| `{rule['rule']}` |", (SOURCE / "docs" / "separation-rules.md").read_text())
+
+
+class Spectrum(CommandLine):
+    RECORD = SOURCE / "data" / "el-centro-1940-ns.csv"
+
+    def test_table_json_and_csv_agree(self):
+        out = self.folder / "spectrum.csv"
+        document = json.loads(self.done("spectrum", self.RECORD, "--unit", "g", "--periods", "0.1:2:7", "--length", "cm",
+                                        "--json", "-o", out).stdout)
+        self.assertEqual(len(document["period"]), 7)
+        self.assertEqual((document["period"][0], document["period"][-1]), (0.1, 2))
+        with out.open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["period [s]"]) for row in rows], document["period"])
+        self.assertEqual([float(row["displacement [cm]"]) for row in rows], document["displacement"])
+        self.assertEqual([float(row["pseudo_acceleration [cm/s2]"]) for row in rows], document["pseudo_acceleration"])
+        for row, g in zip(rows, document["pseudo_acceleration"], strict=True):
+            self.assertAlmostEqual(float(row["pseudo_acceleration [g]"]), g / 980.665, delta=1e-12)
+        self.assertAlmostEqual(document["pga"] / 980.665, 0.31882, delta=1e-12)
+        text = self.done("spectrum", self.RECORD, "--unit", "g").stdout
+        self.assertIn("damping 5 %, peak ground acceleration 0.3188 g", text)
+        self.assertEqual(len(text.splitlines()), 2 + 3 + 41)
+
+    def test_short_periods_have_the_peak_ground_acceleration(self):
+        document = json.loads(self.done("spectrum", self.RECORD, "--unit", "g", "--periods", "0.001:0.002:2",
+                                        "--json").stdout)
+        self.assertAlmostEqual(document["pseudo_acceleration"][0] / document["pga"], 1, delta=1e-2)
+
+    def test_bad_input(self):
+        self.assertIn("--unit", self.fails(2, "spectrum", self.RECORD).stderr)
+        self.assertIn("no such file", self.fails(2, "spectrum", self.folder / "none.AT2").stderr)
+        for wrong in (["--periods", "1:2"], ["--periods", "2:1:5"], ["--periods", "0:1:5"], ["--periods", "1:2:x"],
+                      ["--periods", "1:2:5:6"], ["--damping", "1"], ["--damping", "-0.1"], ["--unit", "furlong"],
+                      ["--length", "yard"], ["--column", "0"], ["--periods", "1e-9:1:5"]):
+            self.fails(2, "spectrum", self.RECORD, "--unit", "g", *wrong)
+        at2 = SOURCE / "tests" / "bad_input" / "good.AT2"
+        self.assertIn("the file says", self.fails(2, "spectrum", at2, "--unit", "cm/s2").stderr)
+        one_column = SOURCE / "tests" / "bad_input" / "good-one-column.txt"
+        self.assertIn("give --time-step", self.fails(2, "spectrum", one_column, "--unit", "g").stderr)
+        self.done("spectrum", at2)
+        self.fails(1, "spectrum", at2, "-o", "/proc/none/spectrum.csv")
+
+
+class Report(CommandLine):
+    """What a browser makes of the page: tests/report."""
+
+    def test_one_file_in_two_languages(self):
+        case = self.written("m12-el-centro")
+        for language, word in ("en", "collide 37 times"), ("id", "berbenturan 37 kali"):
+            page = self.folder / "made" / f"{language}.html"
+            result = self.done("report", case, "-o", page, "--lang", language)
+            self.assertEqual(result.stdout, "")
+            self.assertRegex(result.stderr, rf"^Wrote {re.escape(str(page))} \(\d+ kB\)\n$")
+            text = page.read_text()
+            self.assertIn(word, text)
+            self.assertTrue(text.startswith("<!DOCTYPE html>") and text.endswith("</html>\n"))
+            self.assertEqual([file.name for file in page.parent.glob(".*")], [], "nothing temporary is left")
+        self.assertEqual(len(list((self.folder / "made").iterdir())), 2)
+
+    def test_the_same_case_gives_the_same_bytes_and_nothing_of_this_machine(self):
+        case = self.written("row-of-three")
+        pages = [self.folder / "one.html", self.folder / "two.html"]
+        for page in pages:
+            self.done("report", case, "-o", page)
+        self.assertEqual(*(page.read_bytes() for page in pages))
+        self.assertNotIn(str(self.folder), pages[0].read_text())
+
+    def test_without_gnuplot_everything_but_the_figures(self):
+        case, page = self.written("m12-el-centro"), self.folder / "report.html"
+        for language, sentence in ("en", "because gnuplot is not installed"), ("id", "karena gnuplot tidak terpasang"):
+            self.done("report", case, "-o", page, "--lang", language, env={"PATH": str(self.folder)})
+            text = page.read_text()
+            self.assertIn(sentence, text)
+            self.assertNotIn("<figure>", text)
+            self.assertIn("37", text)
+
+    def test_results_give_the_verdict_of_their_case(self):
+        for name in "m12-el-centro", "row-of-three", "restitution-asked", "free-impact":
+            case = self.written(name)
+            self.done("run", "-q", case, "-o", self.folder / name)
+            pages = []
+            for source in case, self.folder / name:
+                page = self.folder / "report.html"
+                self.done("report", source, "-o", page)
+                pages.append(page.read_text())
+            from_case, from_results = (re.findall('<p class="lead">(.*?)</p>', page) for page in pages)
+            self.assertEqual(from_case, from_results)
+            lists = [re.search('<table id="impact-list".*?</table>', page, re.DOTALL)[0] for page in pages]
+            self.assertEqual(*lists)
+            self.assertIn("DDC", pages[0])
+            self.assertIn("DDC and the rules of building codes are in a report made from the case", pages[1])
+
+    def test_a_sweep_counts_the_runs_that_collide(self):
+        case = self.written("m12-el-centro")
+        study, results, page = self.folder / "study.toml", self.folder / "r.nc", self.folder / "report.html"
+        study.write_text('case = "m12-el-centro.toml"\n[[vary]]\nparameter = "gap[0].width"\n'
+                         'from = 0.0\nto = 1.0\ncount = 5\n')
+        self.done("sweep", study, "-o", results)
+        self.done("report", results, "-o", page)
+        text = html.unescape(page.read_text()).replace("\u00a0", " ")
+        forces = {}
+        for width in 0.0, 0.25, 0.5, 0.75, 1.0:
+            other = self.folder / "other.toml"
+            other.write_text(re.sub(r"width = 0.2 ", f"width = {width} ", case.read_text()))
+            points = json.loads(self.done("run", other, "--json").stdout)["gaps"][0]["points"]
+            forces[width] = max(point["peak_force"] for point in points)
+        colliding = sum(force > 0 for force in forces.values())
+        self.assertTrue(0 < colliding < 5)
+        self.assertIn(f"The buildings collide in {colliding} of 5 runs.", text)
+        hardest = max(forces, key=forces.get)
+        self.assertIn(f"The largest contact force is {forces[hardest]:.0f} kgf, at width = {hardest:g}.", text)
+        self.assertIn("a gap of up to 0.7262 cm.", text)
+        self.assertIn(study.read_text(), text)
+        self.assertIn("bentur report: ", self.fails(2, "report", self.folder / "none.nc", "-o", page).stderr)
+
+    def test_results_that_are_none(self):
+        page, folder = self.folder / "report.html", self.folder / "results"
+        self.done("run", "-q", "-o", folder)
+        whole = {file.name: file.read_bytes() for file in folder.iterdir()}
+        self.done("run", "-q", self.written("free-impact"), "-o", self.folder / "other")
+        for name in whole:
+            for content in None, b"", b"nonsense", (self.folder / "other" / name).read_bytes():
+                with self.subTest(name, content=content and content[:20]):
+                    (folder / name).unlink()
+                    if content is not None:
+                        (folder / name).write_bytes(content)
+                    message = self.fails(2, "report", folder, "-o", page).stderr
+                    self.assertRegex(message, r"^bentur report: \S*/(summary\.json|impacts\.csv|histories\.nc)")
+                    self.assertFalse(page.exists())
+                    (folder / name).write_bytes(whole[name])
+
+    def test_bad_input_writes_nothing(self):
+        case = self.edited("m12-el-centro", "duration = 10.0", "duration = -1.0")
+        page = self.folder / "new" / "report.html"
+        self.assertIn("analysis.duration = -1", self.fails(2, "report", case, "-o", page).stderr)
+        self.assertIn("none.toml", self.fails(2, "report", self.folder / "none.toml", "-o", page).stderr)
+        self.fails(2, "report", self.written("free-impact"))
+        self.assertIn("--lang", self.fails(2, "report", self.written("free-impact"), "-o", page, "--lang", "fr").stderr)
+        self.assertFalse(page.parent.exists())
+
+    def test_an_output_that_cannot_be_written(self):
+        case = self.written("free-impact")
+        self.assertIn("is a folder", self.fails(1, "report", case, "-o", self.folder).stderr)
+        self.fails(1, "report", case, "-o", "/proc/none/report.html")
+
+
 class Completion(CommandLine):
     def complete(self, *words):
         """What the last of `words` completes to."""
@@ -500,21 +685,29 @@ class Completion(CommandLine):
         self.assertEqual(self.complete(""), sorted(COMMANDS + ["--help", "--version"]))
         self.assertEqual(self.complete("m"), ["modes"])
         self.assertEqual(self.complete("modes", "--method", "j"), ["jacobi"])
+        self.assertEqual(self.complete("report", "--lang", "i"), ["id"])
         for command in COMMANDS:
             text = self.done(command, "--help").stdout
             for option in self.complete(command, "--"):
                 self.assertIn(option, text, f"{command} knows {option}")
+            self.assertRegex(text, r"Example: bentur " + command, "help ends with an example")
 
     def test_cases_folders_and_examples(self):
         (self.folder / "case.toml").touch()
         (self.folder / "notes.txt").touch()
         (self.folder / "cases").mkdir()
-        for command in "run", "gap", "modes", "check":
+        for command in "run", "report", "gap", "modes", "check":
             self.assertEqual(self.complete(command, "ca"), ["case.toml", "cases"])
+        (self.folder / "results.nc").touch()
+        self.assertEqual(self.complete("report", ""), ["case.toml", "cases", "results.nc"])
         self.assertEqual(self.complete("run", ""), ["case.toml", "cases"])
         self.assertEqual(self.complete("run", "case.toml", "-o", ""), ["cases"])
         self.assertEqual(self.complete("example", ""), sorted(EXAMPLES))
         self.assertEqual(self.complete("example", "m12-h"), ["m12-harmonic"])
+        (self.folder / "results.nc").touch()
+        self.assertEqual(self.complete("plot", ""), ["cases", "results.nc"])
+        self.done("run", "-o", self.folder)
+        self.assertEqual(self.complete("plot", "histories.nc", "e"), ["envelope"])
 
 
 if __name__ == "__main__":

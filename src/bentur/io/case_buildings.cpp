@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bentur/io/case_parts.h"
+#include "bentur/io/study/case_memo.h"
 
 namespace bentur {
 namespace {
@@ -132,7 +133,7 @@ double height_of(const ReadBuilding& building) {
   return building.elevations.empty() ? 0 : building.elevations.back() - building.spec.base_elevation;
 }
 
-std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units) {
+std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseMemo* memo) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.find("building");
   if (!list) {
@@ -144,7 +145,8 @@ std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& unit
     return buildings;
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
-    buildings.push_back(read_building(list->item(i), units, buildings));
+    const auto known = memo != nullptr ? memo->building(list->item(i).value(), units, buildings) : nullptr;
+    buildings.push_back(known ? *known : read_building(list->item(i), units, buildings));
   }
   if (list->size() < 2) {
     list->error(fmt::format("has {} {}, expected two or more", list->size(), list->size() == 1 ? "entry" : "entries"));

@@ -7,6 +7,7 @@
 
 #include "bentur/io/case_parts.h"
 #include "bentur/io/record_files.h"
+#include "bentur/io/study/case_memo.h"
 
 namespace bentur {
 namespace {
@@ -84,7 +85,7 @@ void apply_scale(const TomlView& view, double unit_factor, SampledMotion& motion
 
 std::optional<SampledMotion> read_record_motion(const TomlView& view, const Units& units,
                                                 const std::filesystem::path& folder, RecordEcho& echo,
-                                                Diagnostics& diagnostics) {
+                                                Diagnostics& diagnostics, CaseMemo* memo) {
   const auto file = view.get("file", Need::required);
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
@@ -103,7 +104,7 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
     if (name->find('\0') != std::string::npos || !std::filesystem::exists(path, ignored)) {
       file->error_value("there is no such file (names are relative to the case file)");
     } else {
-      record = read_record(path, options, diagnostics);
+      record = memo != nullptr ? memo->record(path, options, diagnostics) : read_record(path, options, diagnostics);
     }
   }
   if (!record) {  // what can be said without the file
@@ -182,7 +183,7 @@ std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuil
 
 ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
                                const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
-                               Diagnostics& diagnostics) {
+                               Diagnostics& diagnostics, CaseMemo* memo) {
   ExcitationSpec spec;
   const auto view = root.get("excitation", Need::required);
   if (!view) return spec;
@@ -194,7 +195,7 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
   check_keys(*view, kind);
   if (kind == "record") {
     RecordEcho echo;
-    if (auto motion = read_record_motion(*view, units, folder, echo, diagnostics)) {
+    if (auto motion = read_record_motion(*view, units, folder, echo, diagnostics, memo)) {
       spec.motion = std::move(*motion);
       spec.record = std::move(echo);
     }

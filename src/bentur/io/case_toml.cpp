@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bentur/io/case_parts.h"
+#include "bentur/io/study/case_memo.h"
 
 namespace bentur {
 namespace {
@@ -111,10 +112,13 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
 }
 
 /// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
-void check_assembled(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+void check_assembled(const TomlView& root, std::vector<ReadBuilding>& buildings) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
+    if (buildings[b].made) continue;
     try {
-      (void)make_building(buildings[b].spec);
+      const BuildingSpec& spec = buildings[b].spec;
+      buildings[b].made = std::make_shared<const Building>(
+          buildings[b].model ? make_building(spec.name, *buildings[b].model, spec.damping) : make_building(spec));
     } catch (const std::exception& error) {
       root.find("building")
           ->item(b)
@@ -124,29 +128,34 @@ void check_assembled(const TomlView& root, const std::vector<ReadBuilding>& buil
   }
 }
 
-Case read_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics) {
-  Case c;
-  (void)root.is_table_of({"title", "units", "building", "gap", "excitation", "initial", "analysis"});
+}  // namespace
+
+ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                         CaseMemo* memo) {
+  ReadCase read;
+  Case& c = read.c;
+  (void)root.is_table_of({"title", "units", "building", "gap", "excitation", "initial", "analysis", "code"});
   c.title = root.text("title", Need::optional).value_or("");
   c.units = read_units(root);
-  const std::vector<ReadBuilding> buildings = read_buildings(root, c.units);
+  std::vector<ReadBuilding>& buildings = read.buildings;
+  buildings = read_buildings(root, c.units, memo);
   c.gaps = read_gaps(root, buildings);
-  c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics);
+  c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);
   bool moves = false;
   c.initial = read_initial(root, buildings, moves);
   c.analysis = read_analysis(root, c.excitation);
+  c.code = read_code(root, buildings);
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
-  if (!diagnostics.ok()) return c;
+  if (!diagnostics.ok()) return read;
   if (std::holds_alternative<NoMotion>(c.excitation.motion) && !moves) {
     root.find("excitation")
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
   check_assembled(root, buildings);
-  return c;
+  if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
+  return read;
 }
-
-}  // namespace
 
 Units read_units(const TomlView& root) {
   Units units;
@@ -164,7 +173,7 @@ std::optional<Case> read_case_text(const std::string& text, const std::filesyste
   const std::string name = file.string();
   std::optional<Case> c;
   if (const auto root = parse_toml(text, name, found)) {
-    c = read_parts(TomlView(*root, "", name, found), file.parent_path(), found);
+    c = read_case_parts(TomlView(*root, "", name, found), file.parent_path(), found).c;
   }
   for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
   return found.ok() ? std::move(c) : std::nullopt;

@@ -21,6 +21,8 @@ struct RecordOptions {
   std::string format = "auto";      ///< auto peer-at2 two-column one-column
   std::optional<double> time_step;  ///< [s], where the file does not say (one-column)
   std::optional<int> column;        ///< 1-based column of the accelerations; needed where a file has more than two
+  /// What messages call these.
+  std::string time_step_name = "excitation.time_step", column_name = "excitation.column";
 };
 
 /// Reads a record (docs/record-files.md). What is wrong goes to `diagnostics` with the record file's line and column.

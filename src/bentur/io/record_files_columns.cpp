@@ -110,16 +110,16 @@ std::optional<double> step_of(const std::vector<double>& times, const std::vecto
 std::optional<std::size_t> chosen_column(const RecordOptions& options, std::size_t columns, RecordErrors& errors) {
   if (!options.column) {
     if (columns == 2) return 1;
-    errors.error(0, 0,
-                 fmt::format("has {} columns: say in excitation.column which one holds the accelerations", columns));
+    errors.error(
+        0, 0, fmt::format("has {} columns: say in {} which one holds the accelerations", columns, options.column_name));
     return std::nullopt;
   }
   if (*options.column >= 2 && static_cast<std::size_t>(*options.column) <= columns) {
     return static_cast<std::size_t>(*options.column) - 1;
   }
   errors.error(0, 0,
-               fmt::format("has columns 1 (time) to {}, excitation.column = {} is not one of accelerations", columns,
-                           *options.column));
+               fmt::format("has columns 1 (time) to {}, {} = {} is not one of accelerations", columns,
+                           options.column_name, *options.column));
   return std::nullopt;
 }
 
@@ -148,9 +148,11 @@ std::optional<Record> read_columns(const std::vector<Line>& lines, const RecordO
     return std::nullopt;
   }
   if (single && options.column.value_or(1) != 1) {
-    errors.error(0, 0, fmt::format("has one column, excitation.column = {} is not there", *options.column));
+    errors.error(0, 0, fmt::format("has one column, {} = {} is not there", options.column_name, *options.column));
   }
-  if (single && !options.time_step) errors.error(0, 0, "has one column and so no time: give excitation.time_step");
+  if (single && !options.time_step) {
+    errors.error(0, 0, "has one column and so no time: give " + options.time_step_name);
+  }
   const auto column = single ? std::optional<std::size_t>(0) : chosen_column(options, columns, errors);
 
   Record record;

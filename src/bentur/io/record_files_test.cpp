@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
+
+#include "bentur/io/results/temporary_folder.h"
 
 namespace bentur {
 namespace {
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 /// A file that lives as long as the test.
 class RecordFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    file_ = fs::temp_directory_path() /
-            (std::string("bentur-record-") + info->name() + "-" + std::to_string(std::random_device{}()));
-  }
-  void TearDown() override { fs::remove(file_); }
-
   std::optional<Record> read(const std::string& text, const RecordOptions& options = {}) {
     std::ofstream(file_, std::ios::binary) << text;
     diagnostics_ = Diagnostics();
@@ -39,7 +33,8 @@ class RecordFile : public ::testing::Test {
     return all;
   }
 
-  fs::path file_;
+  TemporaryFolder folder_;
+  fs::path file_ = folder_.path() / "record";
   Diagnostics diagnostics_;
 };
 
@@ -129,6 +124,10 @@ TEST_F(RecordFile, OneColumnNeedsAStep) {
   RecordOptions options;
   EXPECT_FALSE(read("0.5\n-0.25\n", options).has_value());
   EXPECT_NE(messages().find("give excitation.time_step"), std::string::npos);
+  RecordOptions of_command;
+  of_command.time_step_name = "--time-step";
+  EXPECT_FALSE(read("0.5\n-0.25\n", of_command).has_value());
+  EXPECT_NE(messages().find("give --time-step"), std::string::npos);
   options.time_step = 0.01;
   const auto record = read("acceleration\n0.5\n-0.25\n", options);
   ASSERT_TRUE(record.has_value()) << messages();

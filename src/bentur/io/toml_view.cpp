@@ -95,9 +95,10 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   };
   const auto other_case = std::find_if(known.begin(), known.end(), same_letters);
   // The table of distances grows with the word, and no known one is that long.
-  const std::string near = other_case != known.end() ? *other_case
-                           : word.size() > 60        ? std::string()
-                                                     : nearest(word, known);
+  std::string near = other_case != known.end() ? *other_case : word.size() > 60 ? std::string() : nearest(word, known);
+  for (const std::string& one : known) {  // "inch" for "in"; single letters begin too much
+    if (near.empty() && one.size() > 1 && word.starts_with(one) && 2 * one.size() >= word.size()) near = one;
+  }
   return near.empty() ? fmt::format("{} {}", otherwise, fmt::join(known, ", "))
                       : fmt::format("did you mean \"{}\"?", near);
 }

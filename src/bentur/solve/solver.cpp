@@ -77,9 +77,11 @@ std::string_view name(const Solver& solver) {
 
 namespace engine {
 
-/// In the order in which each part is made of those before.
+/// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(Problem p, const Solver& s) : problem(std::move(p)), solver(s) {}
+  FreeParts(Problem p, const Solver& s) : problem(std::move(p)), solver(s) {
+    for (auto& point : system.points) point.width = 0.0;
+  }
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 
@@ -122,8 +124,8 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
     system.points[i].width = problem.points[i].width;
     tolerances.push_back(engine::round_off_band * (problem.points[i].width + parts_->largest_displacement[i]));
   }
-  engine::FlightTable flights = parts_->flights;  // they hold room for their results
-  engine::PoundingWalk walk({system, problem, parts_->solver, parts_->grid, flights}, std::move(tolerances), options);
+  engine::PoundingWalk walk({system, problem, parts_->solver, parts_->grid, parts_->flights}, std::move(tolerances),
+                            options);
   const Status status = walk.run(options.progress);
   engine::report_end(response, status, walk);
   walk.contacts().finish(problem.duration);

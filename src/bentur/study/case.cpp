@@ -87,7 +87,7 @@ void check_one_of(const LawEntry& law, const LawInput& input) {
 }
 
 /// Contact points of the gap to the right of building `gap`.
-std::vector<ContactPoint> contact_points(const Case& c, std::size_t gap, const std::vector<Building>& buildings) {
+std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::vector<Building>& buildings) {
   const GapSpec& spec = c.gaps[gap];
   if (spec.elevations.empty() || spec.widths.size() != spec.elevations.size()) {
     throw InvalidParameter("widths", std::to_string(spec.widths.size()) + " values",
@@ -214,20 +214,32 @@ Building make_building(const BuildingSpec& spec) {
   return make_building(spec.name, structural_model(spec), spec.damping);
 }
 
+std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings) {
+  std::vector<ContactPoint> points;
+  for (std::size_t gap = 0; gap < c.gaps.size(); ++gap) {
+    for (ContactPoint& point : points_of(c, gap, buildings)) {
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
 Problem make_problem(const Case& c) {
-  if (c.buildings.size() < 2 || c.gaps.size() + 1 != c.buildings.size()) {
+  std::vector<Building> buildings;
+  for (const BuildingSpec& spec : c.buildings) {
+    buildings.push_back(make_building(spec));
+  }
+  return make_problem(c, std::move(buildings));
+}
+
+Problem make_problem(const Case& c, std::vector<Building> buildings) {
+  if (c.buildings.size() < 2 || c.gaps.size() + 1 != c.buildings.size() || buildings.size() != c.buildings.size()) {
     throw InvalidParameter("gaps", std::to_string(c.gaps.size()),
                            "must be one between each pair of neighbours, of two buildings or more");
   }
   Problem problem;
-  for (const BuildingSpec& spec : c.buildings) {
-    problem.buildings.push_back(make_building(spec));
-  }
-  for (std::size_t gap = 0; gap < c.gaps.size(); ++gap) {
-    for (ContactPoint& point : contact_points(c, gap, problem.buildings)) {
-      problem.points.push_back(std::move(point));
-    }
-  }
+  problem.buildings = std::move(buildings);
+  problem.points = contact_points(c, problem.buildings);
   problem.motion = c.excitation.motion;
   problem.delays = c.excitation.delays;
   problem.kinematics = c.excitation.kinematics;

@@ -19,6 +19,7 @@
 #include "bentur/structure/damping.h"
 #include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
+#include "bentur/study/code_rules.h"
 
 namespace bentur {
 
@@ -98,6 +99,7 @@ struct Case {
   ExcitationSpec excitation;
   InitialSpec initial;
   AnalysisSpec analysis;
+  CodeSpec code = {};  ///< without rules: none were given
 };
 
 /// Mass, stiffness and load of one building, condensed and calibrated.
@@ -120,5 +122,10 @@ struct SpecAndModel {
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] Problem make_problem(const Case& c);
+/// The same with the case's buildings made already.
+[[nodiscard]] Problem make_problem(const Case& c, std::vector<Building> buildings);
+
+/// The contact points of all gaps, left to right and from the lowest up. @throws InvalidParameter as make_problem().
+[[nodiscard]] std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings);
 
 }  // namespace bentur

@@ -1,14 +1,14 @@
 #include "bentur/io/examples/example_files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <stdexcept>
+
+#include "bentur/io/results/temporary_folder.h"
 
 namespace bentur {
 namespace {
@@ -64,8 +64,8 @@ TEST(ExampleFiles, TheRecordHasItsPeakInItsPlace) {
 }
 
 TEST(ExampleFiles, WritesOnceAndNeverOverAnEditedFile) {
-  std::string pattern = (fs::temp_directory_path() / "bentur-test-XXXXXX").string();
-  const fs::path root = ::mkdtemp(pattern.data());
+  const TemporaryFolder folder;
+  const fs::path& root = folder.path();
   const Example example = examples().front();
   const fs::path file = write_example(example, root / "mine");
   EXPECT_EQ(read(file), example.files.front()->content);
@@ -76,7 +76,6 @@ TEST(ExampleFiles, WritesOnceAndNeverOverAnEditedFile) {
   EXPECT_THROW(write_example(example, root / "mine"), std::runtime_error);
   EXPECT_TRUE(read(file).ends_with("# edited\n"));
   EXPECT_FALSE(fs::exists(root / "mine" / "el-centro-1940-ns.csv"));
-  fs::remove_all(root);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "bentur/io/results/atomic_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include "bentur/io/results/temporary_folder.h"
 
 namespace bentur {
 namespace {
@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 class AtomicFilesTest : public testing::Test {
  protected:
-  AtomicFilesTest() {
-    std::string pattern = (fs::temp_directory_path() / "bentur-test-XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-  }
-  ~AtomicFilesTest() override { fs::remove_all(root_); }
-
   [[nodiscard]] static std::string read(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -29,7 +23,8 @@ class AtomicFilesTest : public testing::Test {
     return std::distance(fs::directory_iterator(path), fs::directory_iterator());
   }
 
-  fs::path root_;
+  TemporaryFolder folder_;
+  const fs::path& root_ = folder_.path();
 };
 
 TEST_F(AtomicFilesTest, FilesAppearTogetherAtCommit) {

@@ -227,8 +227,13 @@ TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
   EXPECT_EQ(gap["abs"], 8.0);
   EXPECT_EQ(gap["srss"], 4.0);
   EXPECT_EQ(gap["ddc"], 2.0);
-  EXPECT_EQ(gap["points"][1],
-            (Json{{"elevation", 3.0}, {"width", 0.1}, {"simulated", 2.0}, {"abs", 7.0}, {"srss", 4.0}, {"ddc", 1.0}}));
+  EXPECT_EQ(gap["points"][1], (Json{{"elevation", 3.0},
+                                    {"width", 0.1},
+                                    {"simulated", 2.0},
+                                    {"abs", 7.0},
+                                    {"srss", 4.0},
+                                    {"ddc", 1.0},
+                                    {"codes", Json::array()}}));
 }
 
 TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
@@ -348,6 +353,41 @@ TEST(HistoriesNetcdf, EnergyCurvesWithAnAuditOnly) {
     }
     nc_close(file);
   }
+}
+
+TEST(HistoriesNetcdf, ImpactsPeaksAndModes) {
+  Fixture f;
+  f.add_histories();
+  f.response.impacts = {{.point = 0, .start = 1, .end = 2, .peak_force = 3}, {.point = 0, .start = 4, .peak_force = 5}};
+  const std::size_t count = f.response.impacts.size();
+  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+  int file = 0;
+  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  const auto start = values(file, "impact_start", {count});
+  const auto force = values(file, "impact_peak_force", {count});
+  const auto point = values(file, "impact_point", {count});
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(start[i], f.response.impacts[i].start);
+    EXPECT_EQ(force[i], f.response.impacts[i].peak_force);
+    EXPECT_EQ(point[i], f.response.impacts[i].point);
+  }
+  const auto peaks = values(file, "peak_displacement_no_contact_1", {2});
+  EXPECT_EQ(peaks[1], f.response.buildings[0].displacement_no_contact(1));
+  const auto periods = values(file, "period_1", {2});
+  EXPECT_DOUBLE_EQ(periods[0], 2 * std::numbers::pi / f.problem.buildings[0].modes.omega(0));
+  // Two equal storeys: the first mode is (1, φ), the second (−φ, 1) by the golden ratio φ; largest sway 1.
+  const auto shapes = values(file, "shape_1", {2, 2});
+  EXPECT_NEAR(shapes[0], 1 / std::numbers::phi, 1e-12);
+  EXPECT_NEAR(shapes[1], 1, 1e-12);
+  EXPECT_NEAR(std::abs(shapes[2]), 1, 1e-12);
+  EXPECT_NEAR(shapes[3] / shapes[2], -1 / std::numbers::phi, 1e-12);
+  nc_close(file);
+  f.response.impacts.clear();  // then there is no such dimension
+  bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  int variable = 0;
+  EXPECT_NE(nc_inq_varid(file, "impact_start", &variable), NC_NOERR);
+  nc_close(file);
 }
 
 TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {

@@ -159,6 +159,32 @@ std::string modes_json(const std::vector<Building>& buildings) {
   return dump({{"buildings", all}});
 }
 
+namespace {
+
+Json codes_json(const std::vector<CodeSeparation>& codes) {
+  Json json = Json::array();
+  for (const CodeSeparation& code : codes) {
+    json.push_back({{"rule", code.rule},
+                    {"gap", code.gap},
+                    {"to_property_line", {or_null(code.to_left), or_null(code.to_right)}}});
+  }
+  return json;
+}
+
+/// What is known of the rules themselves.
+Json rules_json(const CodeSpec& code) {
+  Json json = Json::array();
+  for (const CodeRuleSpec& spec : code.rules) {
+    const CodeRule* const rule = find_code_rule(spec.rule);
+    if (rule == nullptr) continue;
+    json.push_back(
+        {{"rule", rule->name}, {"title", rule->title}, {"clause", rule->clause}, {"wording", rule->wording}});
+  }
+  return json;
+}
+
+}  // namespace
+
 std::string gap_json(const Case& c, const Problem& problem, const std::vector<PointSeparation>& separations,
                      std::string_view version) {
   Json gaps = Json::array();
@@ -175,23 +201,33 @@ std::string gap_json(const Case& c, const Problem& problem, const std::vector<Po
                         {"simulated", separation.simulated},
                         {"abs", separation.abs},
                         {"srss", separation.srss},
-                        {"ddc", separation.ddc}});
+                        {"ddc", separation.ddc},
+                        {"codes", codes_json(separation.codes)}});
       largest.simulated = std::max(largest.simulated, separation.simulated);
       largest.abs = std::max(largest.abs, separation.abs);
       largest.srss = std::max(largest.srss, separation.srss);
       largest.ddc = std::max(largest.ddc, separation.ddc);
+      if (largest.codes.empty()) largest.codes = separation.codes;
+      for (std::size_t i = 0; i < separation.codes.size(); ++i) {
+        CodeSeparation& code = largest.codes[i];
+        code.gap = std::max(code.gap, separation.codes[i].gap);
+        code.to_left = std::max(code.to_left, separation.codes[i].to_left);
+        code.to_right = std::max(code.to_right, separation.codes[i].to_right);
+      }
     }
     gaps.push_back({{"between", between(problem, gap)},
                     {"simulated", largest.simulated},
                     {"abs", largest.abs},
                     {"srss", largest.srss},
                     {"ddc", largest.ddc},
+                    {"codes", codes_json(largest.codes)},
                     {"points", points}});
   }
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
                {"excitation", excitation_json(c.excitation)},
+               {"code_rules", rules_json(c.code)},
                {"gaps", gaps}});
 }
 

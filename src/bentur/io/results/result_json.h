@@ -19,7 +19,8 @@ namespace bentur {
 /// Periods, participation, effective mass fractions and mass-normalised shapes of each building.
 [[nodiscard]] std::string modes_json(const std::vector<Building>& buildings);
 
-/// The gap each contact point needs: simulated, ABS, SRSS, DDC; a gap's own four are the largest of its points'.
+/// The gap each contact point needs: simulated, ABS, SRSS, DDC and the rules of the case's [code]; a gap's own
+/// values are the largest of its points'.
 [[nodiscard]] std::string gap_json(const Case& c, const Problem& problem,
                                    const std::vector<PointSeparation>& separations, std::string_view version);
 

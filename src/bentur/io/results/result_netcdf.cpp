@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 namespace bentur {
@@ -61,6 +63,18 @@ class NetcdfFile {
     return id;
   }
 
+  int write(const std::string& name, const std::vector<int>& dimensions, const std::vector<double>& values,
+            const std::string& units, const std::string& long_name) const {
+    return write(name, dimensions, values.data(), units, long_name);
+  }
+
+  int write(const std::string& name, const std::vector<int>& dimensions, const std::vector<int>& values,
+            const std::string& long_name) const {
+    const int id = variable(name, NC_INT, dimensions, "", long_name);
+    check(nc_put_var_int(id_, id, values.data()));
+    return id;
+  }
+
   int write(const std::string& name, int dimension, const std::vector<std::string>& values,
             const std::string& long_name) const {
     const int id = variable(name, NC_STRING, {dimension}, "", long_name);
@@ -89,8 +103,9 @@ class NetcdfFile {
 /// The unit as UDUNITS knows it: tf would be unknown, since its ton_force is the short one.
 std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
 
-void write_building(const NetcdfFile& file, int time, std::size_t b, const Problem& problem, const Histories& histories,
+void write_building(const NetcdfFile& file, int time, std::size_t b, const Problem& problem, const Response& response,
                     const std::string& length) {
+  const Histories& histories = response.histories;
   const Building& building = problem.buildings[b];
   const std::string number = fmt::format("_{}", b + 1);
   const std::string owner = fmt::format("building \"{}\"", building.name);
@@ -107,6 +122,23 @@ void write_building(const NetcdfFile& file, int time, std::size_t b, const Probl
   history("displacement", histories.displacement.at(b), length, "displacement relative to the own base");
   history("velocity", histories.velocity.at(b), length + " s-1", "velocity relative to the own base");
   history("acceleration", histories.acceleration.at(b), length + " s-2", "absolute acceleration");
+  const double base = building.model.elevations.front() - building.model.storey_heights.front();
+  file.write("base_elevation" + number, {}, &base, length, "elevation of the base of " + owner);
+  const BuildingPeaks& peaks = response.buildings.at(b);
+  const auto peak = [&](const std::string& name, const Eigen::VectorXd& values, const std::string& what) {
+    file.write(name + number, {floors}, values.data(), length, what + " of the floors of " + owner);
+  };
+  peak("peak_displacement", peaks.displacement, "largest displacement relative to the own base");
+  peak("peak_displacement_no_contact", peaks.displacement_no_contact, "largest displacement with contact switched off");
+  const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
+  Eigen::MatrixXd shapes = building.modes.shapes.topRows(building.model.floors());
+  for (auto shape : shapes.colwise()) {
+    if (const double largest = shape.cwiseAbs().maxCoeff(); largest > 0) shape /= largest;
+  }
+  const int modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
+  file.write("period" + number, {modes}, periods.data(), "s", "periods of " + owner);
+  file.write("shape" + number, {modes, floors}, shapes.data(), "1",
+             "sways of the mode shapes, the largest 1, of " + owner);
 }
 
 void write_points(const NetcdfFile& file, int time, const Problem& problem, const Histories& histories,
@@ -144,10 +176,66 @@ void write_energy(const NetcdfFile& file, int time, const EnergyHistories& energ
   curve("contact_lost", energy.contact_lost, "energy lost in contacts so far");
 }
 
+/// Nothing without an impact: a dimension of size zero would be an unlimited one.
+void write_impacts(const NetcdfFile& file, const std::vector<Impact>& impacts, const std::string& length,
+                   const std::string& force) {
+  if (impacts.empty()) return;
+  const int dimension = file.dimension("impact", impacts.size());
+  std::vector<int> points;
+  for (const Impact& impact : impacts) points.push_back(impact.point);
+  file.write("impact_point", {dimension}, points, "number of the contact point of each impact, counted from 0");
+  const auto column = [&](const std::string& name, double Impact::*member, const std::string& units,
+                          const std::string& what) {
+    std::vector<double> values;
+    for (const Impact& impact : impacts) values.push_back(impact.*member);
+    file.write("impact_" + name, {dimension}, values, units, what + " of each impact");
+  };
+  column("start", &Impact::start, "s", "start");
+  column("end", &Impact::end, "s", "end");
+  column("peak_force", &Impact::peak_force, force, "largest force");
+  column("peak_force_time", &Impact::peak_force_time, "s", "time of the largest force");
+  column("peak_penetration", &Impact::peak_penetration, length, "largest penetration");
+  column("closing_speed", &Impact::closing_speed, length + " s-1", "speed at which the bodies met");
+  column("impulse", &Impact::impulse, force + " s", "impulse");
+}
+
+void write_figure_data(const NetcdfFile& file, const FigureData& figures, const std::string& length,
+                       const std::string& force) {
+  if (const std::optional<CloseUp>& near = figures.close_up) {
+    const int time = file.dimension("close_up_time", near->time.size());
+    file.write("close_up_impact", {}, std::vector<int>{near->impact}, "number of the impact shown, counted from 0");
+    file.write("close_up_time", {time}, near->time, "s", "time of the samples of one impact");
+    file.write("close_up_opening", {time}, near->opening, length, "opening of its contact point");
+    file.write("close_up_force", {time}, near->force, force, "force of its contact point");
+  }
+  if (figures.spectrum.empty()) return;
+  const int period = file.dimension("spectrum_period", figures.spectrum_periods.size());
+  std::vector<double> displacement, acceleration;
+  for (const OscillatorPeaks& peaks : figures.spectrum) {
+    displacement.push_back(peaks.displacement);
+    acceleration.push_back(peaks.pseudo_acceleration);
+  }
+  file.write("spectrum_period", {period}, figures.spectrum_periods, "s", "period of linear oscillators");
+  file.write("spectrum_damping", {}, &figures.spectrum_damping, "1", "damping ratio of linear oscillators");
+  file.write("spectrum_displacement", {period}, displacement, length, "spectral displacement of the ground motion");
+  file.write("spectrum_acceleration", {period}, acceleration, length + " s-2",
+             "spectral pseudo-acceleration of the ground motion");
+}
+
 }  // namespace
 
-std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response,
-                             std::string_view version) {
+FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver) {
+  FigureData data;
+  data.close_up = close_up(problem, response, solver);
+  if (const auto* motion = std::get_if<SampledMotion>(&problem.motion)) {
+    data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
+    data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
+  }
+  return data;
+}
+
+std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response, std::string_view version,
+                             const FigureData* figures) {
   const Histories& histories = response.histories;
   const std::string length = udunit(c.units.length);
   const std::string force = udunit(c.units.force);
@@ -165,13 +253,15 @@ std::string histories_netcdf(const Case& c, const Problem& problem, const Respon
   delays.resize(problem.buildings.size(), 0.0);
   std::vector<std::string> names;
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    write_building(file, time, b, problem, histories, length);
+    write_building(file, time, b, problem, response, length);
     names.push_back(problem.buildings[b].name);
   }
   const int buildings = file.dimension("building", problem.buildings.size());
   file.write("building_name", buildings, names, "names of the buildings, left to right");
   file.write("building_delay", {buildings}, delays.data(), "s", "delay of the ground motion at the buildings");
   write_points(file, time, problem, histories, length, force);
+  write_impacts(file, response.impacts, length, force);
+  if (figures != nullptr) write_figure_data(file, *figures, length, force);
   if (response.energy) write_energy(file, time, response.energy->histories, force + " " + length);
   return file.take();
 }

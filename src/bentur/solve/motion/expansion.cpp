@@ -23,7 +23,20 @@ Expansion::Expansion(const ModalSystem& system)
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       curvature_(Eigen::VectorXd::Zero(system.size)),
       fourth_(Eigen::VectorXd::Zero(system.size)),
-      resting_force_(system.points.size()) {}
+      resting_force_(system.points.size()),
+      openings_(system.points.size()),
+      opening_known_(system.points.size(), 0) {}
+
+Eigen::MatrixXd& Expansion::coefficients() {
+  std::fill(opening_known_.begin(), opening_known_.end(), 0);
+  return c_;
+}
+
+Polynomial& Expansion::fill_opening(std::size_t point) {
+  opening_known_[point] = 1;
+  openings_[point].degree = degree_;
+  return openings_[point];
+}
 
 void Expansion::begin(Index first, Index count, double h, int degree) {
   first_ = first;
@@ -34,46 +47,27 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
 
 void Expansion::set_resting_force(std::size_t point, const Polynomial& force) { resting_force_[point] = force; }
 
-void Expansion::bound() {
-  double* second = curvature_.data() + first_;
-  double* fourth = fourth_.data() + first_;
-  std::fill_n(second, count_, 0.0);
-  std::fill_n(fourth, count_, 0.0);
-  for (int k = 2; k <= degree_; ++k) {
-    const double two = k * (k - 1.0);
-    const double four = two * (k - 2.0) * (k - 3.0);
-    const double* c = c_.col(k).data() + first_;
-    for (Index j = 0; j < count_; ++j) {
-      second[j] += two * std::abs(c[j]);
-      fourth[j] += four * std::abs(c[j]);
-    }
-  }
+bool Expansion::bound() {
+  const double all = kernels::bound(count_, c_.data() + first_, c_.rows(), degree_, curvature_.data() + first_,
+                                    fourth_.data() + first_);
+  return std::isfinite(all);
 }
 
 void Expansion::evaluate(double s, State& state) const {
-  double* q = state.q.data() + first_;
+  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, state.q.data() + first_,
+                    state.v.data() + first_);
+  const double rate = 1.0 / h_;
   double* v = state.v.data() + first_;
-  std::fill_n(q, count_, 0.0);
-  std::fill_n(v, count_, 0.0);
-  for (int k = degree_; k >= 1; --k) {
-    const double* c = c_.col(k).data() + first_;
-    for (Index j = 0; j < count_; ++j) {
-      q[j] = q[j] * s + c[j];
-      v[j] = v[j] * s + k * c[j];
-    }
-  }
-  const double* c = c_.col(0).data() + first_;
-  for (Index j = 0; j < count_; ++j) {
-    q[j] = q[j] * s + c[j];
-    v[j] /= h_;
-  }
+  for (Index j = 0; j < count_; ++j) v[j] *= rate;
 }
 
-Polynomial Expansion::opening(std::size_t i) const {
+const Polynomial& Expansion::opening(std::size_t i) const {
+  Polynomial& p = openings_[i];
+  if (opening_known_[i] != 0) return p;
+  opening_known_[i] = 1;
   const auto& point = system_->points[i];
-  Polynomial p;
   p.degree = degree_;
-  for (int k = 0; k <= degree_; ++k) p[k] = point.sense(c_.col(k));
+  for (int k = 0; k <= degree_; ++k) p[k] = point.sense(c_.col(k).data());
   p[0] += point.width;
   return p;
 }

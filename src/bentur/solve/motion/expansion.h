@@ -18,11 +18,13 @@ class Expansion {
   /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
   void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
   /// Coefficients: coordinates × powers of s.
-  [[nodiscard]] Eigen::MatrixXd& coefficients() { return c_; }
+  [[nodiscard]] Eigen::MatrixXd& coefficients();
+  /// The opening of a point, to be filled by who knows it anyway.
+  [[nodiscard]] Polynomial& fill_opening(std::size_t point);
   /// Force of a resting point [force].
   void set_resting_force(std::size_t point, const Polynomial& force);
-  /// Works the bounds below out, of the coordinates that were filled.
-  void bound();
+  /// Works the bounds below out, of the coordinates that were filled. False where they are not finite.
+  bool bound();
 
   // For those who read it.
   [[nodiscard]] double h() const { return h_; }
@@ -30,7 +32,7 @@ class Expansion {
   [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
   /// Position and speed at s; only the coordinates that were filled are written.
   void evaluate(double s, State& state) const;
-  [[nodiscard]] Polynomial opening(std::size_t point) const;                   ///< g(s) of (T-1) [length]
+  [[nodiscard]] const Polynomial& opening(std::size_t point) const;            ///< g(s) of (T-1) [length]
   [[nodiscard]] Polynomial output(std::size_t block, Eigen::Index row) const;  ///< row of Block::outputs
   [[nodiscard]] Polynomial acceleration(std::size_t block, Eigen::Index floor) const;
   [[nodiscard]] const Polynomial& resting_force(std::size_t point) const { return resting_force_[point]; }
@@ -47,6 +49,8 @@ class Expansion {
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd curvature_, fourth_;
   std::vector<Polynomial> resting_force_;
+  mutable std::vector<Polynomial> openings_;  ///< those asked for
+  mutable std::vector<char> opening_known_;
 };
 
 }  // namespace bentur::engine

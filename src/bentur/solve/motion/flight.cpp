@@ -1,7 +1,9 @@
 #include "bentur/solve/motion/flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "bentur/solve/motion/series.h"
 
@@ -9,111 +11,145 @@ namespace bentur::engine {
 namespace {
 
 using Eigen::Index;
+using Map = kernels::FlightMap;
 
-/// End position and speed of the oscillator q̈ + d q̇ + ω²q = f, f̈ = −ν²f, after `length`, by its power series in as
-/// many equal steps as series_reach asks for.
+/// An error of a map would grow with the number of segments flown by it, so maps are made with more digits.
+using Long = long double;
+
+/// The oscillator q̈ + d q̇ + ω²q = γ f, f̈ = −ν²f.
 struct Oscillator {
-  double omega_squared, two_sigma, nu;
-
-  void advance(double length, double& q, double& v, double f, double g) const {
-    const double rate = std::max(0.5 * two_sigma + std::hypot(0.5 * two_sigma, std::sqrt(omega_squared)), nu);
-    const auto steps = std::max(1L, std::lround(std::ceil(rate * length / series_reach)));
-    const double h = length / static_cast<double>(steps);
-    for (long n = 0; n < steps; ++n) step(h, q, v, f, g);
-  }
-
- private:
-  void step(double h, double& q, double& v, double& f, double& g) const {
-    Polynomial c{q, v * h};
-    Polynomial a{f, g * h};
-    for (int k = 0; k + 2 <= highest_degree; ++k) {
-      const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-      c[k + 2] = (h * h * (a[k] - omega_squared * c[k]) - h * two_sigma * (k + 1.0) * c[k + 1]) * scale;
-      a[k + 2] = -nu * nu * h * h * a[k] * scale;
-    }
-    q = value(c, 1.0);
-    v = first_derivative(c, 1.0) / h;
-    f = value(a, 1.0);
-    g = first_derivative(a, 1.0) / h;
-  }
+  Long omega_squared, two_sigma, gamma, nu;
 };
+
+/// Position, speed, f and ḟ at the end of some time.
+using Quadruple = std::array<Long, 4>;
+/// The same from a start where one of them is 1: a linear map, column by column.
+using Transition = std::array<Quadruple, 4>;
+
+/// By the power series in one step, which series_reach allows.
+Quadruple advance(const Oscillator& o, Long h, Quadruple from) {
+  std::array<Long, highest_degree + 1> c{from[0], from[1] * h};
+  std::array<Long, highest_degree + 1> f{from[2], from[3] * h};
+  for (std::size_t k = 0; k + 2 < c.size(); ++k) {
+    const Long two = (static_cast<Long>(k) + 2) * (static_cast<Long>(k) + 1);
+    const Long step = static_cast<Long>(k) + 1;
+    c[k + 2] = (h * h * (o.gamma * f[k] - o.omega_squared * c[k]) - h * o.two_sigma * step * c[k + 1]) / two;
+    f[k + 2] = -o.nu * o.nu * h * h * f[k] / two;
+  }
+  Quadruple to{};
+  for (std::size_t k = c.size(); k-- > 0;) {
+    to[0] += c[k];
+    to[1] += static_cast<Long>(k) * c[k] / h;
+    to[2] += f[k];
+    to[3] += static_cast<Long>(k) * f[k] / h;
+  }
+  return to;
+}
+
+Transition transition(const Oscillator& oscillator, Long h) {
+  Transition columns{};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    Quadruple start{};
+    start[i] = 1;
+    columns[i] = advance(oscillator, h, start);
+  }
+  return columns;
+}
+
+/// The map of twice the time.
+Transition doubled(const Transition& once) {
+  Transition twice{};
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    for (std::size_t j = 0; j < once.size(); ++j) {
+      for (std::size_t k = 0; k < once.size(); ++k) twice[i][k] += once[j][k] * once[i][j];
+    }
+  }
+  return twice;
+}
 
 }  // namespace
 
+Flight::Bounds Flight::make_bounds(Index size) {
+  Bounds bounds;
+  for (auto* list : {&bounds.rise, &bounds.acceleration_rise, &bounds.position, &bounds.acceleration}) {
+    list->setZero(size);
+  }
+  return bounds;
+}
+
+std::vector<Flight> Flight::make(const ModalSystem& system, double length, int halvings) {
+  std::vector<Flight> flights;
+  for (int n = 0; n <= halvings; ++n) flights.push_back(Flight(system, std::ldexp(length, -n)));
+  for (Index j = 0; j < system.size; ++j) {
+    const Oscillator oscillator{system.omega_squared(j), system.two_sigma(j), system.gamma(j), system.nu};
+    Transition map = transition(oscillator, flights.back().length_);
+    for (auto flight = flights.rbegin(); flight != flights.rend(); ++flight) {
+      if (flight != flights.rbegin()) map = doubled(map);
+      constexpr Map::Column to_q[] = {Map::qq, Map::qv, Map::qa, Map::qb};
+      constexpr Map::Column to_v[] = {Map::vq, Map::vv, Map::va, Map::vb};
+      for (std::size_t i = 0; i < map.size(); ++i) {
+        flight->map_(j, to_q[i]) = static_cast<double>(map[i][0]);
+        flight->map_(j, to_v[i]) = static_cast<double>(map[i][1]);
+      }
+    }
+  }
+  return flights;
+}
+
+/// All but the map itself.
 Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length) {
-  const Index n = system.size;
-  for (auto* array :
-       {&qq_,           &qv_,      &vq_,      &vv_,           &qa_,     &qb_,           &va_,     &vb_,
-        &shift_,        &p_value_, &p_slope_, &p_rate_,       &second_, &second_force_, &fourth_, &fourth_force_,
-        &fourth_slope_, &value_,   &slope_,   &start_energy_, &force_,  &force_slope_}) {
-    array->setZero(n);
-  }
-  rise_.setZero(n);
-  acceleration_rise_.setZero(n);
-  const double nu = system.nu;
-  const double chord = length * length / 8.0;
-  for (Index j = 0; j < n; ++j) {
-    const double w2 = system.omega_squared(j);
-    const double d = system.two_sigma(j);
-    const Oscillator oscillator{w2, d, nu};
-    const auto column = [&](double q, double v, double f, double g, double& q_end, double& v_end) {
-      oscillator.advance(length, q, v, f, g);
-      q_end = q;
-      v_end = v;
-    };
-    column(1, 0, 0, 0, qq_(j), vq_(j));
-    column(0, 1, 0, 0, qv_(j), vv_(j));
-    column(0, 0, 1, 0, qa_(j), va_(j));
-    column(0, 0, 0, 1, qb_(j), vb_(j));
-
-    if (nu == 0.0 && std::sqrt(w2) * length > 1.0) {
-      shift_(j) = 1.0;
-      p_value_(j) = 1.0 / w2;
-      p_slope_(j) = -d / (w2 * w2);
-      p_rate_(j) = 1.0 / w2;
-    }
-    const double kappa = std::sqrt(w2 + d * d);
-    second_(j) = chord * kappa;
-    fourth_(j) = chord * (d * (d * kappa + w2) + w2 * kappa);
-    if (shift_(j) != 0.0) {  // u and ü stay within ±S/Ω and ±√(Ω² + D²) S: twice that is as far as a chord can be
-      second_(j) = std::min(second_(j), 2.0 / std::sqrt(w2));
-      fourth_(j) = std::min(fourth_(j), 2.0 * kappa);
-    } else {
-      second_force_(j) = chord;
-      fourth_force_(j) = chord * (d * d + w2 + nu * nu);
-      fourth_slope_(j) = chord * d;
-    }
-  }
-}
-
-void Flight::fill_inputs(const std::vector<GroundInput>& inputs) {
+  map_.table.setZero(system.size, Map::columns);
   const double nu = system_->nu;
-  for (std::size_t b = 0; b < inputs.size(); ++b) {
-    const auto& block = system_->blocks[b];
-    const GroundInput& in = inputs[b];
-    const double largest = nu > 0.0 ? std::hypot(in.value, in.slope / nu)
-                                    : std::max(std::abs(in.value), std::abs(in.value + in.slope * length_));
-    const double steepest = nu > 0.0 ? nu * largest : std::abs(in.slope);
-    const auto gamma = system_->gamma.segment(block.begin, block.size).array();
-    value_.segment(block.begin, block.size) = gamma * in.value;
-    slope_.segment(block.begin, block.size) = gamma * in.slope;
-    force_.segment(block.begin, block.size) = gamma.abs() * largest;
-    force_slope_.segment(block.begin, block.size) = gamma.abs() * steepest;
+  const double chord = length_ * length_ / 8.0;
+  for (Index j = 0; j < system_->size; ++j) {
+    const double w2 = system_->omega_squared(j);
+    const double d = system_->two_sigma(j);
+    const double gamma = system_->gamma(j);
+    const double omega = std::sqrt(w2);
+    const double kappa = std::sqrt(w2 + d * d);
+    const double push = std::abs(gamma);
+    map_(j, Map::omega) = omega;
+    map_(j, Map::kappa) = kappa;
+    map_(j, Map::second) = chord * kappa;
+    map_(j, Map::fourth) = chord * (d * (d * kappa + w2) + w2 * kappa);
+    if (nu == 0.0 && omega * length_ > 1.0) {
+      map_(j, Map::p_value) = gamma / w2;
+      map_(j, Map::p_slope) = -gamma * d / (w2 * w2);
+      map_(j, Map::p_rate) = gamma / w2;
+      // u and ü stay within ±S/Ω and ±κ S: twice that is as far as a chord can be.
+      map_(j, Map::second) = std::min(map_(j, Map::second), 2.0 / omega);
+      map_(j, Map::fourth) = std::min(map_(j, Map::fourth), 2.0 * kappa);
+      map_(j, Map::orbit) = 1.0 / omega;
+      map_(j, Map::orbit_value) = std::abs(map_(j, Map::p_value));
+      map_(j, Map::orbit_slope) = std::abs(map_(j, Map::p_slope));
+    } else {
+      map_(j, Map::slow) = length_ * push;
+      map_(j, Map::second_force) = chord * push;
+      map_(j, Map::force) = push;
+      map_(j, Map::fourth_force) = chord * (d * d + w2 + nu * nu) * push;
+      map_(j, Map::fourth_slope) = chord * d * push;
+      map_(j, Map::orbit_floor) = std::numeric_limits<double>::max();  // the chord decides
+    }
   }
 }
 
-void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, State& to) {
-  fill_inputs(inputs);
-  const auto q = from.q.array();
-  const auto v = from.v.array();
-  to.q.array() = qq_ * q + qv_ * v + qa_ * value_ + qb_ * slope_;
-  to.v.array() = vq_ * q + vv_ * v + va_ * value_ + vb_ * slope_;
-  start_energy_ = ((v - p_rate_ * slope_).square() +
-                   system_->omega_squared.array() * (q - p_value_ * value_ - p_slope_ * slope_).square())
-                      .sqrt() +
-                  (1.0 - shift_) * length_ * force_;
-  rise_ = second_ * start_energy_ + second_force_ * force_;
-  acceleration_rise_ = fourth_ * start_energy_ + fourth_force_ * force_ + fourth_slope_ * force_slope_;
+void Flight::advance_block(std::size_t b, const double* q, const double* v, const GroundInput& input, double* q_end,
+                           double* v_end, Bounds& bounds) const {
+  const double nu = system_->nu;
+  kernels::FlightInput in{input.value, input.slope, 0.0, 0.0};
+  in.largest = nu > 0.0 ? std::hypot(in.value, in.slope / nu)
+                        : std::max(std::abs(in.value), std::abs(in.value + in.slope * length_));
+  in.steepest = nu > 0.0 ? nu * in.largest : std::abs(in.slope);
+  const auto& block = system_->blocks[b];
+  kernels::fly(map_, block.begin, block.room, in, q, v, q_end, v_end, bounds);
+}
+
+void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, State& to, Bounds& bounds) const {
+  for (std::size_t b = 0; b < inputs.size(); ++b) {
+    const Index begin = system_->blocks[b].begin;
+    advance_block(b, from.q.data() + begin, from.v.data() + begin, inputs[b], to.q.data() + begin, to.v.data() + begin,
+                  bounds);
+  }
 }
 
 }  // namespace bentur::engine

@@ -10,35 +10,38 @@ namespace bentur::engine {
 /// Free flight over one whole segment of fixed length: every coordinate is an oscillator of its own, so its end state
 /// is a fixed linear map of its start state and ground input, computed once per length. Needs diagonal damping.
 ///
-/// Between the ends a proven bound rules events out without looking. With u = q − p, p the particular solution for a
-/// linear input, S = √(u̇² + Ω²u²) never grows, so |q̈| ≤ √(Ω² + D²) S; where no p is used (slow coordinates, harmonic
-/// input) S is at most its start value plus h max|γ a_g| and |q̈| ≤ √(Ω² + D²) S + max|γ a_g|.           (T-3)
+/// Between the ends proven bounds rule events and peaks out without looking. With u = q − p, p the particular solution
+/// for a linear input, S = √(u̇² + Ω²u²) never grows, so |q̈| ≤ κ S with κ = √(Ω² + D²), and |q| ≤ |p| + S/Ω; where no p
+/// is used (slow coordinates, harmonic input) S is at most its start value plus h max|γ a_g|, and
+/// |q̈| ≤ κ S + max|γ a_g|.                                                                                 (T-3)
 class Flight {
  public:
-  Flight(const ModalSystem& system, double length);
+  /// Bounds over one flight, an entry per coordinate.
+  using Bounds = kernels::FlightBounds;
+  [[nodiscard]] static Bounds make_bounds(Eigen::Index size);
 
-  /// The end state; `from` and `to` must differ.
-  void advance(const State& from, const std::vector<GroundInput>& inputs, State& to);
+  /// The flights of a length [s], its half, its quarter, … `halvings` times.
+  [[nodiscard]] static std::vector<Flight> make(const ModalSystem& system, double length, int halvings);
+
+  /// The end state; `from` and `to` must differ. Bounds:
+  ///   rise               how far q can leave its chord: |q̈| length²/8,
+  ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
+  ///   position           |q|,
+  ///   acceleration       |q̈|.
+  void advance(const State& from, const std::vector<GroundInput>& inputs, State& to, Bounds& bounds) const;
+
+  /// The same of one building, by where its coordinates begin in each.
+  void advance_block(std::size_t block, const double* q, const double* v, const GroundInput& input, double* q_end,
+                     double* v_end, Bounds& bounds) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
 
-  /// How far a coordinate can leave its chord in the segment last advanced over: a bound of |q̈| …
-  [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
-  /// the same for q̈: a bound of |d⁴q/dt⁴| times length²/8, or of twice |q̈| if that is less.
-  [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
-
  private:
-  void fill_inputs(const std::vector<GroundInput>& inputs);
+  Flight(const ModalSystem& system, double length);
 
   const ModalSystem* system_;
   double length_ = 0;
-  Eigen::ArrayXd qq_, qv_, vq_, vv_;  ///< end position and speed from start position and speed
-  Eigen::ArrayXd qa_, qb_, va_, vb_;  ///< … and from γ·value and γ·slope
-  Eigen::ArrayXd shift_;              ///< 1 where the particular solution is used, else 0
-  Eigen::ArrayXd p_value_, p_slope_, p_rate_;  ///< particular solution: p = p_value·γa₀ + p_slope·γa₁, ṗ = p_rate·γa₁
-  Eigen::ArrayXd second_, second_force_, fourth_, fourth_force_, fourth_slope_;  ///< (T-3) and its second derivative
-  Eigen::ArrayXd value_, slope_, start_energy_, force_, force_slope_;
-  Eigen::VectorXd rise_, acceleration_rise_;
+  kernels::FlightMap map_;
 };
 
 }  // namespace bentur::engine

@@ -30,11 +30,17 @@ MatrixXd output_rows(const Building& building) {
   return rows;
 }
 
+Index room_for(Index coordinates) {
+  constexpr Index four = 4;
+  return (coordinates + four - 1) / four * four;
+}
+
 ModalSystem::Block make_block(const Building& building, Index begin) {
   ModalSystem::Block block;
   const Index modes = building.modes.omega.size();
   block.begin = begin;
   block.size = modes + 1;
+  block.room = room_for(block.size);
   block.floors = building.model.floors();
   block.outputs = output_rows(building);
   block.acceleration = block.outputs.topRows(block.floors);
@@ -55,14 +61,15 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
 
 VectorXd sense_row(const Building& building, int floor, Kinematics kinematics, double sign) {
   const Index modes = building.modes.omega.size();
-  VectorXd row(modes + 1);
+  VectorXd row = VectorXd::Zero(room_for(modes + 1));
   row.head(modes) = sign * building.modes.shapes.row(floor).transpose();
   row(modes) = kinematics == Kinematics::absolute ? sign : 0.0;
   return row;
 }
 
-VectorXd push_column(VectorXd sense) {
-  sense(sense.size() - 1) = 0.0;
+/// The same without what the ground does.
+VectorXd push_column(VectorXd sense, Index modes) {
+  sense(modes) = 0.0;
   return sense;
 }
 
@@ -71,12 +78,12 @@ VectorXd push_column(VectorXd sense) {
 ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.motion)) {
   for (const Building& building : problem.buildings) {
     blocks.push_back(make_block(building, size));
-    size += blocks.back().size;
+    size += blocks.back().room;
     classical = classical && !blocks.back().damping;
   }
   omega_squared = VectorXd::Zero(size);
   two_sigma = VectorXd::Zero(size);
-  gamma = VectorXd::Ones(size);
+  gamma = VectorXd::Zero(size);
   initial_q = VectorXd::Zero(size);
   initial_v = VectorXd::Zero(size);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -85,6 +92,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     const Index modes = blocks[b].size - 1;
     omega_squared.segment(begin, modes) = building.modes.omega.cwiseAbs2();
     two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
+    gamma(begin + modes) = 1.0;
     gamma.segment(begin, modes) = -building.modes.shapes.transpose() * building.model.load;
     const MatrixXd to_modes = building.modes.shapes.transpose() * building.model.mass;
     if (!problem.initial_displacement.empty()) {
@@ -97,13 +105,13 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     const auto left = static_cast<std::size_t>(contact.left);
     Point point;
     point.left_begin = blocks[left].begin;
-    point.left_size = blocks[left].size;
+    point.left_size = blocks[left].room;
     point.right_begin = blocks[left + 1].begin;
-    point.right_size = blocks[left + 1].size;
+    point.right_size = blocks[left + 1].room;
     point.sense_left = sense_row(problem.buildings[left], contact.left_floor, problem.kinematics, -1.0);
     point.sense_right = sense_row(problem.buildings[left + 1], contact.right_floor, problem.kinematics, 1.0);
-    point.push_left = push_column(point.sense_left);
-    point.push_right = push_column(point.sense_right);
+    point.push_left = push_column(point.sense_left, blocks[left].size - 1);
+    point.push_right = push_column(point.sense_right, blocks[left + 1].size - 1);
     point.sense_left_abs = point.sense_left.cwiseAbs();
     point.sense_right_abs = point.sense_right.cwiseAbs();
     point.width = contact.width;
@@ -150,9 +158,9 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
   result.resize(size);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
-    const auto part = [&block](const VectorXd& x) { return x.segment(block.begin, block.size).array(); };
-    result.segment(block.begin, block.size).array() =
-        inputs[b].value * part(gamma) - part(omega_squared) * part(state.q) - part(two_sigma) * part(state.v);
+    const Index begin = block.begin;
+    kernels::accelerate(block.room, omega_squared.data() + begin, two_sigma.data() + begin, gamma.data() + begin,
+                        inputs[b].value, state.q.data() + begin, state.v.data() + begin, result.data() + begin);
     if (block.damping) {
       const auto speed = state.v.segment(block.begin, block.size);
       result.segment(block.begin, block.size) -=
@@ -166,8 +174,12 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
 
 void ModalSystem::push(std::size_t i, double force, VectorXd& result) const {
   const Point& point = points[i];
-  result.segment(point.left_begin, point.left_size) += force * point.push_left;
-  result.segment(point.right_begin, point.right_size) += force * point.push_right;
+  const auto add = [&](Index begin, const VectorXd& by) {
+    double* to = result.data() + begin;
+    for (Index j = 0; j < by.size(); ++j) to[j] += force * by[j];
+  };
+  add(point.left_begin, point.push_left);
+  add(point.right_begin, point.push_right);
 }
 
 VectorXd ModalSystem::forces_for(const std::vector<std::size_t>& at, const VectorXd& missing) const {
@@ -182,14 +194,18 @@ VectorXd ModalSystem::forces_for(const std::vector<std::size_t>& at, const Vecto
   return matrix.ldlt().solve(missing);
 }
 
-void ModalSystem::advance(std::vector<GroundInput>& inputs, double dt) const {
+void ModalSystem::advance(GroundInput& in, double dt) const {
   if (nu == 0.0) {
-    for (GroundInput& in : inputs) in.value += in.slope * dt;
+    in.value += in.slope * dt;
     return;
   }
   const double c = std::cos(nu * dt);
   const double s = std::sin(nu * dt);
-  for (GroundInput& in : inputs) in = {in.value * c + in.slope / nu * s, in.slope * c - in.value * nu * s};
+  in = {in.value * c + in.slope / nu * s, in.slope * c - in.value * nu * s};
+}
+
+void ModalSystem::advance(std::vector<GroundInput>& inputs, double dt) const {
+  for (GroundInput& in : inputs) advance(in, dt);
 }
 
 double ModalSystem::Block::rate() const { return half_damping + std::hypot(half_damping, omega_max); }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/solve/motion/kernels.h"
 #include "bentur/solve/motion/time_grid.h"
 #include "bentur/solve/problem.h"
 
@@ -37,6 +38,7 @@ struct ModalSystem {
   struct Block {
     Eigen::Index begin = 0;  ///< first coordinate of the building
     Eigen::Index size = 0;   ///< modes + 1
+    Eigen::Index room = 0;   ///< size as a multiple of four: what follows the last coordinate is zero and stays so
     Eigen::Index floors = 0;
     Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
     Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
@@ -47,22 +49,23 @@ struct ModalSystem {
     [[nodiscard]] double rate() const;       ///< growth bound of the building on its own [1/s]
   };
   struct Point {
-    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< with the room of the buildings
     Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
     Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates
     Eigen::VectorXd sense_left_abs, sense_right_abs;
     double width = 0;  ///< w [length]
 
-    /// sense · x for a vector of all coordinates. Left and right are summed alike, so that two identical buildings
-    /// that move alike give exactly zero.
-    template <class Vector>
-    [[nodiscard]] double sense(const Vector& x) const {
-      return sense_right.dot(x.segment(right_begin, right_size)) + sense_left.dot(x.segment(left_begin, left_size));
+    /// sense · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move
+    /// alike give exactly zero.
+    [[nodiscard]] double sense(const double* x) const {
+      return kernels::dot(right_size, sense_right.data(), x + right_begin) +
+             kernels::dot(left_size, sense_left.data(), x + left_begin);
     }
-    template <class Vector>
-    [[nodiscard]] double sense_abs(const Vector& x) const {
-      return sense_right_abs.dot(x.segment(right_begin, right_size)) +
-             sense_left_abs.dot(x.segment(left_begin, left_size));
+    [[nodiscard]] double sense(const Eigen::VectorXd& x) const { return sense(x.data()); }
+    /// The same with |sense|.
+    [[nodiscard]] double sense_abs(const Eigen::VectorXd& x) const {
+      return kernels::dot(right_size, sense_right_abs.data(), x.data() + right_begin) +
+             kernels::dot(left_size, sense_left_abs.data(), x.data() + left_begin);
     }
   };
 
@@ -96,6 +99,7 @@ struct ModalSystem {
 
   /// The inputs `dt` later.
   void advance(std::vector<GroundInput>& inputs, double dt) const;
+  void advance(GroundInput& input, double dt) const;
 };
 
 }  // namespace bentur::engine

@@ -154,16 +154,33 @@ Polynomial Polynomial::operator-() const {
   return p;
 }
 
+// Even and odd powers by Horner's rule side by side: neither waits for the other.
+
 double value(const Polynomial& p, double s) {
-  double sum = p[p.degree];
-  for (int k = p.degree - 1; k >= 0; --k) sum = sum * s + p[k];
-  return sum;
+  const double square = s * s;
+  double first = p[p.degree];
+  double second = p.degree > 0 ? p[p.degree - 1] : 0.0;
+  int k = p.degree - 2;
+  for (; k >= 1; k -= 2) {
+    first = first * square + p[k];
+    second = second * square + p[k - 1];
+  }
+  if (k == 0) return (first * s + second) * s + p[0];
+  return p.degree > 0 ? first * s + second : first;
 }
 
 double first_derivative(const Polynomial& p, double s) {
-  double sum = p.degree * p[p.degree];
-  for (int k = p.degree - 1; k >= 1; --k) sum = sum * s + k * p[k];
-  return sum;
+  if (p.degree == 0) return 0.0;
+  const double square = s * s;
+  double first = p.degree * p[p.degree];
+  double second = (p.degree - 1.0) * p[p.degree - 1];
+  int k = p.degree - 2;
+  for (; k >= 2; k -= 2) {
+    first = first * square + k * p[k];
+    second = second * square + (k - 1.0) * p[k - 1];
+  }
+  if (k == 1) return (first * s + second) * s + p[1];
+  return p.degree > 1 ? first * s + second : first;
 }
 
 double integral(const Polynomial& p, double end) {

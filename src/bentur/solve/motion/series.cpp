@@ -26,15 +26,9 @@ int needed_degree(double rate_times_h) {
   return static_cast<int>(found - longest.begin());
 }
 
-/// Coefficient k of a_g h², to be asked for k = 0, 1, 2, …
-double Series::Ground::next(int k) {
-  double& a = k % 2 == 0 ? even : odd;
-  if (k >= 2) a *= -nu_squared / (k * (k - 1.0));
-  return a;
-}
-
-Series::Ground Series::ground(const GroundInput& input, double h) const {
-  return {(system_->nu * h) * (system_->nu * h), input.value * h * h, input.slope * h * h * h};
+kernels::Ground Series::ground(std::size_t b, const GroundInput& input, double h) const {
+  const auto& block = system_->blocks[b];
+  return {block.begin, block.room, input.value * h * h, input.slope * h * h * h, (system_->nu * h) * (system_->nu * h)};
 }
 
 void Series::begin(Index first, Index count, const State& state, double h, double rate, Expansion& motion) {
@@ -47,19 +41,6 @@ void Series::begin(Index first, Index count, const State& state, double h, doubl
   damp_.segment(first, count) = h * system_->two_sigma.segment(first, count);
 }
 
-/// (T-2) for the coordinates from `first` on, given force_; full damping has been added to force_.
-void Series::recur(Index first, Index count, int k) {
-  const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-  const double step = k + 1.0;
-  const double* c0 = c_->col(k).data() + first;
-  const double* c1 = c_->col(k + 1).data() + first;
-  const double* stiff = stiff_.data() + first;
-  const double* damp = damp_.data() + first;
-  const double* force = force_.data() + first;
-  double* c2 = c_->col(k + 2).data() + first;
-  for (Index j = 0; j < count; ++j) c2[j] = (force[j] - stiff[j] * c0[j] - step * damp[j] * c1[j]) * scale;
-}
-
 void Series::add_full_damping(const ModalSystem::Block& block, int k) {
   auto force = force_.segment(block.begin, block.size);
   const auto speed = c_->col(k + 1).segment(block.begin, block.size);
@@ -70,9 +51,9 @@ void Series::add_full_damping(const ModalSystem::Block& block, int k) {
 /// F = base + k δ + c δ̇ with δ = −g, coefficient k of the power series, times h².
 void Series::add_contact(std::size_t i, const ContactForces::Linear& linear, int k) {
   const auto& point = system_->points[i];
-  double force = -linear.stiffness * (point.sense(c_->col(k)) + (k == 0 ? point.width : 0.0)) * h_ * h_;
+  double force = -linear.stiffness * (point.sense(c_->col(k).data()) + (k == 0 ? point.width : 0.0)) * h_ * h_;
   if (k == 0) force += linear.base * h_ * h_;
-  if (linear.damping != 0.0) force -= linear.damping * (k + 1.0) * point.sense(c_->col(k + 1)) * h_;
+  if (linear.damping != 0.0) force -= linear.damping * (k + 1.0) * point.sense(c_->col(k + 1).data()) * h_;
   system_->push(i, force, force_);
 }
 
@@ -80,7 +61,7 @@ void Series::add_contact(std::size_t i, const ContactForces::Linear& linear, int
 void Series::hold(const std::vector<std::size_t>& resting, int k) {
   Eigen::VectorXd missing(static_cast<Index>(resting.size()));
   for (std::size_t n = 0; n < resting.size(); ++n) {
-    missing(static_cast<Index>(n)) = -system_->points[resting[n]].sense(c_->col(k + 2));
+    missing(static_cast<Index>(n)) = -system_->points[resting[n]].sense(c_->col(k + 2).data());
   }
   const Eigen::VectorXd forces = system_->forces_for(resting, missing);
   force_ = c_->col(k + 2);
@@ -96,26 +77,40 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                     Expansion& motion) {
   begin(0, system_->size, state, h, system_->rate(forces), motion);
   grounds_.clear();
-  for (const GroundInput& input : inputs) grounds_.push_back(ground(input, h));
+  for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
+  if (!system_->classical || !forces.resting.empty()) {
+    expand_term_by_term(0, system_->size, forces, motion);
+    return;
+  }
+  pressing_.clear();
+  for (const std::size_t i : forces.pressing) {
+    const auto& point = system_->points[i];
+    const auto& linear = forces.linear[i];
+    pressing_.push_back({point.left_begin, point.left_size, point.right_begin, point.right_size,
+                         point.sense_left.data(), point.sense_right.data(), point.push_left.data(),
+                         point.push_right.data(), point.width, linear.base * h * h, linear.stiffness * h * h,
+                         linear.damping * h, motion.fill_opening(i).coefficients.data()});
+  }
+  kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, pressing_, motion.degree(),
+                  system_->size, c_->data(), force_.data());
+}
+
+/// The same with full damping matrices and resting points.
+void Series::expand_term_by_term(Index first, Index count, const ContactForces& forces, Expansion& motion) {
   resting_force_.resize(forces.resting.size());
   for (int k = 0; k + 2 <= motion.degree(); ++k) {
-    if (k < 2 || system_->nu > 0.0) {
-      for (std::size_t b = 0; b < inputs.size(); ++b) {
-        const double a = grounds_[b].next(k);
-        const auto& block = system_->blocks[b];
-        const double* gamma = system_->gamma.data();
-        for (Index j = block.begin; j < block.begin + block.size; ++j) force_[j] = gamma[j] * a;
-      }
-    } else {
-      force_.setZero();
+    for (kernels::Ground& ground : grounds_) {
+      const double a = ground.next(k);
+      force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
     }
     for (const std::size_t i : forces.pressing) add_contact(i, forces.linear[i], k);
-    if (!system_->classical) {
-      for (const auto& block : system_->blocks) {
-        if (block.damping) add_full_damping(block, k);
-      }
+    for (const auto& block : system_->blocks) {
+      if (block.damping && block.begin >= first && block.begin < first + count) add_full_damping(block, k);
     }
-    recur(0, system_->size, k);
+    c_->col(k + 2).segment(first, count) =
+        (force_.segment(first, count) - stiff_.segment(first, count).cwiseProduct(c_->col(k).segment(first, count)) -
+         (k + 1.0) * damp_.segment(first, count).cwiseProduct(c_->col(k + 1).segment(first, count))) /
+        ((k + 2.0) * (k + 1.0));
     if (!forces.resting.empty()) hold(forces.resting, k);
   }
   for (std::size_t n = 0; n < forces.resting.size(); ++n) {
@@ -126,13 +121,14 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
 
 void Series::expand_block(std::size_t b, const State& state, const GroundInput& input, double h, Expansion& motion) {
   const auto& block = system_->blocks[b];
-  begin(block.begin, block.size, state, h, std::max(block.rate(), system_->nu), motion);
-  Ground acceleration = ground(input, h);
-  for (int k = 0; k + 2 <= motion.degree(); ++k) {
-    force_.segment(block.begin, block.size) = acceleration.next(k) * system_->gamma.segment(block.begin, block.size);
-    if (block.damping) add_full_damping(block, k);
-    recur(block.begin, block.size, k);
+  begin(block.begin, block.room, state, h, std::max(block.rate(), system_->nu), motion);
+  grounds_.assign(1, ground(b, input, h));
+  if (block.damping) {
+    expand_term_by_term(block.begin, block.room, {}, motion);
+    return;
   }
+  kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, {}, motion.degree(), system_->size,
+                  c_->data(), force_.data());
 }
 
 }  // namespace bentur::engine

@@ -30,25 +30,20 @@ class Series {
   void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
 
  private:
-  /// The ground acceleration of one building, coefficient by coefficient.
-  struct Ground {
-    double nu_squared = 0;  ///< ν² h²
-    double even = 0, odd = 0;
-    double next(int k);
-  };
-  [[nodiscard]] Ground ground(const GroundInput& input, double h) const;
+  [[nodiscard]] kernels::Ground ground(std::size_t block, const GroundInput& input, double h) const;
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
-  void recur(Eigen::Index first, Eigen::Index count, int k);
+  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const ContactForces& forces, Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_contact(std::size_t point, const ContactForces::Linear& force, int k);
   void hold(const std::vector<std::size_t>& resting, int k);
 
   const ModalSystem* system_;
   double h_ = 0;
-  Eigen::MatrixXd* c_ = nullptr;           ///< coefficients of the motion being expanded
-  Eigen::VectorXd stiff_, damp_;           ///< h²Ω², h · diagonal of D
-  Eigen::VectorXd force_;                  ///< γ a_k h² and contact, for one k
-  std::vector<Ground> grounds_;            ///< room
+  Eigen::MatrixXd* c_ = nullptr;          ///< coefficients of the motion being expanded
+  Eigen::VectorXd stiff_, damp_;          ///< h²Ω², h · diagonal of D
+  Eigen::VectorXd force_;                 ///< γ a_k h² and contact, for one k
+  std::vector<kernels::Ground> grounds_;  ///< room
+  std::vector<kernels::Pressing> pressing_;
   std::vector<Polynomial> resting_force_;  ///< of the points held, in their order
 };
 

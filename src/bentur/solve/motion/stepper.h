@@ -1,9 +1,9 @@
 #pragma once
 
-#include "bentur/solve/motion/embedded_pair.h"
-#include "bentur/solve/motion/fixed_step.h"
+#include "bentur/solve/motion/runge_kutta/embedded_pair.h"
+#include "bentur/solve/motion/runge_kutta/fixed_step.h"
+#include "bentur/solve/motion/runge_kutta/step_control.h"
 #include "bentur/solve/motion/series.h"
-#include "bentur/solve/motion/step_control.h"
 #include "bentur/solve/solver.h"
 
 namespace bentur::engine {

@@ -54,14 +54,6 @@ double Contacts::closing_speed(std::size_t i, const State& state) const { return
 
 bool Contacts::resting(std::size_t i) const { return branches_[i].touching && law(i).restitution().has_value(); }
 
-bool Contacts::clear(const State& from, const State& to, const Eigen::VectorXd& rise) const {
-  for (const auto& point : system_->points) {
-    const double lowest = point.width + std::min(point.sense(from.q), point.sense(to.q));
-    if (lowest <= 0.0 || lowest <= point.sense_abs(rise)) return false;
-  }
-  return true;
-}
-
 double Contacts::tolerance(std::size_t i, const Guard& guard, const State& state) const {
   if (branches_[i].touching && of_opening_alone(guard)) return 0.0;
   double result = std::abs(guard.penetration) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
@@ -110,7 +102,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       const double lowest = point.width + std::min(point.sense(from.q), point.sense(to.q));
       if (lowest > point.sense_abs(motion.curvature()) / 8.0) continue;
     }
-    const Polynomial opening = motion.opening(i);
+    const Polynomial& opening = motion.opening(i);
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
       Polynomial p = guarded(i, guard, opening, motion.h(), time);
@@ -195,7 +187,7 @@ void Contacts::note_touches(const Expansion& motion, double time, double end, co
       touches_[i] = {};
       continue;
     }
-    const Polynomial opening = motion.opening(i);
+    const Polynomial& opening = motion.opening(i);
     const auto touch = last_touch(opening, end);
     if (!touch && touches_[i].time >= 0.0) continue;  // in the band since an earlier step
     const double s = touch.value_or(0.0);
@@ -217,6 +209,7 @@ void Contacts::forget_faded(double time) {
 }
 
 void Contacts::set(std::size_t point, const ContactState& state) {
+  ++changes_;
   states_[point] = state;
   branches_[point] = law(point).branch(state);
   forces_.pressing.clear();

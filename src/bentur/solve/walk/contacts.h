@@ -33,11 +33,10 @@ class Contacts {
   Contacts(const ModalSystem& system, const Problem& problem, std::vector<double> tolerances, double accuracy);
 
   [[nodiscard]] const ContactForces& forces() const { return forces_; }
+  /// How often forces() have changed.
+  [[nodiscard]] long changes() const { return changes_; }
   /// No contact remembers anything, so that a free flight need only watch openings.
   [[nodiscard]] bool all_apart() const { return all_apart_; }
-
-  /// True when no point can have closed between two states, given a bound of |q̈| times length²/8 per coordinate.
-  [[nodiscard]] bool clear(const State& from, const State& to, const Eigen::VectorXd& rise) const;
 
   /// The first change in the expanded step, which began at `time`; `from` and `to` are the states at its ends.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
@@ -103,6 +102,7 @@ class Contacts {
   double fastest_ = 0;  ///< speed that modes have added up to at any event [length/s]
   bool began_ = false;
   long events_ = 0;
+  long changes_ = 0;
 };
 
 }  // namespace bentur::engine

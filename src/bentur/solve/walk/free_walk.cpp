@@ -3,27 +3,38 @@
 #include <algorithm>
 
 namespace bentur::engine {
+namespace {
+
+constexpr std::size_t most_unsettled = 4096;  // flights kept at a time
+
+}  // namespace
 
 FreeWalk::FreeWalk(const Ground& ground)
     : Walk(ground, PeakWatch::Scope::displacement),
       no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }),
+      openings_(system_),
       needed_(system_.points.size(), 0.0) {
   for (std::size_t i = 0; i < needed_.size(); ++i) needed_[i] = std::max(0.0, -system_.points[i].sense(state_.q));
+  openings_.limit(needed_);
 }
 
 /// Nothing has to be cut here, so what the bound leaves open is kept, and looked into when the run is over.
-bool FreeWalk::quiet(const Flight& flight) {
+bool FreeWalk::quiet(const Flights& flights, std::size_t halvings, const Flight::Bounds& bounds) {
+  if (openings_.stay_open(state_, next_, bounds)) return true;
   reach_.resize(needed_.size());
   bool settled = true;
+  bool raised = false;
   for (std::size_t i = 0; i < needed_.size(); ++i) {
     const auto& point = system_.points[i];
     const double end = -point.sense(next_.q);
-    reach_[i] = std::max(-point.sense(state_.q), end) + point.sense_abs(flight.rise());
+    reach_[i] = std::max(-point.sense(state_.q), end) + point.sense_abs(bounds.rise);
+    raised = raised || end > needed_[i];
     needed_[i] = std::max(needed_[i], end);
     settled = settled && reach_[i] <= needed_[i];
   }
-  if (!settled) unsettled_.push_back({flight.length(), state_, inputs_, reach_});
-  if (unsettled_.size() >= unsettled_limit) settle();
+  if (raised) openings_.limit(needed_);
+  if (!settled) unsettled_.push_back({flights[halvings].length(), state_, inputs_, reach_});
+  if (unsettled_.size() >= most_unsettled) settle();
   return true;
 }
 
@@ -32,16 +43,14 @@ double FreeWalk::look(double /*time*/) {
   return 1.0;
 }
 
-/// Takes the expanded step, from one state to the other, into the gaps needed.
+/// Takes the expanded step, from one state to the other, into the gaps needed. Points have no width here.
 void FreeWalk::raise(const State& from, const State& to) {
   for (std::size_t i = 0; i < needed_.size(); ++i) {
     const auto& point = system_.points[i];
     const double largest = std::max(-point.sense(from.q), -point.sense(to.q));
     if (largest + point.sense_abs(motion_.curvature()) / 8.0 <= needed_[i]) continue;
-    Polynomial closing = -motion_.opening(i);
-    closing[0] += point.width;
     double where = 0.0;
-    raise_to_maximum(closing, 1.0, needed_[i], where);
+    raise_to_maximum(-motion_.opening(i), 1.0, needed_[i], where);
   }
 }
 
@@ -52,7 +61,7 @@ void FreeWalk::settle() {
     if (settled) continue;
     replay(interval.start, interval.inputs, interval.length,
            [this](double, const State& from, const auto&, const State& to) {
-             motion_.bound();
+             (void)motion_.bound();
              raise(from, to);
            });
   }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bentur/solve/walk/openings.h"
 #include "bentur/solve/walk/walk.h"
 
 namespace bentur::engine {
@@ -16,9 +17,10 @@ class FreeWalk final : public Walk {
 
  private:
   [[nodiscard]] const ContactForces& forces() const override { return none_; }
+  [[nodiscard]] long changes() const override { return 0; }
   [[nodiscard]] const ForceFunction& force_at() const override { return no_force_; }
   [[nodiscard]] bool may_fly() const override { return true; }
-  bool quiet(const Flight& flight) override;
+  bool quiet(const Flights& flights, std::size_t halvings, const Flight::Bounds& bounds) override;
   double look(double time) override;
   void settle() override;
   void raise(const State& from, const State& to);
@@ -33,6 +35,7 @@ class FreeWalk final : public Walk {
 
   const ContactForces none_;
   const ForceFunction no_force_;
+  Openings openings_;
   std::vector<double> needed_;
   std::vector<double> reach_;
   std::vector<Unsettled> unsettled_;

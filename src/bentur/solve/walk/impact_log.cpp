@@ -19,17 +19,32 @@ double closing_speed(const ImpactLog::Stretch& stretch, double s) {
   return -first_derivative(stretch.opening, s) / stretch.h;
 }
 
+/// Raises the peaks of penetration and force of a spring alone: both are where the opening is lowest.
+void raise_peaks_of_spring(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
+  double lowest = std::max(-branch.base / branch.stiffness, 0.0);  // deeper counts
+  lowest = std::max(lowest, std::min(impact.peak_penetration, (impact.peak_force - branch.base) / branch.stiffness));
+  double where = 0.0;
+  if (!raise_to_maximum(-at.opening, at.end, lowest, where)) return;
+  impact.peak_penetration = std::max(impact.peak_penetration, lowest);
+  const double force = branch.base + branch.stiffness * lowest;
+  if (force > impact.peak_force) {
+    impact.peak_force = force;
+    impact.peak_force_time = at.time + where * at.h;
+  }
+}
+
 /// F = base + k δ + c δ̇: everything is a polynomial.
 void accumulate_linear(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
   Polynomial force = at.opening;
   for (int k = 0; k <= force.degree; ++k) force[k] *= -branch.stiffness;
   force[0] += branch.base;
-  if (branch.damping != 0.0) {
-    for (int k = 0; k < force.degree; ++k) force[k] -= branch.damping * (k + 1.0) * at.opening[k + 1] / at.h;
-  }
   double where = 0.0;
-  if (raise_to_maximum(force, at.end, impact.peak_force, where)) impact.peak_force_time = at.time + where * at.h;
-  if (branch.damping != 0.0) {
+  if (branch.damping == 0.0 && branch.stiffness > 0.0) {
+    raise_peaks_of_spring(at, branch, impact);
+  } else {
+    raise_to_maximum(-at.opening, at.end, impact.peak_penetration, where);
+    for (int k = 0; k < force.degree; ++k) force[k] -= branch.damping * (k + 1.0) * at.opening[k + 1] / at.h;
+    if (raise_to_maximum(force, at.end, impact.peak_force, where)) impact.peak_force_time = at.time + where * at.h;
     double pull = std::max(impact.peak_tension, at.force_band);
     if (raise_to_maximum(-force, at.end, pull, where)) impact.peak_tension = pull;
   }
@@ -110,11 +125,11 @@ void ImpactLog::end(std::size_t point, double time, double separation_speed) {
 void ImpactLog::accumulate(std::size_t point, const Stretch& stretch) {
   Impact& impact = under_way_[point];
   const Branch branch = stretch.law.branch(stretch.state);
-  double where = 0.0;
-  raise_to_maximum(-stretch.opening, stretch.end, impact.peak_penetration, where);
   if (branch.linear) {
     accumulate_linear(stretch, branch, impact);
   } else {
+    double where = 0.0;
+    raise_to_maximum(-stretch.opening, stretch.end, impact.peak_penetration, where);
     accumulate_nonlinear(stretch, impact);
   }
 }

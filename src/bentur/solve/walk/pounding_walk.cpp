@@ -4,11 +4,15 @@ namespace bentur::engine {
 
 PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, const SolveOptions& options)
     : Walk(ground, PeakWatch::Scope::everything),
+      openings_(system_),
       contacts_(system_, problem_, std::move(tolerances), stepper_.accuracy()),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         contacts_.forces_at(state, inputs, forces);
       }),
       sampler_(system_, problem_, options.output_step) {
+  std::vector<double> widths;
+  for (const auto& point : system_.points) widths.push_back(point.width);
+  openings_.limit(widths);
   if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step);
 }
 
@@ -18,7 +22,7 @@ void PoundingWalk::find_event(double time) {
     event_ = contacts_.next_event(motion_, state_, next_, time);
     if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {
       stepper_.retake(here(), event_->s * motion_.h(), motion_, next_);
-      motion_.bound();
+      (void)motion_.bound();
       event_->s = 1.0;
     }
     return;
@@ -47,7 +51,7 @@ void PoundingWalk::find_event(double time) {
     }
   }
   stepper_.retake(here(), after * whole, motion_, next_);
-  motion_.bound();
+  (void)motion_.bound();
 }
 
 double PoundingWalk::look(double time) {

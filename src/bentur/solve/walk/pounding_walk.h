@@ -5,6 +5,7 @@
 
 #include "bentur/solve/walk/contacts.h"
 #include "bentur/solve/walk/energy_account.h"
+#include "bentur/solve/walk/openings.h"
 #include "bentur/solve/walk/sampler.h"
 #include "bentur/solve/walk/walk.h"
 
@@ -21,14 +22,18 @@ class PoundingWalk final : public Walk {
 
  private:
   [[nodiscard]] const ContactForces& forces() const override { return contacts_.forces(); }
+  [[nodiscard]] long changes() const override { return contacts_.changes(); }
   [[nodiscard]] const ForceFunction& force_at() const override { return force_at_; }
   [[nodiscard]] bool may_fly() const override { return contacts_.all_apart(); }
-  bool quiet(const Flight& flight) override { return contacts_.clear(state_, next_, flight.rise()); }
+  bool quiet(const Flights& /*flights*/, std::size_t /*halvings*/, const Flight::Bounds& bounds) override {
+    return openings_.stay_open(state_, next_, bounds);
+  }
   double look(double time) override;
   void find_event(double time);
   void arrived(double time) override;
   void pass(double start, double length) override;
 
+  Openings openings_;
   Contacts contacts_;
   const ForceFunction force_at_;
   Sampler sampler_;

@@ -7,17 +7,14 @@
 #include "bentur/solve/motion/flight.h"
 #include "bentur/solve/motion/stepper.h"
 #include "bentur/solve/response.h"
-#include "bentur/solve/walk/peak_watch.h"
+#include "bentur/solve/walk/peak_search.h"
 
 namespace bentur::engine {
 
-/// The flights of every segment length of the grid, and of its halves, quarters, … down to a part short enough for one
-/// power series and for a tight bound. Empty where a damping matrix is full.
-using FlightTable = std::vector<std::vector<Flight>>;  // [kind][halvings]
+/// The flights of every segment length of the grid down to a part short enough for one power series and for a tight
+/// bound. Empty where a damping matrix is full.
+using FlightTable = std::vector<Flights>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
-
-/// So many intervals are kept for the end of a run at most; it bounds the memory of a long one.
-inline constexpr std::size_t unsettled_limit = 4096;
 
 /// What the free response and the response with contact have in common: walking the time grid. A segment is flown over
 /// where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be halved
@@ -30,7 +27,7 @@ class Walk {
     const Problem& problem;
     const Solver& solver;
     const TimeGrid& grid;
-    FlightTable& flights;
+    const FlightTable& flights;
   };
   Walk(const Ground& ground, PeakWatch::Scope scope);
   virtual ~Walk() = default;
@@ -40,7 +37,7 @@ class Walk {
   /// Runs to the end of the analysis. `progress(fraction)`, where given, returning false stops.
   Status run(const std::function<bool(double)>& progress);
 
-  [[nodiscard]] const PeakWatch& watch() const { return watch_; }
+  [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] long steps() const { return steps_; }
@@ -49,11 +46,13 @@ class Walk {
  protected:
   /// What the contact points do.
   [[nodiscard]] virtual const ContactForces& forces() const = 0;
+  /// How often that has changed.
+  [[nodiscard]] virtual long changes() const = 0;
   [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
   /// Whether no contact is under way or remembered, so that every building is free.
   [[nodiscard]] virtual bool may_fly() const = 0;
   /// Whether what the walk looks for cannot have happened between state_ and next_.
-  virtual bool quiet(const Flight& flight) = 0;
+  virtual bool quiet(const Flights& flights, std::size_t halvings, const Flight::Bounds& bounds) = 0;
   /// Looks at the step from state_ to next_ (motion_), which began at `time`; returns where it must be cut (1:
   /// nowhere).
   virtual double look(double time) = 0;
@@ -81,34 +80,19 @@ class Walk {
 
  private:
   void advance(std::size_t kind, std::size_t halvings, double start, double length);
-  [[nodiscard]] bool fly(Flight& flight, double start, double length);
+  [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
   void walk(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
-  void watch_interval(double length, bool flying, const Eigen::VectorXd& rise,
-                      const Eigen::VectorXd& acceleration_rise);
-  void scan_unsettled();
-  void after_step(double time);
+  void watch_step(double cut);
+  void arrive();
   void fail(const std::string& reason, double time);
 
-  /// An interval without events, of a free flight or of linear forces, in which one building may have exceeded its
-  /// peaks.
-  struct Unsettled {
-    std::size_t block;
-    double length;  ///< [s]
-    State start;
-    std::vector<GroundInput> inputs;
-    ContactForces forces;
-    PeakWatch::Reach reach;
-  };
-
   const TimeGrid& grid_;
-  FlightTable& flights_;
-  PeakWatch watch_;
-  std::vector<Unsettled> unsettled_;
-  PeakWatch::Reach reach_;  ///< room
-  Eigen::VectorXd rise_, acceleration_rise_, start_acceleration_, end_acceleration_,
-      forces_;                           ///< room
-  std::vector<GroundInput> end_inputs_;  ///< room
+  const FlightTable& flights_;
+  PeakSearch search_;
+  Flight::Bounds bounds_;
+  Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room
+  std::vector<GroundInput> end_inputs_;                             ///< at next_
   std::vector<double> largest_ground_;
   std::string trouble_;
   long steps_ = 0;

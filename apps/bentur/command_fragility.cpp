@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bentur/io/fragility/fragility_report.h"
+#include "commands.h"
+#include "session.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string file;
+  FragilityRequest request;
+  std::optional<double> at;
+  bool json = false;
+};
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A unit as people write it, from UDUNITS: "cm s-2" is cm/s².
+std::string shown(const std::string& units) {
+  if (units == "1") return "";
+  const std::string seconds = " s-2";
+  return units.ends_with(seconds) ? units.substr(0, units.size() - seconds.size()) + "/s²" : units;
+}
+
+/// Columns for what the axes have in each of `cases`, but for axis `without`.
+void add_case_columns(const IdaResults& results, const std::vector<std::size_t>& cases, std::size_t without,
+                      Table& table) {
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (axis == without) continue;
+    for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
+      std::vector<std::string> cells;
+      for (const std::size_t c : cases) {
+        const std::size_t place = results.places(c)[axis];
+        cells.push_back(coordinate.texts.empty() ? number(coordinate.numbers[place]) : coordinate.texts[place]);
+      }
+      table.add(coordinate.name, shown(coordinate.units), cells);
+    }
+  }
+}
+
+/// What an axis-by-axis description of a case reads like: "width = 0.1 m".
+std::string case_name(const IdaResults& results, std::size_t c) {
+  std::string text;
+  const std::vector<std::size_t> places = results.places(c);
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
+      const std::string units = shown(coordinate.units);
+      text += fmt::format(
+          "{}{} = {}{}", text.empty() ? "" : ", ", coordinate.name,
+          coordinate.texts.empty() ? number(coordinate.numbers[places[axis]]) : coordinate.texts[places[axis]],
+          units.empty() ? "" : " " + units);
+    }
+  }
+  return text;
+}
+
+/// Why a case has no θ and β.
+std::string reason(const CaseFragility& fragility, const std::string& unit) {
+  const auto with_unit = [&](double x) { return unit.empty() ? number(x) : number(x) + " " + unit; };
+  const Fragility& fit = fragility.fit;
+  switch (fit.kind) {
+    case Fragility::Kind::fitted:
+      return {};
+    case Fragility::Kind::separated:
+      return fit.lower < fit.upper
+                 ? fmt::format("no event up to {} and nothing else from {} on: θ is between, β cannot be found",
+                               with_unit(fit.lower), with_unit(fit.upper))
+                 : fmt::format("no event below {} and nothing else above: β cannot be found", with_unit(fit.lower));
+    case Fragility::Kind::no_event:
+      return fmt::format("no run has the event: θ cannot be found, it is above {}", with_unit(fit.lower));
+    case Fragility::Kind::all_events:
+      return fmt::format("every run has the event: θ cannot be found, it is below {}", with_unit(fit.upper));
+    case Fragility::Kind::one_intensity:
+      return "one level alone: θ and β cannot be found";
+    case Fragility::Kind::falling:
+      return "the event does not become likelier with intensity: no θ and β describe that";
+    case Fragility::Kind::no_data:
+      break;
+  }
+  return "no run has succeeded: θ and β cannot be found";
+}
+
+std::string curves_text(const FragilityReport& report, const std::string& unit) {
+  std::vector<std::size_t> cases;
+  std::vector<double> median, median_low, median_high, dispersion, dispersion_low, dispersion_high;
+  std::vector<std::string> runs, events;
+  std::string notes;
+  for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
+    const CaseFragility& one = report.fragilities[c];
+    const bool known = one.fit.kind == Fragility::Kind::fitted;
+    cases.push_back(c);
+    median.push_back(known ? one.fit.median : none);
+    dispersion.push_back(known ? one.fit.dispersion : none);
+    median_low.push_back(known && one.bounds ? one.bounds->median.lower : none);
+    median_high.push_back(known && one.bounds ? one.bounds->median.upper : none);
+    dispersion_low.push_back(known && one.bounds ? one.bounds->dispersion.lower : none);
+    dispersion_high.push_back(known && one.bounds ? one.bounds->dispersion.upper : none);
+    runs.push_back(fmt::format("{}", one.runs));
+    events.push_back(fmt::format("{}", one.events));
+    const std::string name = case_name(report.results, c);
+    if (!known) notes += fmt::format("  {}{}{}.\n", name, name.empty() ? "" : ": ", reason(one, unit));
+  }
+  Table table;
+  add_case_columns(report.results, cases, report.results.axes.size(), table);
+  table.add("θ", unit, median);
+  table.add("from", unit, median_low);
+  table.add("to", unit, median_high);
+  table.add("β", "", dispersion);
+  table.add("from", "", dispersion_low);
+  table.add("to", "", dispersion_high);
+  table.add("events", "", events);
+  table.add("runs", "", runs);
+  return table.text() + (notes.empty() ? "" : "\n" + notes);
+}
+
+std::string gaps_text(const FragilityReport& report, const FragilityRequest& request, const std::string& unit) {
+  std::vector<std::size_t> cases;
+  std::vector<std::string> probabilities, gaps, lower, upper;
+  const auto bound = [](const std::optional<Interval>& bounds, double Interval::*end) {
+    if (!bounds) return std::string("–");
+    return std::isfinite((*bounds).*end) ? number((*bounds).*end) : "∞";
+  };
+  bool unknown = false;
+  for (const GapAt& gap : report.gaps) {
+    cases.push_back(gap.first_case);
+    probabilities.push_back(number(gap.probability));
+    lower.push_back(bound(gap.estimate.bounds, &Interval::lower));
+    upper.push_back(bound(gap.estimate.bounds, &Interval::upper));
+    if (!gap.estimate.gap) {
+      gaps.emplace_back("–");
+      unknown = true;
+      continue;
+    }
+    const auto kind = gap.estimate.gap->kind;
+    gaps.push_back((kind == GapForProbability::Kind::beyond     ? "> "
+                    : kind == GapForProbability::Kind::smallest ? "≤ "
+                                                                : "") +
+                   number(gap.estimate.gap->width));
+  }
+  Table table;
+  add_case_columns(report.results, cases, report.gap_axis, table);
+  table.add("p", "", probabilities);
+  table.add(report.gap_name, shown(report.gap_units), gaps);
+  table.add("from", shown(report.gap_units), lower);
+  table.add("to", shown(report.gap_units), upper);
+  return fmt::format("\nThe gap for which P(event | {}{}) ≤ p\n\n", number(*request.at),
+                     unit.empty() ? "" : " " + unit) +
+         table.text() + (unknown ? "\n  –: the probability at some width cannot be found, see above.\n" : "");
+}
+
+std::string text(const FragilityReport& report, const FragilityRequest& request) {
+  const IdaResults& results = report.results;
+  const std::string& unit = results.study_unit;
+  const std::string quantity = shown(results.quantity_units);
+  std::string title = results.title.empty() ? "" : results.title + "\n";
+  title +=
+      fmt::format("Event: {}{}. {} record{}, {} levels of {}{}\n", request.event,
+                  quantity.empty() ? "" : " " + quantity, results.table.records, results.table.records == 1 ? "" : "s",
+                  results.table.levels.size(), results.intensity, unit.empty() ? "" : " [" + unit + "]");
+  std::string result = title + "\n" + curves_text(report, unit);
+  if (!report.gaps.empty()) result += gaps_text(report, request, unit);
+  const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),
+                                  [](const CaseFragility& one) { return one.bounds.has_value(); });
+  result += "\nP(event | x) = Φ(ln(x/θ)/β), by maximum likelihood.";
+  if (bounds) {
+    result += fmt::format(" From, to: {} % bounds from {} resamples of whole records.",
+                          number(100 * request.bootstrap.confidence), request.bootstrap.resamples);
+  }
+  return result + "\n";
+}
+
+void run(const Arguments& arguments) {
+  FragilityRequest request = arguments.request;
+  request.at = arguments.at;
+  for (const double p : request.probabilities) {
+    if (!(p > 0 && p < 1)) throw Failure(exit_bad_input, fmt::format("bentur: --probability {}: must be in (0, 1)", p));
+  }
+  if (!(request.bootstrap.confidence > 0 && request.bootstrap.confidence < 1)) {
+    throw Failure(exit_bad_input,
+                  fmt::format("bentur: --confidence {}: must be in (0, 1)", request.bootstrap.confidence));
+  }
+  Diagnostics diagnostics;
+  const auto report = fragility_report(arguments.file, request, diagnostics);
+  if (!report) throw Failure(diagnostics);
+  long failed = 0;
+  for (const CaseFragility& one : report->fragilities) failed += one.failed;
+  if (failed > 0) message(fmt::format("warning: {} runs that failed are left out", failed));
+  print(arguments.json ? fragility_json(*report, request, BENTUR_VERSION) : text(*report, request));
+}
+
+}  // namespace
+
+void add_fragility_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  FragilityRequest& request = arguments->request;
+  CLI::App* command = app.add_subcommand("fragility", "Fragility curves from an incremental dynamic analysis");
+  command->add_option("FILE", arguments->file, "results of bentur ida (NetCDF-4)")->required();
+  command->add_option(
+      "--event", request.event,
+      "a quantity of the results compared with a number in its unit there, true where any point or floor "
+      "has it; default \"impacts > 0\"");
+  CLI::Option* at = command->add_option("--at", arguments->at, "intensity for the gaps, in the unit of the levels");
+  CLI::Option* probability =
+      command->add_option("--probability", request.probabilities, "gaps for which P(event | --at) is no more than that")
+          ->delimiter(',');
+  at->needs(probability);
+  probability->needs(at);
+  command->add_option("--along", request.along, "the gap width that is meant, where several vary")->needs(probability);
+  command->add_option("--resamples", request.bootstrap.resamples, "of the bootstrap; default 1000")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--confidence", request.bootstrap.confidence, "of the bounds; default 0.95");
+  command->add_option("--seed", request.bootstrap.seed, "of the bootstrap; default 1");
+  command->add_flag("--json", arguments->json, "JSON instead of tables");
+  command->footer(
+      "Example: bentur fragility ida.nc --event \"peak_force > 500\"\n"
+      "The gap for 1 % and 10 % pounding probability: bentur fragility ida.nc --at 0.5 --probability 0.01,0.1");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

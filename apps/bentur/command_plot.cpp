@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/report/figures/figure_files.h"
+#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/kinds/kinds.h"
+#include "commands.h"
+#include "picture.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string results, kind, output;
+  std::vector<std::string> at;
+  FigureOptions options;
+  double from = NAN, to = NAN, elevation = NAN;
+  int gap = -1;
+  bool list = false;
+};
+
+std::optional<double> given(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
+
+FigureOptions options_of(const Arguments& arguments) {
+  FigureOptions options = arguments.options;
+  options.from = given(arguments.from);
+  options.to = given(arguments.to);
+  options.elevation = given(arguments.elevation);
+  if (arguments.gap >= 0) options.gap = static_cast<std::size_t>(arguments.gap);
+  for (const std::string& text : arguments.at) {
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos) {
+      throw Failure(exit_bad_input, fmt::format("bentur plot: --at {}: must be NAME=VALUE", text));
+    }
+    options.at.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return options;
+}
+
+void list_kinds(const NetcdfReader& results) {
+  std::string text;
+  for (const FigureKind& kind : figure_kinds(results)) text += fmt::format("{:<18}{}\n", kind.name, kind.shows);
+  print(text);
+}
+
+void run(const Arguments& arguments) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(arguments.results, ignored)) {
+    throw Failure(exit_bad_input, arguments.results + ": error: there is no such file");
+  }
+  try {
+    const NetcdfReader results{std::filesystem::path(arguments.results)};
+    if (arguments.list) return list_kinds(results);
+    if (arguments.kind.empty()) {
+      throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
+    }
+    const Figure figure = make_figure(results, arguments.kind, options_of(arguments));
+    write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, figure);
+  } catch (const NoFigure& error) {
+    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
+  }
+}
+
+}  // namespace
+
+bool is_picture(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  const std::vector<std::string>& known = picture_formats();
+  return std::any_of(known.begin(), known.end(), [&](const std::string& one) { return ending == "." + one; });
+}
+
+void write_picture(const std::filesystem::path& file, const Figure& figure) {
+  const std::string name = file.stem().string();
+  const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  if (!is_picture(file) || std::any_of(name.begin(), name.end(), is_control)) {
+    throw Failure(exit_bad_input, fmt::format("bentur: --output {}: must end in .svg, .pdf or .png", file.string()));
+  }
+  if (!gnuplot_version()) throw Failure(exit_other, std::string("bentur: ") + NoGnuplot().what());
+  write_figures(file.parent_path(), {{name, figure}}, {file.extension().string().substr(1)});
+  message(fmt::format("Wrote {}, and {}.dat and {}.gp beside it to restyle it", file.string(), name, name));
+}
+
+void add_plot_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("plot", "Draw a figure from results");
+  command->add_option("RESULTS", arguments->results, "histories.nc of a run, or the results of a sweep")->required();
+  command->add_option("KIND", arguments->kind, "what to draw; --list shows the kinds");
+  command->add_option("-o,--output", arguments->output, "the picture, .svg, .pdf or .png; default KIND.svg")
+      ->type_name("FILE");
+  command->add_flag("--list", arguments->list, "the kinds of figure these results can give");
+  command->add_option("--from", arguments->from, "of histories: first time [s]");
+  command->add_option("--to", arguments->to, "of histories: last time [s]");
+  command->add_option("--gap", arguments->gap, "of a run: gap, counted from 0; default the one hit hardest")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--elevation", arguments->elevation, "of a run: contact point, by its elevation");
+  command->add_option("--at", arguments->at, "of a sweep: what stays fixed, and where; several allowed")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--against", arguments->options.against, "of a sweep: what stands along the x axis")
+      ->type_name("NAME");
+  command->add_option("--event", arguments->options.event,
+                      "of a fragility: as in bentur fragility; default \"impacts > 0\"");
+  command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
+      ->check(CLI::Range(5.0, 60.0));
+  command->footer(
+      "Example: bentur plot results/histories.nc displacement -o displacement.pdf\n"
+      "         bentur plot m12-gaps.nc peak-force --at excitation=harmonic");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/io/results/result_reading.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/html/report_figures.h"
+#include "bentur/report/html/sweep_report.h"
+#include "commands.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string input;
+  std::string output;
+  std::string language = "en";
+};
+
+/// The report of a folder of results.
+std::string from_results(const std::filesystem::path& folder, ReportOptions options) {
+  try {
+    const RunResults results = read_results(folder);
+    options.figures = report_figures(NetcdfReader(folder / "histories.nc"), options.language);
+    return report_html(results.c, results.problem, results.response, options);
+  } catch (const std::exception& error) {
+    throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
+  }
+}
+
+/// The report of one file of results: of a sweep, or histories.nc of a run, beside which the others stand.
+std::string from_netcdf(const std::filesystem::path& file, ReportOptions options) {
+  try {
+    const NetcdfReader results(file);
+    if (results.find("status") == nullptr) return from_results(file.parent_path(), options);
+    options.figures = report_figures(results, options.language);
+    return sweep_report_html(results, options);
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
+  }
+}
+
+std::string from_case(const std::filesystem::path& file, ReportOptions options) {
+  const Loaded loaded = load(file);
+  const Response response = simulate(loaded, report_output_step(loaded.problem), true);
+  options.figures = report_figures(loaded.c, loaded.problem, response, options.language);
+  return report_html(loaded.c, loaded.problem, response, options);
+}
+
+void run(const Arguments& arguments) {
+  const std::filesystem::path input = arguments.input;
+  const std::filesystem::path output = arguments.output;
+  AtomicFiles files(output.parent_path());  // before the work, so that a folder that cannot be written costs none
+  const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION};
+  const std::string page = std::filesystem::is_directory(input) ? from_results(input, options)
+                           : input.extension() == ".nc"         ? from_netcdf(input, options)
+                                                                : from_case(input, options);
+  files.add(output.filename().string(), page);
+  files.commit();
+  message(fmt::format("Wrote {} ({} kB)", output.string(), (page.size() + 999) / 1000));
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", "Write a report of a case, or of results, to read, print and send");
+  command
+      ->add_option("CASE", arguments->input,
+                   "the case file (TOML), a folder that bentur run -o wrote, or the results of bentur sweep (.nc)")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "the HTML file, complete in itself")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
+      ->check(CLI::IsMember(std::vector<std::string>(report_languages().begin(), report_languages().end())));
+  command->footer("Example: bentur report case.toml -o report.html");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

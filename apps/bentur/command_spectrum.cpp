@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/units.h"
+#include "bentur/io/record_files.h"
+#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/results/spectrum_files.h"
+#include "bentur/report/kinds/kinds.h"
+#include "commands.h"
+#include "picture.h"
+#include "session.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  std::string file, unit, periods = "0.05:5:41", length = "m", output;
+  RecordOptions options;
+  double damping = 0.05;
+  bool json = false;
+};
+
+/// "FROM:TO:COUNT" as periods.
+std::vector<double> read_periods(const std::string& text) {
+  const auto refuse = [&] {
+    return Failure(exit_bad_input, fmt::format("bentur: --periods {}: must be FROM:TO:COUNT, 0 < FROM < TO in seconds "
+                                               "and COUNT from 2 to 100000",
+                                               text));
+  };
+  double from = 0, to = 0;
+  int count = 0;
+  const char* at = text.data();
+  const char* const last = at + text.size();
+  const auto take = [&](auto& value, bool more) {
+    const auto [next, error] = std::from_chars(at, last, value);
+    if (error != std::errc() || (next != last) != more || (more && *next != ':')) throw refuse();
+    at = more ? next + 1 : next;
+  };
+  take(from, true);
+  take(to, true);
+  take(count, false);
+  if (!(from > 0 && from < to && to < 1e6) || count < 2 || count > 100000) throw refuse();
+  return logarithmic_periods(from, to, count);
+}
+
+/// The unit of the file's numbers: stated in the file, by the user, or both alike.
+std::string settle_unit(const Arguments& arguments, const Record& record) {
+  if (record.unit.empty() && arguments.unit.empty()) {
+    std::string known;
+    for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
+    throw Failure(exit_bad_input, fmt::format("{}: error: the file does not say its unit: give --unit, one of {}",
+                                              arguments.file, known));
+  }
+  if (!record.unit.empty() && !arguments.unit.empty() && record.unit != arguments.unit) {
+    throw Failure(exit_bad_input, fmt::format("{}: error: --unit is {} but the file says \"{}\"", arguments.file,
+                                              arguments.unit, record.unit));
+  }
+  return record.unit.empty() ? arguments.unit : record.unit;
+}
+
+SampledMotion read_motion(const Arguments& arguments, const Units& units) {
+  Diagnostics diagnostics;
+  std::optional<Record> record;
+  std::error_code ignored;
+  if (std::filesystem::exists(arguments.file, ignored)) {
+    record = read_record(arguments.file, arguments.options, diagnostics);
+  } else {
+    diagnostics.error({arguments.file, 0, 0}, "there is no such file");
+  }
+  if (!record || !diagnostics.ok()) {
+    std::string text;
+    for (const Diagnostic& one : diagnostics.errors()) text += (text.empty() ? "" : "\n") + one.text();
+    throw Failure(exit_bad_input, text);
+  }
+  SampledMotion motion{record->time_step, std::move(record->values)};
+  const double factor = acceleration_factor(settle_unit(arguments, *record), units);
+  for (double& a : motion.acceleration) a *= factor;
+  return motion;
+}
+
+std::string spectrum_text(const RecordSpectrum& spectrum) {
+  const std::string& length = spectrum.units.length;
+  std::vector<double> displacement, velocity, acceleration, absolute;
+  for (const OscillatorPeaks& p : spectrum.peaks) {
+    displacement.push_back(p.displacement);
+    velocity.push_back(p.pseudo_velocity);
+    acceleration.push_back(p.pseudo_acceleration / spectrum.units.gravity);
+    absolute.push_back(p.absolute_acceleration / spectrum.units.gravity);
+  }
+  Table table;
+  table.add("period", "s", spectrum.periods);
+  table.add("displacement", length, displacement);
+  table.add("pseudo-velocity", length + "/s", velocity);
+  table.add("pseudo-acceleration", "g", acceleration);
+  table.add("absolute acceleration", "g", absolute);
+  return fmt::format("{}: response spectrum, damping {} %, peak ground acceleration {} g\n\n", spectrum.file,
+                     number(100 * spectrum.damping_ratio), number(spectrum.pga / spectrum.units.gravity)) +
+         table.text();
+}
+
+Figure spectrum_picture(const RecordSpectrum& spectrum) {
+  SpectrumCurves curves;
+  curves.periods = spectrum.periods;
+  for (const OscillatorPeaks& p : spectrum.peaks) {
+    curves.acceleration.push_back(p.pseudo_acceleration / spectrum.units.gravity);
+    curves.displacement.push_back(p.displacement);
+  }
+  curves.acceleration_unit = "g";
+  curves.length = spectrum.units.length;
+  curves.damping = spectrum.damping_ratio;
+  return spectrum_figure(curves);
+}
+
+void run(const Arguments& arguments) {
+  const std::vector<double> periods = read_periods(arguments.periods);
+  if (!(arguments.damping >= 0 && arguments.damping < 1)) {
+    throw Failure(exit_bad_input, fmt::format("bentur: --damping {}: must be in [0, 1)", arguments.damping));
+  }
+  RecordSpectrum spectrum;
+  spectrum.file = arguments.file;
+  spectrum.units.length = arguments.length;
+  spectrum.units.gravity = standard_gravity(arguments.length);
+  spectrum.damping_ratio = arguments.damping;
+  spectrum.periods = periods;
+  const SampledMotion motion = read_motion(arguments, spectrum.units);
+  spectrum.pga = peak_acceleration(motion);
+  try {
+    spectrum.peaks = response_spectrum(motion, periods, arguments.damping);
+  } catch (const InvalidParameter& error) {
+    throw Failure(exit_bad_input, fmt::format("{}: error: {}", arguments.file, error.what()));
+  }
+  const std::filesystem::path output(arguments.output);
+  if (is_picture(output)) {
+    write_picture(output, spectrum_picture(spectrum));
+  } else if (!arguments.output.empty()) {
+    AtomicFiles files(output.has_parent_path() ? output.parent_path() : std::filesystem::path("."));
+    files.add(output.filename().string(), spectrum_csv(spectrum));
+    files.commit();
+  }
+  if (arguments.json) {
+    print(spectrum_json(spectrum, BENTUR_VERSION));
+  } else if (arguments.output.empty()) {
+    print(spectrum_text(spectrum));
+  } else if (!is_picture(output)) {
+    print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
+  }
+}
+
+}  // namespace
+
+void add_spectrum_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->options.time_step_name = "--time-step";
+  arguments->options.column_name = "--column";
+  CLI::App* command = app.add_subcommand("spectrum", "The response spectrum of a record");
+  command->add_option("FILE", arguments->file, "the record (docs/record-files.md)")->required();
+  command->add_option("--unit", arguments->unit, "of the accelerations, where the file does not say it")
+      ->check(CLI::IsMember(acceleration_units()));
+  command->add_option("--format", arguments->options.format, "of the file; default auto")
+      ->check(CLI::IsMember({"auto", "peer-at2", "two-column", "one-column"}));
+  command->add_option("--time-step", arguments->options.time_step, "[s], where the file does not say it")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--column", arguments->options.column, "of the accelerations, where there are more than two")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--damping", arguments->damping, "ratio, default 0.05");
+  command->add_option("--periods", arguments->periods,
+                      "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41");
+  command->add_option("--length", arguments->length, "unit of length of the results, default m")
+      ->check(CLI::IsMember(length_units()));
+  command->add_option("-o,--output", arguments->output, "write a CSV file, or draw a picture: .svg, .pdf or .png");
+  command->add_flag("--json", arguments->json, "JSON instead of a table");
+  command->footer(
+      "Displacement is relative to the ground, acceleration with it; every peak is that of the continuous response.\n"
+      "Example: bentur spectrum record.AT2 --damping 0.02 --periods 0.1:10:50 -o spectrum.csv");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bentur/io/sweep/sweep.h"
+#include "commands.h"
+#include "session.h"
+#include "table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct Arguments {
+  StudyKind kind = StudyKind::sweep;
+  std::string study, output;
+  bool resume = false;
+  bool check = false;
+  bool quiet = false;
+  int threads = 0;
+};
+
+const char* name(StudyKind kind) { return kind == StudyKind::ida ? "ida" : "sweep"; }
+
+std::atomic<bool> stop_asked = false;  // by Ctrl-C, or whoever ends the job
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void ask_stop(int) { stop_asked = true; }
+
+void listen_for_stop() {
+  struct sigaction action {};
+  action.sa_handler = ask_stop;
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);  // a second one ends the program as ever
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02d} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02d} min", whole / 3600, whole / 60 % 60);
+}
+
+/// One line of a terminal, written over and over.
+class Line {
+ public:
+  void show(const SweepProgress& p) {
+    const double rate = static_cast<double>(p.done - p.before) / std::max(p.seconds, 1e-9);
+    std::string text = fmt::format("{} of {} runs, {} runs/s", p.done, p.runs, number(rate));
+    if (rate > 0) text += fmt::format(", {} left", duration_text(static_cast<double>(p.runs - p.done) / rate));
+    fmt::print(stderr, "\r\033[K{}", text);
+    std::fflush(stderr);
+    visible_ = true;
+  }
+  void clear() {
+    if (visible_) std::fputs("\r\033[K", stderr);
+    visible_ = false;
+  }
+
+ private:
+  bool visible_ = false;
+};
+
+void outline(const Arguments& arguments) {
+  Diagnostics diagnostics;
+  const auto found = outline_sweep(arguments.study, arguments.kind, diagnostics);
+  if (!found) throw Failure(diagnostics);
+  std::string text;
+  for (const SweepOutline::Axis& axis : found->axes) {
+    const std::string what = axis.levels == 0 ? "drawn from a distribution" : fmt::format("{} values", axis.levels);
+    text += fmt::format("  {}: {}\n", axis.name, what);
+  }
+  print(fmt::format("{}: {} runs{}\n{}{} numbers are kept of each run\n", arguments.study, found->runs,
+                    found->is_grid ? "" : " sampled", text, found->values));
+}
+
+void report_end(const Arguments& arguments, const SweepReport& report) {
+  if (!report.finished) {
+    throw Failure(exit_other, fmt::format("Stopped: {} of {} runs are done and kept in {}.part; the same command with "
+                                          "--resume goes on",
+                                          report.done, report.runs, arguments.output));
+  }
+  if (report.failed > 0) message("warning: " + report.first_failure);
+  if (arguments.quiet) return;
+  const double rate = static_cast<double>(report.solved) / std::max(report.seconds, 1e-9);
+  print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,
+                    report.impacts, report.failed, number(rate), report.solved, report.seconds, arguments.output));
+}
+
+void run(const Arguments& arguments) {
+  if (arguments.check) return outline(arguments);
+  if (arguments.output.empty())
+    throw Failure(exit_bad_input, fmt::format("bentur {}: --output is required", name(arguments.kind)));
+  Ranks ranks;
+  try {
+    const bool leads = ranks.rank() == 0;
+    SweepOptions options;
+    options.kind = arguments.kind;
+    options.output = arguments.output;
+    options.resume = arguments.resume;
+    options.threads = arguments.threads;
+    options.version = BENTUR_VERSION;
+    options.stop = [] { return stop_asked.load(std::memory_order_relaxed); };
+    Line line;
+    if (leads && !arguments.quiet && ::isatty(STDERR_FILENO) == 1) {
+      options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
+    }
+    if (leads && arguments.resume && !std::filesystem::exists(arguments.output + ".part")) {
+      message(arguments.output + ".part: not there, nothing to go on with: beginning anew");
+    }
+    listen_for_stop();
+    Diagnostics diagnostics;
+    const auto report = sweep(arguments.study, options, ranks, diagnostics);
+    line.clear();
+    if (!leads) {
+      if (!report) throw Failure(exit_bad_input, "");  // rank 0 says why
+      return;
+    }
+    if (!report) throw Failure(diagnostics);
+    report_end(arguments, *report);
+  } catch (const Failure& failure) {
+    throw;
+  } catch (const std::exception& error) {
+    message(std::string("bentur: ") + error.what());
+    ranks.end_job(exit_other);  // the others would wait for ever
+    throw Failure(exit_other, "");
+  }
+}
+
+void add_options(CLI::App& command, const std::shared_ptr<Arguments>& arguments) {
+  command.add_option("STUDY", arguments->study, "the study file (TOML): a case and what varies in it")->required();
+  command.add_option("-o,--output", arguments->output, "file for the results (NetCDF-4)")->type_name("FILE");
+  command.add_flag("--resume", arguments->resume, "go on with unfinished work");
+  command.add_flag("--check", arguments->check, "read and validate only, and say how many runs there are");
+  command.add_option("--threads", arguments->threads, "threads of each process; default: all, under mpirun one")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("-q,--quiet", arguments->quiet, "no progress, no last line");
+  command.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("sweep", "Run a case many times with varied values");
+  add_options(*command, std::make_shared<Arguments>());
+  command->footer(
+      "Example: bentur sweep study.toml -o results.nc\n"
+      "On a cluster: mpirun -n 64 bentur sweep study.toml -o results.nc --resume");
+}
+
+void add_ida_command(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->kind = StudyKind::ida;
+  CLI::App* command = app.add_subcommand("ida", "Incremental dynamic analysis: a sweep with every record scaled");
+  add_options(*command, arguments);
+  command->footer(
+      "The study has [ida] with intensity = \"pga\" or \"sa\" and levels; bentur fragility takes the results.\n"
+      "Example: bentur ida study.toml -o ida.nc\n"
+      "On a cluster: mpirun -n 64 bentur ida study.toml -o ida.nc --resume");
+}
+
+}  // namespace bentur::cli

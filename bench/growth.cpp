@@ -1,0 +1,133 @@
+// bentur_growth FOLDER CASES: how the time of `exact` grows with duration, storeys, impacts and buildings, beside a
+// count of its arithmetic, and the rate at which this machine does arithmetic. Writes growth.csv and rates.csv into
+// FOLDER; CASES is the folder of cases. What the counts mean: bench/README.md.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/arithmetic.h"
+#include "bench/timing.h"
+#include "bentur/io/case_toml.h"
+
+namespace {
+
+using namespace bentur;
+using namespace bentur::bench;
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File open_for_writing(const std::filesystem::path& path) {
+  File file(std::fopen(path.c_str(), "w"), std::fclose);
+  if (!file) throw std::runtime_error("cannot write " + path.string());
+  return file;
+}
+
+Case read(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  auto c = read_case(file, diagnostics);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  return *c;
+}
+
+class Table {
+ public:
+  explicit Table(const std::filesystem::path& path) : file_(open_for_writing(path)) {
+    fmt::print(file_.get(), "growth,value,minimum,median,impacts,free_steps,contact_steps,free_flops,contact_flops\n");
+  }
+
+  void add(const std::string& growth, double value, const Case& c) {
+    const Problem problem = make_problem(c);
+    Response response;
+    const Timing timing = time_of([&] { response = solve(problem); }, 0.1);
+    if (response.status != Status::done) throw std::runtime_error(response.message);
+    const Arithmetic count = arithmetic_of(problem, response);
+    fmt::print(file_.get(), "{},{},{:.6e},{:.6e},{},{},{},{:.6e},{:.6e}\n", growth, value, timing.minimum,
+               timing.median, response.impacts.size(), count.free_steps, count.contact_steps, count.free_flops,
+               count.contact_flops);
+  }
+
+ private:
+  File file_;
+};
+
+/// Both buildings of a pair with so many storeys, of the sections and the mass of their lowest ones; the gap grows with
+/// them.
+Case with_storeys(Case c, std::size_t storeys) {
+  GapSpec& gap = c.gaps.front();
+  for (BuildingSpec& building : c.buildings) {
+    auto& frame = std::get<PlaneFrame>(building.structure);
+    frame.storey_heights.resize(storeys, frame.storey_heights.back());
+    frame.columns.assign(storeys, frame.columns.front());
+    frame.beams.assign(storeys, frame.beams.front());
+    frame.floor_masses.assign(storeys, frame.floor_masses.front());
+  }
+  gap.elevations.clear();
+  double elevation = 0;
+  for (const double height : std::get<PlaneFrame>(c.buildings.front().structure).storey_heights) {
+    gap.elevations.push_back(elevation += height);
+  }
+  gap.widths.assign(storeys, 0.02);
+  return c;
+}
+
+/// The first buildings of a row.
+Case with_buildings(Case c, std::size_t count) {
+  c.buildings.resize(count);
+  c.gaps.resize(count - 1);
+  c.excitation.delays.resize(count);
+  return c;
+}
+
+void growth(const std::filesystem::path& folder, const std::filesystem::path& cases) {
+  Table table(folder / "growth.csv");
+  const Case pair = read(cases / "m12-gap-02.toml");
+  for (const double duration : {5.0, 10.0, 20.0, 30.0}) {
+    Case c = pair;
+    c.analysis.duration = duration;
+    table.add("duration", duration, c);
+  }
+  for (const double width : {0.8, 0.6, 0.4, 0.2, 0.1, 0.05, 0.0}) {
+    Case c = pair;
+    for (double& w : c.gaps.front().widths) w = width;
+    table.add("gap", width, c);
+  }
+  const Case frames = read(cases / "storeys-12-8.toml");
+  for (const std::size_t storeys : {5U, 10U, 20U, 40U}) {
+    table.add("storeys", static_cast<double>(storeys), with_storeys(frames, storeys));
+  }
+  const Case row = read(cases / "row-of-five.toml");
+  for (const std::size_t count : {2U, 3U, 4U, 5U}) {
+    table.add("buildings", static_cast<double>(count), with_buildings(row, count));
+  }
+  for (const std::string name :
+       {"m12-gap-00", "m12-gap-02", "m12-gap-04", "storeys-12-8", "storeys-40-30", "row-of-five"}) {
+    table.add(name, 0, read(cases / (name + ".toml")));
+  }
+}
+
+void rates(const std::filesystem::path& folder) {
+  const File file = open_for_writing(folder / "rates.csv");
+  fmt::print(file.get(), "instructions,flops_per_second\n");
+  for (const auto& [name, rate] : arithmetic_rates()) fmt::print(file.get(), "{},{:.4e}\n", name, rate);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 3) throw std::runtime_error("usage: bentur_growth FOLDER CASES");
+  std::filesystem::create_directories(argv[1]);
+  rates(argv[1]);
+  growth(argv[1], argv[2]);
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "bentur_growth: {}\n", error.what());
+  return 1;
+}

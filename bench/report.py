@@ -1,0 +1,294 @@
+"""report.py FOLDER ROOT [--docs]: tables and figure of one run of `./dev bench`, from the files it left in FOLDER.
+
+Prints results.md, writes it and the figure's data and script (gnuplot) into FOLDER; with --docs also puts both into
+ROOT/docs. Times are processor times of one core; those at an accuracy are interpolated on logarithms between the two
+settings on either side of it, the last time a solver's error comes below. See bench/README.md.
+"""
+
+import csv
+import datetime
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+OURS = ["exact", "exact after free response", "exact of frames"]
+GENERIC = ["cvode", "arkode order 5", "arkode order 8", "odeint dopri5"]
+OPENSEES = ["opensees frames", "opensees matrices"]
+ACCURACIES = [1e-3, 1e-6, 1e-9]
+COLOURS = {"adaptive": "#0072B2", "runge-kutta": "#56B4E9", "cvode": "#D55E00", "arkode order 5": "#E69F00",
+           "arkode order 8": "#CC79A7", "odeint dopri5": "#009E73", "odeint all peaks": "#7CB342", "opensees frames": "#000000",
+           "opensees matrices": "#888888"}
+
+
+def read(path):
+    if not path.exists():
+        return []
+    with path.open() as file:
+        return list(csv.DictReader(file))
+
+
+def seconds(value):
+    for unit, factor in (("s", 1), ("ms", 1e-3), ("µs", 1e-6)):
+        if value >= factor or unit == "µs":
+            return f"{value / factor:.3g} {unit}"
+    return ""
+
+
+def factor(value):
+    return f"{value:,.0f}" if value >= 100 else f"{value:.2g}"
+
+
+def table(header, rows):
+    """Markdown, its columns aligned, so that it reads in a terminal as well."""
+    widths = [max(len(str(row[i])) for row in [header, *rows]) for i in range(len(header))]
+
+    def line(row):
+        cells = [str(cell).ljust(width) if i == 0 else str(cell).rjust(width)
+                 for i, (cell, width) in enumerate(zip(row, widths))]
+        return "| " + " | ".join(cells) + " |"
+
+    rule = ["-" * width if i == 0 else "-" * (width - 1) + ":" for i, width in enumerate(widths)]
+    return "\n".join([line(header), line(rule), *(line(row) for row in rows)]) + "\n"
+
+
+class Runs:
+    """The rows of one solver on one case, coarse to fine."""
+
+    def __init__(self, rows):
+        self.times = [float(row["minimum"]) for row in rows]
+        self.errors = [max(float(row["error"]), 1e-16) for row in rows]
+        self.settings = [row["setting"] for row in rows]
+
+    def time_at(self, accuracy):
+        """From which time on the error stays below; nothing where that was not seen."""
+        above = [i for i, error in enumerate(self.errors) if error > accuracy]
+        if not above:
+            return self.times[0]
+        i = above[-1]
+        if i + 1 == len(self.errors):
+            return None
+        part = math.log(self.errors[i] / accuracy) / math.log(self.errors[i] / self.errors[i + 1])
+        return math.exp((1 - part) * math.log(self.times[i]) + part * math.log(self.times[i + 1]))
+
+
+def collect(rows):
+    cases = {}
+    for row in rows:
+        cases.setdefault(row["case"], {}).setdefault(row["solver"], []).append(row)
+    return cases
+
+
+def time_of(case, solver):
+    return float(case[solver][0]["minimum"])
+
+
+def accuracy_rows(name, case):
+    rows = []
+    for solver, runs in case.items():
+        if solver in OURS:
+            rows.append([f"{name}: {solver}", seconds(float(runs[0]["minimum"])), seconds(float(runs[0]["median"])), "",
+                         "", "", runs[0]["impacts"]])
+            continue
+        found = Runs(runs)
+        times = [found.time_at(accuracy) for accuracy in ACCURACIES]
+        best = min(range(len(runs)), key=lambda i: found.errors[i])
+        exact = time_of(case, "exact of frames" if solver == "opensees frames" else "exact")
+        rows.append([solver, *(seconds(t) if t else "–" for t in times),
+                     factor((times[1] or times[0]) / exact) if times[1] or times[0] else "–",
+                     f"{found.errors[best]:.0e} at {found.settings[best]}, {seconds(found.times[best])}",
+                     runs[best]["impacts"] or "–"])
+    return rows
+
+
+def accuracies(cases):
+    text = ("Times to come to a peak force with a relative error of 1e-3, 1e-6, 1e-9; of `exact`, which has no setting, "
+            "minimum and median of one solution. “×”: how many times as long as `exact`, at 1e-6, for OpenSees at "
+            "1e-3.\n\n")
+    for name, case in cases.items():
+        rows = accuracy_rows(name, case)
+        ours = [row[:3] + [row[6]] for row in rows if row[3] == "" and row[4] == ""]
+        others = [row for row in rows if not (row[3] == "" and row[4] == "")]
+        text += f"**{name}**\n\n"
+        text += table(["", "minimum", "median", "impacts"], [[row[0].split(": ")[1], *row[1:]] for row in ours]) + "\n"
+        text += table(["", *(f"at {accuracy:.0e}" for accuracy in ACCURACIES), "×", "least error", "impacts"],
+                      others) + "\n"
+    return text
+
+
+def ratio_rows(cases):
+    rows = []
+    for name, case in cases.items():
+        exact = time_of(case, "exact")
+        row = [name, seconds(exact)]
+        for solver, own in zip(OPENSEES, ("exact of frames", "exact")):
+            if solver not in case:
+                row.append("not run")
+                continue
+            runs = Runs(case[solver])
+            time = runs.time_at(1e-3)
+            best = f"{runs.errors[-1]:.1e} after {seconds(runs.times[-1])}"
+            row.append(f"{factor(time / time_of(case, own))} ({seconds(time)})" if time else
+                       f"> {factor(runs.times[-1] / time_of(case, own))} ({best})")
+        generic = {solver: Runs(case[solver]).time_at(1e-6) for solver in GENERIC if solver in case}
+        generic = {solver: time for solver, time in generic.items() if time}
+        if generic:
+            best = min(generic, key=generic.get)
+            row.append(f"{factor(generic[best] / exact)} ({best}, {seconds(generic[best])})")
+        else:
+            row.append("none came so far")
+        same = Runs(case["odeint all peaks"]).time_at(1e-6)
+        row.append(f"{factor(same / exact)} ({seconds(same)})" if same else "–")
+        rows.append(row)
+    return rows
+
+
+def ratios(cases):
+    return ("How many times as long as `exact` others take; frames against the time of `exact` for the same frames.\n\n" +
+            table(["case", "exact", "OpenSees, frames, 0.1 %", "OpenSees, fastest, 0.1 %", "best integrator, 1e-6",
+                   "Odeint, all peaks, 1e-6"],
+                  ratio_rows(cases)) + "\n")
+
+
+def reference_check(cases, reference):
+    lines = []
+    for name, case in cases.items():
+        path = reference / f"{name}.expected.json"
+        if path.exists():
+            points = [p for gap in json.loads(path.read_text())["gaps"] for p in gap["points"]]
+            peak = max(point["peak_force"] for point in points)
+            error = abs(float(case["exact"][0]["peak_force"]) / peak - 1)
+            lines.append(f"`exact` and the reference result of {name} differ by {error:.0e} in peak force.")
+    return "\n".join(lines) + "\n\n" if lines else ""
+
+
+def cost_model(growth, rates):
+    if not growth:
+        return ""
+    baseline, *wide = [(row["instructions"], float(row["flops_per_second"])) for row in rates]
+    fastest = (wide or [baseline])[-1]
+    text = ("Arithmetic of one core, measured: " +
+            ", ".join(f"{name} {rate / 1e9:.1f} Gflop/s" for name, rate in [baseline, *wide]) +
+            f". The floor is the count at the rate of {fastest[0]}; exponents are between neighbouring rows, of the time "
+            "and of the count.\n\n")
+    header = ["growth", "impacts", "series steps", "time", "Mflop", f"floor", "time/floor", f"time/floor {baseline[0]}",
+              "exponent", "of count"]
+    rows, last = [], None
+    for row in growth:
+        time, count = float(row["minimum"]), float(row["free_flops"]) + float(row["contact_flops"])
+        value = float(row["value"])
+        exponents = ["", ""]
+        if last and last[0] == row["growth"] and value > 0 and last[1] > 0 and row["growth"] != "gap":
+            span = math.log(value / last[1])
+            exponents = [f"{math.log(time / last[2]) / span:.2f}", f"{math.log(count / last[3]) / span:.2f}"]
+        last = (row["growth"], value, time, count)
+        label = f"{row['growth']} {row['value']}" if value > 0 or row["growth"] == "gap" else row["growth"]
+        rows.append([label, row["impacts"], row["contact_steps"], seconds(time), f"{count / 1e6:.3g}",
+                     seconds(count / fastest[1]), f"{time * fastest[1] / count:.3g}",
+                     f"{time * baseline[1] / count:.3g}", *exponents])
+    return text + table(header, rows) + "\n"
+
+
+def parts(path):
+    if not path.exists():
+        return ""
+    rows = []
+    for of in json.loads(path.read_text())["benchmarks"]:
+        scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}[of["time_unit"]]
+        per_step = of.get("per_step")
+        rows.append([of["name"].removeprefix("part/"), seconds_small(of["cpu_time"] * scale),
+                     seconds_small(per_step) if per_step else ""])
+    return table(["part", "time", "a step"], rows) + "\n"
+
+
+def seconds_small(value):
+    return f"{value * 1e9:.0f} ns" if value < 1e-6 else seconds(value)
+
+
+def machine(folder):
+    model = "unknown processor"
+    cpuinfo = pathlib.Path("/proc/cpuinfo")
+    if cpuinfo.exists():
+        found = re.search(r"model name\s*:\s*(.*)", cpuinfo.read_text())
+        model = found[1] if found else model
+    compiler = (folder / "compiler.txt").read_text().strip() if (folder / "compiler.txt").exists() else "unknown"
+    return (f"{datetime.date.today().isoformat()}, {model}, {len(os.sched_getaffinity(0))} cores, {compiler}. "
+            "Load of the machine when the run ended: " + f"{os.getloadavg()[0]:.1f}.\n\n")
+
+
+def figure(folder, cases):
+    """Work-precision: error of the peak force against time. Data and script stand beside the figure."""
+    folder = folder / "figure"
+    folder.mkdir(exist_ok=True)
+    names = list(cases)
+    columns = 3 if len(names) > 2 else len(names)
+    script = ["set terminal svg size 1200,%d font 'sans,12' background '#ffffff'" % (380 * math.ceil(len(names) / columns)),
+              "set output 'work-precision.svg'", "set encoding utf8",
+              f"set multiplot layout {math.ceil(len(names) / columns)},{columns}",
+              "set logscale xy", "set format x '10^{%T}'", "set format y '10^{%T}'", "set grid lc '#dddddd'",
+              "set xlabel 'time [s]'", "set ylabel 'relative error of peak force'", "set yrange [1e-13:1]", "set xrange [1e-6:100]",
+              "set key samplen 1 spacing 0.9 font ',9' opaque"]
+    for number, name in enumerate(names):
+        case = cases[name]
+        plots = []
+        for index, (solver, colour) in enumerate(COLOURS.items()):
+            if solver not in case:
+                continue
+            data = f"{name}-{solver.replace(' ', '-')}.txt"
+            runs = Runs(case[solver])
+            lines = [f"{t:.6e} {max(e, 1e-13):.6e}" for t, e in zip(runs.times, runs.errors) if e < 1]
+            (folder / data).write_text(f"# {name}, {solver}: time [s], relative error of the peak force\n" +
+                                       "\n".join(lines) + "\n")
+            plots.append(f"'{data}' with linespoints lc rgb '{colour}' pt {index + 4} ps 0.5 title '{solver}'")
+        exact = time_of(case, "exact")
+        (folder / f"{name}-exact.txt").write_text(f"{exact:.6e} 1e-13\n{exact:.6e} 1\n")
+        plots.append(f"'{name}-exact.txt' with lines lw 2 lc rgb '#c00000' title 'exact'")
+        script += [f"set title '{name}'", "set key " + ("on bottom left Left reverse" if number + 1 == len(names) else "off"),
+                   "plot " + ", \\\n  ".join(plots)]
+    script.append("unset multiplot")
+    (folder / "work-precision.gp").write_text("\n".join(script) + "\n")
+    gnuplot = shutil.which("gnuplot")
+    if not gnuplot:
+        print("bench: gnuplot is not installed (Debian: gnuplot-nox), so no figure; data and script are in " + str(folder),
+              file=sys.stderr)
+        return None
+    subprocess.run([gnuplot, "work-precision.gp"], cwd=folder, check=True)
+    return folder / "work-precision.svg"
+
+
+def main():
+    folder, root = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    rows = read(folder / "runs.csv")
+    cases = collect(rows)
+    text = machine(folder) + ratios(cases)
+    if not any(solver in case for case in cases.values() for solver in OPENSEES):
+        text += "OpenSees was not run: `./dev bench --peers` installs it.\n\n"
+    if not any("cvode" in case for case in cases.values()):
+        text += "SUNDIALS was not installed (Debian: libsundials-dev).\n\n"
+    text += reference_check(cases, root / "../shared/reference")
+    sweep = folder / "sweep.txt"
+    if sweep.exists():
+        text += "Gap sweep on two threads: " + sweep.read_text().split(": ")[0].strip() + ".\n\n"
+    text += "### Accuracy and time\n\n" + accuracies(cases)
+    text += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
+    text += "### Parts\n\n" + parts(folder / "parts.json")
+    (folder / "results.md").write_text(text)
+    print(text)
+    svg = figure(folder, cases)
+    if svg:
+        print(f"bench: {svg}", file=sys.stderr)
+    if "--docs" in sys.argv:
+        page = root / "docs/performance.md"
+        old = page.read_text()
+        begin, end = "<!-- bench -->\n", "<!-- /bench -->"
+        page.write_text(old[:old.index(begin) + len(begin)] + "\n" + text + old[old.index(end):])
+        if svg:
+            (root / "docs/figures").mkdir(exist_ok=True)
+            shutil.copyfile(svg, root / "docs/figures/work-precision.svg")
+
+
+main()

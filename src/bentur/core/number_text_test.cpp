@@ -1,0 +1,35 @@
+#include "bentur/core/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace bentur {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+TEST(NumberText, FourSignificantDigitsWithoutTrailingZeros) {
+  EXPECT_EQ(number(0), "0");
+  EXPECT_EQ(number(0.2), "0.2");
+  EXPECT_EQ(number(2.54872), "2.549");
+  EXPECT_EQ(number(-0.0123456), "-0.01235");
+  EXPECT_EQ(number(3817.6), "3818");
+  EXPECT_EQ(number(206181.818), "206182");
+}
+
+TEST(NumberText, ExponentOnlyForTheVeryLargeAndTheVerySmall) {
+  EXPECT_EQ(number(1e-5), "1.000e-05");
+  EXPECT_EQ(number(2.5e7), "2.500e+07");
+  EXPECT_EQ(number(9999999), "9999999");
+}
+
+TEST(NumberText, AColumnHasEquallyManyDecimals) {
+  EXPECT_EQ(column({0.72618, 0.5, 12.25}), (Cells{"0.73", "0.50", "12.25"}));
+  EXPECT_EQ(column({100, 200, 300}), (Cells{"100", "200", "300"}));
+  EXPECT_EQ(column({0.2, 0, 0.25}), (Cells{"0.20", "0", "0.25"}));
+  EXPECT_EQ(column({1, std::numeric_limits<double>::quiet_NaN()}), (Cells{"1", "–"}));
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,234 @@
+#include "bentur/io/fragility/ida_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "bentur/io/toml_view.h"
+
+namespace bentur {
+namespace {
+
+/// peak_drift_ratio of peak_drift_ratio_2.
+std::string without_number(const std::string& name) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
+}
+
+class Reader {
+ public:
+  Reader(const NetcdfReader& file, const EventRule& event) : file_(file), event_(event) {
+    const NetcdfVariable* intensity = file_.find("intensity");
+    const NetcdfVariable* records = file_.find("record_intensity");
+    const NetcdfVariable* status = file_.find("status");
+    if (intensity == nullptr || records == nullptr || status == nullptr) {
+      refuse(status != nullptr && file_.find("message") != nullptr
+                 ? "holds the results of a sweep: a fragility needs those of bentur ida"
+                 : "does not hold the results of bentur ida");
+    }
+    runs_ = status->dimensions;
+    sizes_ = status->shape;
+    roles_.resize(runs_.size());
+    results_.title = file_.attribute("title");
+    results_.intensity = intensity->long_name;
+    results_.units = intensity->units;
+    results_.study_unit = file_.attribute("intensity", "study_unit");
+    results_.table.levels = file_.numbers("intensity");
+    results_.table.cases = results_.table.records = 1;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const std::size_t size = sizes_[i];
+      if (intensity->dimensions == std::vector<std::string>{runs_[i]}) {
+        roles_[i] = Role::level;
+      } else if (std::count(records->dimensions.begin(), records->dimensions.end(), runs_[i]) > 0) {
+        roles_[i] = Role::record;
+        results_.table.records *= size;
+      } else {
+        roles_[i] = Role::other;
+        results_.table.cases *= size;
+        results_.axes.push_back(axis(i));
+      }
+    }
+    if (std::count(roles_.begin(), roles_.end(), Role::level) != 1) {
+      refuse("does not hold the results of bentur ida: its runs have no levels of intensity");
+    }
+    read_outcomes();
+  }
+
+  IdaResults take() { return std::move(results_); }
+
+ private:
+  enum class Role { level, record, other };
+
+  [[noreturn]] void refuse(const std::string& why) const { throw NetcdfError(file_.name(), why); }
+
+  [[nodiscard]] ResultAxis axis(std::size_t i) const {
+    ResultAxis result{runs_[i], sizes_[i], {}};
+    for (const NetcdfVariable& variable : file_.variables()) {
+      if (variable.dimensions != std::vector<std::string>{runs_[i]}) continue;
+      ResultCoordinate coordinate{variable.name, variable.units, file_.attribute(variable.name, "parameter"), {}, {}};
+      if (variable.text) {
+        coordinate.texts = file_.texts(variable.name);
+      } else {
+        coordinate.numbers = file_.numbers(variable.name);
+      }
+      result.coordinates.push_back(std::move(coordinate));
+    }
+    return result;
+  }
+
+  /// Variables with a value for each run at least.
+  [[nodiscard]] std::vector<const NetcdfVariable*> quantities() const {
+    std::vector<const NetcdfVariable*> result;
+    for (const NetcdfVariable& variable : file_.variables()) {
+      if (!variable.text && variable.dimensions.size() >= runs_.size() && variable.name != "scale_factor" &&
+          variable.name != "record_intensity" && variable.name != "intensity" && variable.name != "status" &&
+          std::equal(runs_.begin(), runs_.end(), variable.dimensions.begin())) {
+        result.push_back(&variable);
+      }
+    }
+    return result;
+  }
+
+  /// Those that the event is about.
+  [[nodiscard]] std::vector<const NetcdfVariable*> event_variables() const {
+    const std::string wanted = event_.quantity == "drift" ? "peak_drift_ratio" : event_.quantity;
+    std::vector<const NetcdfVariable*> result;
+    std::vector<std::string> known = {"drift"};
+    for (const NetcdfVariable* variable : quantities()) {
+      const std::string base = without_number(variable->name);
+      if (variable->name == wanted || base == wanted) result.push_back(variable);
+      for (const std::string& name : {base, variable->name}) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+      }
+    }
+    if (!result.empty()) return result;
+    const std::string near = nearest(event_.quantity, known);
+    std::string which = near.empty() ? "there are" : fmt::format("did you mean \"{}\"?", near);
+    if (near.empty()) {
+      std::set<std::string> names;
+      for (const NetcdfVariable* variable : quantities()) names.insert(without_number(variable->name));
+      for (const std::string& name : names) which += (name == *names.begin() ? " " : ", ") + name;
+    }
+    refuse(fmt::format("has no quantity {} for the event, {}", in_quotes(event_.quantity), which));
+  }
+
+  void read_outcomes() {
+    const std::vector<const NetcdfVariable*> variables = event_variables();
+    results_.quantity_units = variables.front()->units;
+    OutcomeTable& table = results_.table;
+    table.outcomes.resize(table.cases * table.records * table.levels.size());
+    for (std::size_t i = 0; i < sizes_.front(); ++i) {
+      const std::vector<double> ends = file_.numbers("status", i);
+      std::vector<bool> events(ends.size(), false);
+      for (const NetcdfVariable* variable : variables) {
+        const std::vector<double> values = file_.numbers(variable->name, i);
+        const std::size_t each = values.size() / ends.size();
+        for (std::size_t k = 0; k < values.size(); ++k) {
+          if (event_.holds(values[k])) events[k / each] = true;
+        }
+      }
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        table.outcomes[place(i * ends.size() + k)] = ends[k] != 0 ? Outcome::failed
+                                                     : events[k]  ? Outcome::event
+                                                                  : Outcome::no_event;
+      }
+    }
+  }
+
+  /// Where in the table run number `run` belongs.
+  [[nodiscard]] std::size_t place(std::size_t run) const {
+    std::size_t c = 0, record = 0, level = 0, cases = 1, records = 1;
+    for (std::size_t i = runs_.size(); i-- > 0;) {
+      const std::size_t size = sizes_[i];
+      const std::size_t at = run % size;
+      run /= size;
+      if (roles_[i] == Role::level) {
+        level = at;
+      } else if (roles_[i] == Role::record) {
+        record += at * records;
+        records *= size;
+      } else {
+        c += at * cases;
+        cases *= size;
+      }
+    }
+    return (c * results_.table.records + record) * results_.table.levels.size() + level;
+  }
+
+  const NetcdfReader& file_;
+  const EventRule& event_;
+  std::vector<std::string> runs_;  // dimensions
+  std::vector<std::size_t> sizes_;
+  std::vector<Role> roles_;
+  IdaResults results_;
+};
+
+std::string trimmed(std::string text) {
+  const char* const blank = " \t";
+  text.erase(0, text.find_first_not_of(blank));
+  text.erase(text.find_last_not_of(blank) + 1);
+  return text;
+}
+
+}  // namespace
+
+bool EventRule::holds(double value) const {
+  switch (comparison) {
+    case Comparison::more:
+      return value > threshold;
+    case Comparison::at_least:
+      return value >= threshold;
+    case Comparison::less:
+      return value < threshold;
+    case Comparison::at_most:
+      return value <= threshold;
+  }
+  return false;
+}
+
+std::optional<EventRule> parse_event(const std::string& text, std::string& error) {
+  const std::size_t sign = text.find_first_of("<>");
+  EventRule rule;
+  error = "must be a quantity, one of > >= < <=, and a number, as in \"peak_force > 20\"";
+  if (sign == std::string::npos) return std::nullopt;
+  const bool equal = sign + 1 < text.size() && text[sign + 1] == '=';
+  rule.quantity = trimmed(text.substr(0, sign));
+  const std::string number = trimmed(text.substr(sign + (equal ? 2 : 1)));
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), rule.threshold);
+  if (rule.quantity.empty() || failure != std::errc() || end != number.data() + number.size() ||
+      !std::isfinite(rule.threshold)) {
+    return std::nullopt;
+  }
+  rule.comparison = text[sign] == '>' ? (equal ? EventRule::Comparison::at_least : EventRule::Comparison::more)
+                                      : (equal ? EventRule::Comparison::at_most : EventRule::Comparison::less);
+  error.clear();
+  return rule;
+}
+
+bool ResultCoordinate::is_gap_width() const {
+  return !numbers.empty() && parameter.starts_with("gap[") && parameter.find("].width") != std::string::npos;
+}
+
+std::vector<std::size_t> IdaResults::places(std::size_t c) const {
+  std::vector<std::size_t> result(axes.size());
+  for (std::size_t i = axes.size(); i-- > 0; c /= axes[i].size) result[i] = c % axes[i].size;
+  return result;
+}
+
+IdaResults read_ida_results(const NetcdfReader& file, const EventRule& event) { return Reader(file, event).take(); }
+
+std::optional<IdaResults> read_ida_results(const std::filesystem::path& file, const EventRule& event,
+                                           Diagnostics& diagnostics) {
+  try {
+    return read_ida_results(NetcdfReader(file), event);
+  } catch (const NetcdfError& error) {
+    diagnostics.error({file.string(), 0, 0}, error.reason);
+    return std::nullopt;
+  }
+}
+
+}  // namespace bentur

@@ -1,0 +1,212 @@
+#include "bentur/io/gap/gap_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "bentur/io/study/study_check.h"
+#include "bentur/io/study/vary_toml.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+namespace {
+
+constexpr double far_apart = 1e6;  // heights of the tallest building: no contact, so that only the free response counts
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// The largest of the points of gap `gap`.
+GapNeed need_of(const Problem& problem, const std::vector<PointSeparation>& separations, std::size_t gap) {
+  GapNeed need;
+  for (const PointSeparation& one : separations) {
+    if (problem.points[static_cast<std::size_t>(one.point)].left != static_cast<int>(gap)) continue;
+    need.simulated = std::max(need.simulated, one.simulated);
+    need.abs = std::max(need.abs, one.abs);
+    need.srss = std::max(need.srss, one.srss);
+    need.ddc = std::max(need.ddc, one.ddc);
+    need.codes.resize(one.codes.size(), 0.0);
+    for (std::size_t i = 0; i < one.codes.size(); ++i) need.codes[i] = std::max(need.codes[i], one.codes[i].gap);
+  }
+  return need;
+}
+
+/// One number per record of gap `gap`, by `value`.
+template <typename Value>
+std::vector<double> over_records(const RecordNeeds& needs, std::size_t gap, Value value) {
+  std::vector<double> result;
+  for (const RecordNeed& record : needs.records) result.push_back(value(record.gaps[gap]));
+  return result;
+}
+
+/// Of the numbers of all records, each by itself: `sum_up` makes one of many.
+template <typename SumUp>
+GapNeed summary_of(const RecordNeeds& needs, std::size_t gap, SumUp sum_up) {
+  const auto of = [&](auto value) { return sum_up(over_records(needs, gap, value)); };
+  GapNeed result{of([](const GapNeed& n) { return n.simulated; }),
+                 of([](const GapNeed& n) { return n.abs; }),
+                 of([](const GapNeed& n) { return n.srss; }),
+                 of([](const GapNeed& n) { return n.ddc; }),
+                 {}};
+  for (std::size_t i = 0; i < needs.records.front().gaps[gap].codes.size(); ++i) {
+    result.codes.push_back(of([i](const GapNeed& n) { return n.codes[i]; }));
+  }
+  return result;
+}
+
+class Work {
+ public:
+  Work(const Study& study, const StudyFacts& facts, CaseMemo& memo, GapStudy& result)
+      : study_(study), facts_(facts), memo_(memo), result_(result) {}
+
+  void run(const std::function<void(double)>& progress) {
+    const std::vector<SweepAxis> axes = plan_axes(study_);
+    const std::vector<std::size_t> records = record_axes(study_).axes;
+    std::vector<std::size_t> others;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const bool is_record = std::count(records.begin(), records.end(), axis) > 0;
+      const bool is_level = study_.ida && axis == study_.ida->axis;
+      if (!is_record && !is_level && !axes[axis].inner) others.push_back(axis);
+    }
+    const std::size_t blocks = combinations(axes, others), each = combinations(axes, records);
+    for (std::size_t block = 0; block < blocks; ++block) {
+      std::vector<Choice> choices(axes.size());
+      choose(axes, others, block, choices);
+      RecordNeeds needs;
+      for (const Vary& vary : study_.varies) {
+        if (std::count(others.begin(), others.end(), vary.axis) > 0) {
+          needs.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
+        }
+      }
+      for (std::size_t record = 0; record < each; ++record) {
+        choose(axes, records, record, choices);
+        needs.records.push_back(need(choices, records));
+        progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
+      }
+      for (std::size_t gap = 0; gap + 1 < facts_.problem.buildings.size(); ++gap) {
+        needs.largest.push_back(
+            summary_of(needs, gap, [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); }));
+        needs.median.push_back(summary_of(needs, gap, median_of));
+      }
+      result_.needs.push_back(std::move(needs));
+    }
+  }
+
+ private:
+  static std::size_t combinations(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which) {
+    std::size_t count = 1;
+    for (const std::size_t axis : which) count *= axes[axis].levels;
+    return count;
+  }
+
+  static void choose(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which, std::size_t number,
+                     std::vector<Choice>& choices) {
+    for (std::size_t i = which.size(); i-- > 0; number /= axes[which[i]].levels) {
+      choices[which[i]].level = number % axes[which[i]].levels;
+    }
+  }
+
+  /// A label without quotes, or the number.
+  static std::string value_text(const Vary& vary, const Choice& choice) {
+    return vary.labels.empty() ? fmt::format("{}", *chosen_number(vary, choice)) : vary.labels[choice.level];
+  }
+
+  [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const std::vector<std::size_t>& records,
+                                        const ReadCase& read) const {
+    std::string name;
+    for (const Vary& vary : study_.varies) {
+      if (std::count(records.begin(), records.end(), vary.axis) == 0 || vary.labels.empty()) continue;
+      name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
+    }
+    if (!name.empty()) return name;
+    return read.c.excitation.record ? std::filesystem::path(read.c.excitation.record->file).filename().string()
+                                    : "ground motion";
+  }
+
+  [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const std::vector<std::size_t>& records) {
+    TomlValue root = study_.case_root;
+    put_choices(study_, choices, root);
+    if (study_.ida) {
+      const RecordIntensities& intensities = facts_.intensities;
+      const double factor = *result_.at / intensities.values[intensities.place(choices)];
+      put_value(root, {"excitation", "scale"}, toml_number(factor), 0, 0);
+    }
+    Diagnostics found;
+    const std::string name = study_.case_file.string();
+    const ReadCase read =
+        read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+    const std::string record = record_name(choices, records, read);
+    if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
+    std::vector<Building> buildings;
+    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
+    Problem problem = make_problem(read.c, std::move(buildings));
+    for (ContactPoint& point : problem.points) point.width = 0;
+    const FreeResponse free(problem, read.c.analysis.solver);
+    double height = 0;
+    for (const ReadBuilding& building : read.buildings) height = std::max(height, height_of(building));
+    for (ContactPoint& point : problem.points) point.width = far_apart * height;
+    const Response response = free.solve(problem);
+    if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
+    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
+    for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+      result.gaps.push_back(need_of(problem, result.separations, gap));
+    }
+    if (result_.title.empty() && result_.needs.empty()) {
+      result_.title = read.c.title;
+      result_.code = read.c.code;
+    }
+    return result;
+  }
+
+  const Study& study_;
+  const StudyFacts& facts_;
+  CaseMemo& memo_;
+  GapStudy& result_;
+};
+
+}  // namespace
+
+bool is_study(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  Diagnostics ignored;
+  const auto root = stream ? parse_toml(text.str(), file.string(), ignored) : std::nullopt;
+  return root && std::any_of(root->members.begin(), root->members.end(),
+                             [](const TomlMember& member) { return member.key == "case"; });
+}
+
+std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
+                                  const std::function<void(double)>& progress, Diagnostics& diagnostics) {
+  const auto study = read_study(file, diagnostics);
+  if (!study) return std::nullopt;
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.error({file.string(), 0, 0}, why);
+    return std::nullopt;
+  };
+  if (study->sampling.method != Sampling::Method::grid) {
+    return refuse("[sampling] draws single runs: bentur gap needs a study whose runs are a grid");
+  }
+  if (at && !study->ida) return refuse("--at needs [ida], which says how intensity is measured");
+  CaseMemo memo;
+  const auto facts = check_study(*study, memo, diagnostics);
+  if (!facts) return std::nullopt;
+  GapStudy result;
+  result.units = facts->units;
+  result.problem = facts->problem;
+  if (study->ida) {
+    result.at = at.value_or(study->ida->levels.back());
+    result.intensity = intensity_name(*study->ida);
+    result.intensity_unit = study->ida->unit.empty() ? facts->units.length + "/s2" : study->ida->unit;
+  }
+  Work(*study, *facts, memo, result).run(progress);
+  return result;
+}
+
+}  // namespace bentur

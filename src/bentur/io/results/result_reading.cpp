@@ -1,0 +1,270 @@
+#include "bentur/io/results/result_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bentur/io/results/netcdf_reader.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+  throw std::runtime_error(file.string() + ": " + what);
+}
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(file, "cannot be read");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+Eigen::VectorXd vector(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+ExcitationSpec excitation(const Json& json) {
+  ExcitationSpec spec;
+  if (json.at("kind") == "record") {
+    spec.record = RecordEcho{.file = json.at("file"),
+                             .format = json.at("format"),
+                             .unit = json.at("unit"),
+                             .time_step = json.at("time_step"),
+                             .count = json.at("count"),
+                             .duration = json.at("duration"),
+                             .pga_read = json.at("pga_read"),
+                             .pga = json.at("pga")};
+  } else if (json.at("kind") == "harmonic") {
+    const bool sine = json.at("phase") == "sine";
+    spec.motion = HarmonicMotion{.period = json.at("period"),
+                                 .displacement_amplitude = json.at("displacement_amplitude"),
+                                 .phase = sine ? HarmonicMotion::Phase::sine : HarmonicMotion::Phase::cosine};
+  }
+  spec.delays = json.at("delays").get<std::vector<double>>();
+  spec.kinematics = json.at("kinematics") == "absolute" ? Kinematics::absolute : Kinematics::relative;
+  return spec;
+}
+
+Solver solver(const Json& json) {
+  if (json.at("name") == "adaptive") return AdaptiveSolver{.tolerance = json.at("tolerance")};
+  if (json.at("name") == "runge-kutta") return RungeKuttaSolver{.step = json.at("step")};
+  return ExactSolver{};
+}
+
+BuildingPeaks peaks(const Json& json) {
+  return {.displacement = vector(json.at("peak_displacement")),
+          .displacement_no_contact = vector(json.at("peak_displacement_no_contact")),
+          .drift_ratio = vector(json.at("peak_drift_ratio")),
+          .acceleration = vector(json.at("peak_acceleration")),
+          .storey_shear = vector(json.at("peak_storey_shear"))};
+}
+
+/// Names, elevations and periods are in the summary, bases and shapes in the histories.
+Building building(const Json& json, std::size_t number, const NetcdfReader& histories) {
+  Building building;
+  building.name = json.at("name");
+  StructuralModel& model = building.model;
+  model.elevations = json.at("elevations").get<std::vector<double>>();
+  double below = histories.numbers(fmt::format("base_elevation_{}", number)).at(0);
+  for (const double elevation : model.elevations) {
+    model.storey_heights.push_back(elevation - below);
+    below = elevation;
+  }
+  building.modes.omega = 2 * std::numbers::pi * vector(json.at("periods")).cwiseInverse();
+  const std::vector<double> shapes = histories.numbers(fmt::format("shape_{}", number));
+  if (shapes.size() != model.elevations.size() * static_cast<std::size_t>(building.modes.omega.size())) {
+    fail(histories.name(), "is not of the same run as summary.json");
+  }
+  building.modes.shapes = Eigen::Map<const Eigen::MatrixXd>(shapes.data(), model.floors(), building.modes.omega.size());
+  return building;
+}
+
+int floor_at(const Building& building, double elevation) {
+  const std::vector<double>& floors = building.model.elevations;
+  const auto near = std::min_element(floors.begin(), floors.end(), [&](double a, double b) {
+    return std::abs(a - elevation) < std::abs(b - elevation);
+  });
+  return static_cast<int>(near - floors.begin());
+}
+
+PointSummary point_summary(const Json& json) {
+  PointSummary point;
+  point.minimum_gap_no_contact = json.at("minimum_gap_no_contact");
+  point.impacts = json.at("impacts");
+  point.contact_duration = json.at("contact_duration");
+  point.peak_force = json.at("peak_force");
+  if (!json.at("peak_force_time").is_null()) point.peak_force_time = json.at("peak_force_time").get<double>();
+  point.peak_tension = json.at("peak_tension");
+  point.peak_penetration = json.at("peak_penetration");
+  point.peak_closing_speed = json.at("peak_closing_speed");
+  point.impulse = json.at("impulse");
+  point.energy_lost = json.at("energy_lost");
+  return point;
+}
+
+void read_gap(const Json& json, std::size_t gap, RunResults& results) {
+  GapSpec spec;
+  for (const Json& entry : json.at("points")) {
+    const Building& left = results.problem.buildings.at(gap);
+    const Building& right = results.problem.buildings.at(gap + 1);
+    ContactPoint point;
+    point.left = static_cast<int>(gap);
+    point.elevation = entry.at("elevation");
+    point.width = entry.at("width");
+    point.left_floor = floor_at(left, point.elevation);
+    point.right_floor = floor_at(right, point.elevation);
+    results.problem.points.push_back(point);
+    results.response.points.push_back(point_summary(entry));
+    spec.elevations.push_back(point.elevation);
+    spec.widths.push_back(point.width);
+    for (const auto& [key, value] : entry.at("contact").items()) {
+      if (value.is_number()) {
+        spec.contact.numbers[key].push_back(value);
+      } else if (key == "law") {
+        spec.contact.law = value;
+      } else {
+        spec.contact.words[key] = value;
+      }
+    }
+  }
+  results.c.gaps.push_back(spec);
+}
+
+void read_summary(const Json& json, const NetcdfReader& histories, RunResults& results) {
+  results.c.title = json.at("title");
+  results.c.units.length = json.at("units").at("length");
+  results.c.units.force = json.at("units").at("force");
+  results.c.units.gravity = standard_gravity(results.c.units.length);
+  results.c.excitation = excitation(json.at("excitation"));
+  const Json& solved = json.at("solver");
+  results.c.analysis.solver = solver(solved);
+  results.response.steps = solved.at("steps");
+  results.response.events = solved.at("events");
+  if (!solved.at("energy_residual").is_null()) {
+    EnergyAudit audit;
+    audit.peak_input = solved.at("peak_input_energy");
+    audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
+    results.response.energy = audit;
+  }
+  for (const Json& entry : json.at("buildings")) {
+    results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
+    results.response.buildings.push_back(peaks(entry));
+  }
+  for (const Json& entry : json.at("gaps")) read_gap(entry, results.c.gaps.size(), results);
+}
+
+/// Cells of one line of RFC 4180 text, from `at` on; `at` goes behind it.
+std::vector<std::string> csv_line(const std::string& text, std::size_t& at) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quoted && c == '"' && at + 1 < text.size() && text[at + 1] == '"') {
+      cells.back() += text[++at];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else if (c == '\n' && !quoted) {
+      ++at;
+      return cells;
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+std::vector<Impact> read_impacts(const fs::path& file, const Problem& problem) {
+  const std::string text = contents(file);
+  std::vector<Impact> impacts;
+  std::size_t at = 0;
+  const std::size_t columns = csv_line(text, at).size();
+  while (at < text.size()) {
+    const std::vector<std::string> cells = csv_line(text, at);
+    if (columns != 15 || cells.size() != columns) fail(file, "is not a list of impacts");
+    const auto value = [&](std::size_t column) {
+      double number = 0;
+      const std::string& cell = cells[column];
+      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+      if (error != std::errc() || end != cell.data() + cell.size()) fail(file, "\"" + cell + "\" is not a number");
+      return number;
+    };
+    const auto point = std::find_if(problem.points.begin(), problem.points.end(), [&](const ContactPoint& p) {
+      const auto left = static_cast<std::size_t>(p.left);
+      return problem.buildings[left].name == cells[0] && problem.buildings[left + 1].name == cells[1] &&
+             p.elevation == value(2);
+    });
+    if (point == problem.points.end()) fail(file, "is not of the same run as summary.json");
+    impacts.push_back({.point = static_cast<int>(point - problem.points.begin()),
+                       .start = value(3),
+                       .end = value(4),
+                       .open_ended = cells[5] == "1",
+                       .closing_speed = value(6),
+                       .separation_speed = value(7),
+                       .peak_force = value(9),
+                       .peak_force_time = value(10),
+                       .peak_penetration = value(11),
+                       .impulse = value(12),
+                       .peak_tension = value(14),
+                       .energy_lost = value(13)});
+  }
+  return impacts;
+}
+
+/// A table of histories, which the file holds with time as the slower dimension.
+Eigen::MatrixXd table(const NetcdfReader& histories, const std::string& variable, std::size_t rows,
+                      std::size_t samples) {
+  const std::vector<double> values = histories.numbers(variable);
+  if (values.size() != rows * samples) fail(histories.name(), "is not of the same run as summary.json");
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(rows),
+                                           static_cast<Eigen::Index>(samples));
+}
+
+}  // namespace
+
+RunResults read_results(const fs::path& folder) {
+  RunResults results;
+  const fs::path summary = folder / "summary.json";
+  const std::string text = contents(summary);
+  const NetcdfReader histories(folder / "histories.nc");
+  try {
+    read_summary(Json::parse(text), histories, results);
+  } catch (const Json::exception& error) {
+    fail(summary, std::string("is not a summary of bentur run: ") + error.what());
+  }
+  results.response.impacts = read_impacts(folder / "impacts.csv", results.problem);
+  Histories& kept = results.response.histories;
+  kept.time = histories.numbers("time");
+  if (kept.time.empty()) fail(histories.name(), "holds no histories");
+  for (std::size_t b = 0; b < results.problem.buildings.size(); ++b) {
+    kept.displacement.push_back(table(histories, fmt::format("displacement_{}", b + 1),
+                                      results.problem.buildings[b].model.elevations.size(), kept.time.size()));
+  }
+  kept.opening = table(histories, "opening", results.problem.points.size(), kept.time.size());
+  kept.force = table(histories, "force", results.problem.points.size(), kept.time.size());
+  double end = kept.time.back();  // less than a step before the end of the analysis
+  for (const Impact& impact : results.response.impacts) end = std::max(end, impact.end);
+  results.problem.duration = results.c.analysis.duration = end;
+  long counted = 0;
+  for (const PointSummary& point : results.response.points) counted += point.impacts;
+  if (counted != static_cast<long>(results.response.impacts.size())) {
+    fail(folder / "impacts.csv", "is not of the same run as summary.json");
+  }
+  return results;
+}
+
+}  // namespace bentur

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bentur {
+
+/// A figure as plain data: what is drawn, not how. Texts are shown as they are, whatever characters they have.
+enum class Line { none, solid, dashed, dotted, dash_dot };
+enum class Mark { none, disc, circle, square, triangle, diamond, cross };
+/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale is for areas.
+enum class Tone { black, blue, orange, grey, pale };
+
+struct Curve {
+  std::string label;  ///< in the legend; empty: not there
+  std::vector<double> x, y;
+  std::vector<double> top;  ///< where given, the area between y and top is filled in place of a line
+  Tone tone = Tone::black;
+  Line line = Line::solid;
+  Mark mark = Mark::none;
+  double width = 1;  ///< of the line [-], 1 for 0.75 pt
+};
+
+/// Instants marked along the upper edge of a panel.
+struct Events {
+  std::string label;
+  std::vector<double> x;
+};
+
+/// A straight line across a panel: x = at where vertical, else y = at.
+struct Rule {
+  double at = 0;
+  bool vertical = false;
+  std::string label = {};  ///< in the legend; empty: not there
+  Tone tone = Tone::grey;
+  Line line = Line::solid;
+};
+
+/// Cells of one colour each: cell (i, j) lies between x_edges[i] and x_edges[i + 1], y_edges[j] and y_edges[j + 1].
+struct HeatMap {
+  std::vector<double> x_edges, y_edges;  ///< ascending
+  std::vector<double> values;            ///< i fastest; NaN: nothing there
+  std::string label;                     ///< of the scale, with its unit
+};
+
+struct Axis {
+  std::string label = {};                    ///< with symbol and unit; empty: that of a neighbouring panel serves
+  std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
+  bool logarithmic = false;
+  std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
+};
+
+struct Panel {
+  std::string title;
+  Axis x, y;
+  double height = 4.2;  ///< of the frame [cm]
+  std::vector<Curve> curves;
+  std::vector<Rule> rules = {};
+  Events events = {};
+  std::optional<HeatMap> map = {};
+};
+
+struct Figure {
+  std::string title;  ///< says what is shown; for the comment of the script and the report, not drawn
+  std::vector<Panel> panels;
+  int columns = 1;             ///< panels side by side
+  double width = 8.8;          ///< of the whole [cm]; a journal's column
+  bool shared_legend = false;  ///< the first panel's legend stands above all panels and the others have none
+};
+
+/// The figure in gnuplot's terms. The script reads NAME.dat and writes NAME.svg, or NAME.pdf, NAME.png where the
+/// variable `format` says so; both files stand side by side. The same figure gives the same texts.
+/// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
+struct FigureText {
+  std::string data, script;
+};
+[[nodiscard]] FigureText figure_text(const Figure& figure, const std::string& name);
+
+}  // namespace bentur

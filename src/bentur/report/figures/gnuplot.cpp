@@ -1,0 +1,126 @@
+#include "bentur/report/figures/gnuplot.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/results/temporary_folder.h"
+
+namespace bentur {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, int code) {
+  throw std::runtime_error("gnuplot: " + what + ": " + std::generic_category().message(code));
+}
+
+/// What a program has printed, and its exit status.
+struct Outcome {
+  int status = 0;
+  std::string output;
+};
+
+/// What a child does with its files before it becomes gnuplot.
+class FileActions {
+ public:
+  FileActions() { check(posix_spawn_file_actions_init(&actions_)); }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  static void check(int error) {
+    if (error != 0) fail("cannot be started", error);
+  }
+  posix_spawn_file_actions_t* get() { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// Runs gnuplot in a folder, standard input empty, standard output and error kept; nothing where there is no such
+/// program.
+std::optional<Outcome> run_gnuplot(std::vector<std::string> arguments, const std::string& folder) {
+  arguments.insert(arguments.begin(), "gnuplot");
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail("cannot be started", errno);
+  pid_t child = 0;
+  int error = 0;
+  {
+    FileActions actions;
+    FileActions::check(posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0));
+    FileActions::check(posix_spawn_file_actions_adddup2(actions.get(), pipe[1], STDOUT_FILENO));
+    FileActions::check(posix_spawn_file_actions_adddup2(actions.get(), pipe[1], STDERR_FILENO));
+    FileActions::check(posix_spawn_file_actions_addchdir_np(actions.get(), folder.c_str()));
+    error = posix_spawnp(&child, "gnuplot", actions.get(), nullptr, argv.data(), environ);
+  }
+  ::close(pipe[1]);
+  Outcome outcome;
+  std::array<char, 4096> buffer{};
+  for (ssize_t got = 0; error == 0 && (got = ::read(pipe[0], buffer.data(), buffer.size())) != 0;) {
+    if (got > 0) {
+      outcome.output.append(buffer.data(), static_cast<std::size_t>(got));
+    } else if (errno != EINTR) {
+      break;
+    }
+  }
+  ::close(pipe[0]);
+  if (error == ENOENT) return std::nullopt;
+  if (error != 0) fail("cannot be started", error);
+  while (::waitpid(child, &outcome.status, 0) < 0) {
+    if (errno != EINTR) fail("is lost", errno);
+  }
+  return outcome;
+}
+
+std::string trimmed(std::string text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  text.erase(end == std::string::npos ? 0 : end + 1);
+  return text;
+}
+
+}  // namespace
+
+NoGnuplot::NoGnuplot()
+    : std::runtime_error(
+          "gnuplot is not installed, so that figures cannot be drawn (Debian: apt install gnuplot-nox)") {}
+
+std::optional<std::string> gnuplot_version() {
+  const std::optional<Outcome> outcome = run_gnuplot({"--version"}, "/");
+  if (!outcome || outcome->status != 0) return std::nullopt;
+  return trimmed(outcome->output);
+}
+
+const std::vector<std::string>& picture_formats() {
+  static const std::vector<std::string> formats = {"svg", "pdf", "png"};
+  return formats;
+}
+
+std::string draw(const FigureText& text, const std::string& name, const std::string& format) {
+  const TemporaryFolder folder;
+  AtomicFiles files(folder.path());
+  files.add(name + ".dat", text.data);
+  files.add(name + ".gp", text.script);
+  files.commit();
+  const auto outcome =
+      run_gnuplot({"--default-settings", "-e", "format='" + format + "'", "./" + name + ".gp"}, folder.path().string());
+  if (!outcome) throw NoGnuplot();
+  std::ifstream file(folder.path() / (name + "." + format), std::ios::binary);
+  const bool ended = WIFEXITED(outcome->status) && WEXITSTATUS(outcome->status) == 0;
+  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  if (!ended || bytes.empty()) {
+    throw std::runtime_error("gnuplot cannot draw " + name + ": " +
+                             (outcome->output.empty() ? "no reason given" : trimmed(outcome->output)));
+  }
+  return bytes;
+}
+
+}  // namespace bentur

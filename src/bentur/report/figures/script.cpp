@@ -1,0 +1,341 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "bentur/core/errors.h"
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/layout.h"
+#include "bentur/report/figures/text.h"
+#include "bentur/report/figures/thin.h"
+
+namespace bentur {
+namespace {
+
+constexpr double columns_per_cm = 90;    // points of a curve closer than that cannot be told apart
+constexpr std::size_t most_cells = 120;  // of a heat map along an axis; more are merged, keeping the largest
+
+const char* colour(Tone tone) {
+  switch (tone) {
+    case Tone::black:
+      return "#000000";
+    case Tone::blue:
+      return "#1f5fa8";
+    case Tone::orange:
+      return "#e08214";
+    case Tone::grey:
+      return "#8c8c8c";
+    case Tone::pale:
+      return "#d9d9d9";
+  }
+  return "#000000";
+}
+
+const char* dashes(Line line) {
+  switch (line) {
+    case Line::dashed:
+      return "(9,4)";
+    case Line::dotted:
+      return "(2,3)";
+    case Line::dash_dot:
+      return "(9,3,2,3)";
+    default:
+      return "solid";
+  }
+}
+
+int point_type(Mark mark) {
+  switch (mark) {
+    case Mark::disc:
+      return 7;
+    case Mark::circle:
+      return 6;
+    case Mark::square:
+      return 4;
+    case Mark::triangle:
+      return 8;
+    case Mark::diamond:
+      return 12;
+    case Mark::cross:
+      return 2;
+    case Mark::none:
+      break;
+  }
+  return 7;
+}
+
+constexpr const char* event_style = "pt 11 ps 0.35 lc rgb '#606060'";
+
+/// Widths differ by a little between dashes: gnuplot's SVG takes a new dash for a line of equal colour and width only
+/// where something else has changed.
+std::string line_style(Tone tone, Line line, double width) {
+  width += 0.01 * static_cast<double>(line);
+  return fmt::format("lc rgb '{}' dt {} lw {:.3g}", colour(tone), dashes(line), width);
+}
+
+std::string mark_style(Tone tone, Mark mark) {
+  return fmt::format("pt {} ps {} lc rgb '{}'", point_type(mark), mark == Mark::disc ? 0.4 : 0.5, colour(tone));
+}
+
+std::string value_text(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw InvalidParameter("figure", what, "must have something to draw, sizes that agree");
+}
+
+/// Data and script grow together.
+class Writer {
+ public:
+  Writer(const Figure& figure, const std::string& name) : figure_(figure), name_(name), layout_(layout(figure)) {}
+
+  FigureText write() {
+    check();
+    head();
+    for (const PlacedPanel& placed : layout_.panels) panel(placed);
+    script_ += "unset multiplot\nunset output\n";
+    return {std::move(data_), std::move(script_)};
+  }
+
+ private:
+  void check() const {
+    if (figure_.panels.empty()) refuse("no panels");
+    for (const Panel& panel : figure_.panels) {
+      bool anything = panel.map.has_value();
+      for (const Curve& curve : panel.curves) {
+        if (curve.x.size() != curve.y.size() || (!curve.top.empty() && curve.top.size() != curve.x.size())) {
+          refuse("a curve's x and y are not as many");
+        }
+        for (const double y : curve.y) anything = anything || std::isfinite(y);
+      }
+      if (!anything) refuse("an empty panel");
+      if (panel.map) {
+        const HeatMap& map = *panel.map;
+        if (map.x_edges.size() < 2 || map.y_edges.size() < 2 ||
+            map.values.size() != (map.x_edges.size() - 1) * (map.y_edges.size() - 1)) {
+          refuse("a map's values and edges do not go together");
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::string x(double cm) const { return fmt::format("{:.5f}", cm / layout_.width); }
+  [[nodiscard]] std::string y(double cm) const { return fmt::format("{:.5f}", cm / layout_.height); }
+  [[nodiscard]] std::string screen(double x_cm, double y_cm) const {
+    return fmt::format("screen {}, screen {}", x(x_cm), y(y_cm));
+  }
+
+  void head() {
+    const double pixels = 96 / 2.54;  // of SVG: an inch is 96
+    const double dense = 300 / 2.54;  // of PNG
+    data_ += "# " + plain_text(figure_.title) + "\n";
+    script_ += fmt::format(
+        "# Draws the figure whose data stand beside this script (gnuplot 5.4 or newer, in this folder):\n"
+        "#   gnuplot THIS                      as SVG\n"
+        "#   gnuplot -e \"format='pdf'\" THIS    as PDF; 'png' as PNG\n"
+        "reset\n"
+        "set encoding utf8\n"
+        "name = {}\n"
+        "data = './'.name.'.dat'\n"
+        "if (!exists('format')) format = 'svg'\n"
+        "if (format eq 'svg') set terminal svg size {:.0f},{:.0f} noenhanced font 'Helvetica,Arial,sans-serif,10.67' "
+        "linewidth 1 background rgb 'white'\n"
+        "if (format eq 'pdf') set terminal pdfcairo size {:.4g}cm,{:.4g}cm noenhanced font 'Helvetica,8' fontscale "
+        "0.75 "
+        "linewidth 1.5 pointscale 1\n"
+        "if (format eq 'png') set terminal pngcairo size {:.0f},{:.0f} noenhanced font 'Helvetica,8' fontscale 3.125 "
+        "linewidth 3.1 pointscale 3.1\n"
+        "set output './'.name.'.'.format\n"
+        "set multiplot\n"
+        "unset key\n"
+        "set border 31 lw 0.7\n"
+        "set tics in scale 0.5,0.3 front\n"
+        "set xtics offset 0,0.3\nset ytics offset 0.4,0\n",
+        quoted(name_), layout_.width * pixels, layout_.height * pixels, layout_.width, layout_.height,
+        layout_.width * dense, layout_.height * dense);
+  }
+
+  void axis(const char* name, const Ticks& ticks) {
+    script_ += fmt::format("{} logscale {}\n", ticks.logarithmic ? "set" : "unset", name);
+    script_ += fmt::format("set {}range [{}:{}]\nset {}tics (", name, ticks.from, ticks.to, name);
+    std::string list;
+    for (const auto& [at, text] : ticks.labels) {
+      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", quoted(text), at);
+    }
+    for (const double at : ticks.minor) list += fmt::format("{}'' {} 1", list.empty() ? "" : ", ", at);
+    script_ += list + ")\n";
+  }
+
+  void label(const std::string& text, double x_cm, double y_cm, const char* how) {
+    if (!text.empty()) script_ += fmt::format("set label {} at {} {}\n", quoted(text), screen(x_cm, y_cm), how);
+  }
+
+  void legend(const PlacedPanel& placed) {
+    for (const LegendEntry& entry : placed.legend) {
+      const double end = entry.x + sample_width;
+      if (entry.area) {
+        script_ += fmt::format("set object rectangle from {} to {} fc rgb '{}' fs solid noborder front\n",
+                               screen(entry.x, entry.y - 0.1), screen(end, entry.y + 0.1), colour(entry.tone));
+      } else if (entry.line != Line::none) {
+        script_ += fmt::format("set arrow from {} to {} nohead {}\n", screen(entry.x, entry.y), screen(end, entry.y),
+                               line_style(entry.tone, entry.line, entry.width));
+      }
+      if (entry.mark != Mark::none || entry.event) {
+        script_ += fmt::format("set label '' at {} point {}\n", screen((entry.x + end) / 2, entry.y),
+                               entry.event ? event_style : mark_style(entry.tone, entry.mark));
+      }
+      label(entry.label, end + 0.1, entry.y, "left");
+    }
+  }
+
+  std::size_t block(const std::string& what, const std::vector<const std::vector<double>*>& columns) {
+    data_ += fmt::format("{}# {}\n", blocks_ > 0 ? "\n\n" : "", plain_text(what));
+    for (std::size_t i = 0; i < columns.front()->size(); ++i) {
+      for (std::size_t c = 0; c < columns.size(); ++c) data_ += (c > 0 ? " " : "") + value_text((*columns[c])[i]);
+      data_ += '\n';
+    }
+    return blocks_++;
+  }
+
+  /// What the numbers along an axis mean, where names would have been too many.
+  void names(const Axis& axis) {
+    for (std::size_t i = 0; i < axis.names.size(); ++i) {
+      data_ += fmt::format("# {} {}: {}\n", plain_text(axis.label), i + 1, plain_text(axis.names[i]));
+    }
+  }
+
+  void panel(const PlacedPanel& placed) {
+    const Panel& panel = *placed.panel;
+    if (blocks_ > 0 && !(panel.x.names.empty() && panel.y.names.empty())) data_ += "\n";
+    names(panel.x);
+    names(panel.y);
+    script_ += "\nunset label\nunset arrow\nunset object\n";
+    script_ += fmt::format(
+        "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
+        x(placed.left), x(placed.right), y(placed.bottom), y(placed.top));
+    axis("x", placed.x);
+    axis("y", placed.y);
+    const double middle = (placed.left + placed.right) / 2;
+    label(cut(panel.title, static_cast<std::size_t>((placed.right - placed.left + 0.2) / character_width)), middle,
+          placed.title_y, "center");
+    label(scaled(panel.x.label, placed.x), middle, placed.bottom - 0.75, "center");
+    label(scaled(panel.y.label, placed.y), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2, "center rotate");
+    legend(placed);
+    std::string plots;
+    const auto add = [&](const std::string& plot) { plots += (plots.empty() ? "plot " : ", \\\n     ") + plot; };
+    if (panel.map) map(placed, add);
+    for (const Rule& rule : panel.rules) {
+      const double low = rule.vertical ? placed.x.from : placed.y.from;
+      const double high = rule.vertical ? placed.x.to : placed.y.to;
+      if (rule.at < low || rule.at > high) continue;
+      const std::string from =
+          rule.vertical ? fmt::format("first {}, graph 0", rule.at) : fmt::format("graph 0, first {}", rule.at);
+      const std::string to =
+          rule.vertical ? fmt::format("first {}, graph 1", rule.at) : fmt::format("graph 1, first {}", rule.at);
+      script_ +=
+          fmt::format("set arrow from {} to {} nohead back {}\n", from, to, line_style(rule.tone, rule.line, 0.7));
+    }
+    for (const Curve& curve : panel.curves) this->curve(placed, curve, add);
+    events(placed, add);
+    script_ += plots + "\n";
+  }
+
+  template <typename Add>
+  void curve(const PlacedPanel& placed, const Curve& curve, const Add& add) {
+    const Panel& panel = *placed.panel;
+    const std::string what =
+        fmt::format("{}; columns: {}, {}", curve.label.empty() ? "curve" : curve.label, panel.x.label, panel.y.label);
+    if (!curve.top.empty()) {
+      add(fmt::format("data index {} using 1:2:3 with filledcurves fc rgb '{}' fs solid noborder",
+                      block(what + ", upper edge", {&curve.x, &curve.y, &curve.top}), colour(curve.tone)));
+      return;
+    }
+    const Points points = thinned(curve.x, curve.y, static_cast<int>((placed.right - placed.left) * columns_per_cm));
+    const std::size_t index = block(what, {&points.x, &points.y});
+    if (curve.line != Line::none) {
+      add(fmt::format("data index {} using 1:2 with lines {}", index, line_style(curve.tone, curve.line, curve.width)));
+    }
+    if (curve.mark != Mark::none) {
+      add(fmt::format("data index {} using 1:2 with points {}", index, mark_style(curve.tone, curve.mark)));
+    }
+  }
+
+  template <typename Add>
+  void events(const PlacedPanel& placed, const Add& add) {
+    Events kept = placed.panel->events;
+    std::erase_if(kept.x, [&](double at) { return at < placed.x.from || at > placed.x.to; });
+    if (kept.x.empty()) return;
+    const double height = placed.y.to - 0.03 * (placed.y.to - placed.y.from);
+    add(fmt::format("data index {} using 1:({}) with points {}", block(kept.label, {&kept.x}), height, event_style));
+  }
+
+  template <typename Add>
+  void map(const PlacedPanel& placed, const Add& add) {
+    HeatMap map = *placed.panel->map;
+    coarsen(map);
+    const std::size_t nx = map.x_edges.size() - 1;
+    std::vector<double> columns[7];
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+      if (!std::isfinite(map.values[i])) continue;
+      low = std::min(low, map.values[i]);
+      high = std::max(high, map.values[i]);
+      const double cell[] = {map.x_edges[i % nx], map.x_edges[i % nx + 1], map.y_edges[i / nx],
+                             map.y_edges[i / nx + 1]};
+      const double row[] = {
+          (cell[0] + cell[1]) / 2, (cell[2] + cell[3]) / 2, cell[0], cell[1], cell[2], cell[3], map.values[i]};
+      for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);
+    }
+    if (!(high >= low)) refuse("an empty map");
+    const Ticks scale = make_ticks({.low = low, .high = high, .most = 6});
+    script_ +=
+        "set style line 100 lc rgb '#000000' lw 0.7\nset palette defined (0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 "
+        "'#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 "
+        "'#081d58')\n";
+    axis("cb", scale);
+    script_ += fmt::format("set colorbox user vertical origin {} size screen {}, screen {} border 100\n",
+                           screen(placed.right + 0.2, placed.bottom), x(0.25), y(placed.top - placed.bottom));
+    label(scaled(map.label, scale), layout_.width - 0.22, (placed.bottom + placed.top) / 2, "center rotate");
+    const std::size_t index =
+        block(map.label + " in cells; columns: x, y, and lower and upper end of both, value",
+              {&columns[0], &columns[1], &columns[2], &columns[3], &columns[4], &columns[5], &columns[6]});
+    add(fmt::format("data index {} using 1:2:3:4:5:6:7 with boxxyerror fc palette fs solid noborder", index));
+  }
+
+  /// Merges neighbouring cells until there are few enough for a file of reasonable size.
+  static void coarsen(HeatMap& map) {
+    const auto merged = [](const std::vector<double>& edges, std::size_t by) {
+      std::vector<double> kept;
+      for (std::size_t i = 0; i < edges.size(); i += by) kept.push_back(edges[i]);
+      if ((edges.size() - 1) % by != 0) kept.push_back(edges.back());
+      return kept;
+    };
+    const std::size_t nx = map.x_edges.size() - 1;
+    const std::size_t ny = map.y_edges.size() - 1;
+    const std::size_t by_x = (nx + most_cells - 1) / most_cells;
+    const std::size_t by_y = (ny + most_cells - 1) / most_cells;
+    if (by_x == 1 && by_y == 1) return;
+    HeatMap coarse{merged(map.x_edges, by_x), merged(map.y_edges, by_y), {}, map.label};
+    const std::size_t columns = coarse.x_edges.size() - 1;
+    coarse.values.assign(columns * (coarse.y_edges.size() - 1), NAN);
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+      double& cell = coarse.values[i / nx / by_y * columns + i % nx / by_x];
+      if (!(cell >= map.values[i])) cell = std::isnan(map.values[i]) ? cell : map.values[i];
+    }
+    map = std::move(coarse);
+  }
+
+  const Figure& figure_;
+  const std::string& name_;
+  Layout layout_;
+  std::string data_, script_;
+  std::size_t blocks_ = 0;
+};
+
+}  // namespace
+
+FigureText figure_text(const Figure& figure, const std::string& name) { return Writer(figure, name).write(); }
+
+}  // namespace bentur

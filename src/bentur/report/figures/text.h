@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bentur {
+
+/// A text made safe to be shown: one line, no control characters, and nothing that XML forbids in a text.
+[[nodiscard]] std::string plain_text(std::string_view text);
+
+/// The same as a gnuplot string. Between single quotes gnuplot substitutes nothing: no commands, macros or escapes. A
+/// single quote is set between two such strings, as its number: doubled, gnuplot takes it for an end where a text
+/// begins with it.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// At most `most` characters (of UTF-8), the last one an ellipsis where something had to go.
+[[nodiscard]] std::string cut(const std::string& text, std::size_t most);
+
+/// Characters of a UTF-8 text.
+[[nodiscard]] std::size_t length_of(std::string_view text);
+
+/// A unit of a NetCDF file as one reads it: "cm s-2" is "cm/s²", "kgf s" is "kgf·s", "1000 kgf" is "tf", "gravity" is
+/// "g", "1" is "–".
+[[nodiscard]] std::string unit_text(const std::string& udunits);
+
+/// "Force F [kgf]".
+[[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
+
+/// Four digits at most: "0.2", "1.234e+07".
+[[nodiscard]] std::string number_text(double value);
+
+}  // namespace bentur

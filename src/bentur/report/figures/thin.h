@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+namespace bentur {
+
+struct Points {
+  std::vector<double> x, y;
+};
+
+/// What of a curve can be seen at a resolution of `columns`: of the points in each column of equal width the first, the
+/// lowest, the highest and the last, in their order. No extremum is lost or moved. Curves of up to 4 · columns points,
+/// and those whose x does not ascend, come back as they are; NaN stays, once per column.
+[[nodiscard]] Points thinned(const std::vector<double>& x, const std::vector<double>& y, int columns);
+
+}  // namespace bentur

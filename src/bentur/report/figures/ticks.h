@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bentur {
+
+/// Where an axis begins and ends, and its numbers.
+struct Ticks {
+  double from = 0, to = 1;
+  bool logarithmic = false;
+  bool numbered = false;  ///< the numbers stand for names
+  int exponent = 0;       ///< the numbers are those of value / 10^exponent
+  std::vector<std::pair<double, std::string>> labels;
+  std::vector<double> minor;  ///< without a number
+
+  /// Characters of the longest label.
+  [[nodiscard]] std::size_t longest() const;
+};
+
+/// An axis for data from `low` to `high`, at most about `most` numbers apart by 1, 2 or 5 times a power of ten. Ends
+/// that are not given leave the data some air, but zero is an end where data end there; a logarithmic axis ends on a
+/// number.
+struct TickRequest {
+  double low = 0, high = 1;
+  std::optional<double> from = {}, to = {};
+  bool logarithmic = false;
+  int most = 6;
+};
+[[nodiscard]] Ticks make_ticks(const TickRequest& request);
+/// The label of an axis with these numbers: "Force F [10⁶ N]".
+[[nodiscard]] std::string scaled(const std::string& label, const Ticks& ticks);
+/// Places 0, 1, 2, … with names, or, where `numbered`, with every so many of the numbers from 1 on.
+[[nodiscard]] Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most);
+
+}  // namespace bentur

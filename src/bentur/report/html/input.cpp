@@ -1,0 +1,352 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <type_traits>
+#include <variant>
+
+#include "bentur/core/number_text.h"
+#include "bentur/excitation/motion_measures.h"
+#include "bentur/report/html/sections.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur::html {
+namespace {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+constexpr Eigen::Index most_modes = 8;
+constexpr Eigen::Index largest_matrix_shown = 12;
+
+std::string list_text(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  return text;
+}
+
+std::string percent_list(std::vector<double> ratios) {
+  for (double& ratio : ratios) ratio *= 100;
+  return list_text(ratios) + " %";
+}
+
+std::string damping_text(const Damping& damping, const Words& say) {
+  if (const auto* modal = std::get_if<ModalDamping>(&damping)) {
+    return say(modal->ratios.size() == 1 ? "damping.modal" : "damping.modal_list",
+               {{"ratios", percent_list(modal->ratios)}});
+  }
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
+    return say("damping.rayleigh",
+               {{"ratios", percent_list(rayleigh->ratios)}, {"periods", list_text(rayleigh->periods)}});
+  }
+  if (const auto* mass = std::get_if<MassProportionalDamping>(&damping)) {
+    return say("damping.mass", {{"ratio", percent_list({mass->ratio})}});
+  }
+  return say("damping.matrix");
+}
+
+std::vector<double> reversed(std::vector<double> values, std::size_t size) {
+  if (values.size() == 1) values.assign(size, values.front());
+  std::reverse(values.begin(), values.end());
+  return values;
+}
+
+/// Storeys are numbered from the bottom and stand as they do in the building.
+std::vector<std::string> storey_numbers(std::size_t count) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = count; i > 0; --i) numbers.push_back(std::to_string(i));
+  return numbers;
+}
+
+Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  const Units& units = story.c.units;
+  rows.emplace_back(say("input.structure"), say("input.frame"));
+  rows.emplace_back(say("input.modulus"), quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
+  rows.emplace_back(say("input.bays"), list_text(frame.bay_widths) + " " + units.length);
+  rows.emplace_back(say("input.mass_matrix"),
+                    say(frame.mass_matrix == MassMatrix::consistent ? "input.consistent" : "input.lumped"));
+  rows.emplace_back(say("input.condensation"),
+                    say(frame.condensation == Condensation::static_   ? "input.static"
+                        : frame.condensation == Condensation::dynamic ? "input.dynamic"
+                                                                      : "input.uncondensed"));
+  if (!frame.base_coupling) rows.emplace_back(say("input.base_coupling"), say("word.no"));
+  const std::size_t storeys = frame.storey_heights.size();
+  const auto values = [&](const std::vector<Section>& sections, double Section::*member) {
+    std::vector<double> list;
+    for (const Section& section : sections) list.push_back(section.*member);
+    return reversed(list, storeys);
+  };
+  HtmlTable table;
+  table.add(say("column.storey"), "", storey_numbers(storeys));
+  table.add(say("column.height"), units.length, reversed(frame.storey_heights, storeys));
+  table.add(say("column.column_area"), units.length + "²", values(frame.columns, &Section::area));
+  table.add(say("column.column_inertia"), units.length + "⁴", values(frame.columns, &Section::inertia));
+  table.add(say("column.column_mass"), mass_unit(story.c), values(frame.columns, &Section::mass));
+  table.add(say("column.beam_area"), units.length + "²", values(frame.beams, &Section::area));
+  table.add(say("column.beam_inertia"), units.length + "⁴", values(frame.beams, &Section::inertia));
+  table.add(say("column.beam_mass"), mass_unit(story.c), values(frame.beams, &Section::mass));
+  if (std::any_of(frame.floor_masses.begin(), frame.floor_masses.end(), [](double mass) { return mass != 0; })) {
+    table.add(say("column.floor_mass"), mass_unit(story.c), reversed(frame.floor_masses, storeys));
+  }
+  return table.markup();
+}
+
+Html stick_echo(const Stick& stick, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  const Units& units = story.c.units;
+  rows.emplace_back(say("input.structure"), say("input.stick"));
+  const std::size_t storeys = stick.storey_heights.size();
+  HtmlTable table;
+  table.add(say("column.storey"), "", storey_numbers(storeys));
+  table.add(say("column.height"), units.length, reversed(stick.storey_heights, storeys));
+  table.add(say("column.mass"), mass_unit(story.c), reversed(stick.masses, storeys));
+  table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
+  return table.markup();
+}
+
+Html matrix_echo(const std::string& name, const std::string& unit, const Eigen::MatrixXd& matrix) {
+  HtmlTable table;
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    const Eigen::VectorXd values = matrix.col(j);
+    table.add(std::to_string(j + 1), "", std::vector<double>(values.begin(), values.end()));
+  }
+  return element("p", Html::text(name + " [" + unit + "]")) + table.markup();
+}
+
+Html matrices_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  const Units& units = story.c.units;
+  rows.emplace_back(say("input.structure"), say("input.matrices"));
+  rows.emplace_back(say("input.elevations"), list_text(spec.elevations) + " " + units.length);
+  if (spec.mass.rows() > largest_matrix_shown) {
+    rows.emplace_back(say("input.size"), fmt::format("{0} × {0}", spec.mass.rows()));
+    return {};
+  }
+  return matrix_echo(say("column.mass"), mass_unit(story.c), spec.mass) +
+         matrix_echo(say("column.stiffness"), units.force + "/" + units.length, spec.stiffness);
+}
+
+Html modes_table(const Building& building, const Story& story) {
+  const Words& say = story.say;
+  const ModalProperties properties = modal_properties(building.modes, building.model.load);
+  const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
+  std::vector<std::string> numbers;
+  std::vector<double> periods, frequencies, damping, participation, fraction, cumulative;
+  double sum = 0;
+  for (Eigen::Index mode = 0; mode < shown; ++mode) {
+    sum += properties.effective_mass_fraction(mode);
+    numbers.push_back(std::to_string(mode + 1));
+    periods.push_back(properties.periods(mode));
+    frequencies.push_back(1 / properties.periods(mode));
+    damping.push_back(100 * building.modal_damping(mode, mode) / (2 * building.modes.omega(mode)));
+    participation.push_back(properties.participation(mode));
+    fraction.push_back(100 * properties.effective_mass_fraction(mode));
+    cumulative.push_back(100 * sum);
+  }
+  HtmlTable table;
+  table.add(say("column.mode"), "", numbers);
+  table.add(say("column.period"), "s", periods);
+  table.add(say("column.frequency"), "Hz", frequencies);
+  table.add(say("column.damping"), "%", damping);
+  table.add(say("column.participation"), "(" + mass_unit(story.c) + ")^½", participation);
+  table.add(say("column.effective_mass"), "%", fraction);
+  table.add(say("column.cumulative_mass"), "%", cumulative);
+  Html content = element("h4", Html::text(say("heading.modes"))) + table.markup();
+  if (shown < properties.periods.size()) {
+    content +=
+        element("p", Html::text(say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}})),
+                "class=\"note\"");
+  }
+  return content;
+}
+
+Html building_echo(const Story& story, std::size_t b) {
+  const Words& say = story.say;
+  const BuildingSpec& spec = story.c.buildings.at(b);
+  const Building& building = story.problem.buildings.at(b);
+  Rows rows;
+  const Html table = std::visit(
+      [&](const auto& structure) {
+        using Structure = std::decay_t<decltype(structure)>;
+        if constexpr (std::is_same_v<Structure, PlaneFrame>) {
+          return frame_echo(structure, story, rows);
+        } else if constexpr (std::is_same_v<Structure, Stick>) {
+          return stick_echo(structure, story, rows);
+        } else {
+          return matrices_echo(structure, story, rows);
+        }
+      },
+      spec.structure);
+  rows.emplace_back(say("input.damping"), damping_text(spec.damping, say));
+  if (spec.calibrate_period) rows.emplace_back(say("input.calibrated"), quantity(*spec.calibrate_period, "s"));
+  if (spec.base_elevation != 0) {
+    rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, story.c.units.length));
+  }
+  if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, story.c.units.length));
+  return element("h3", Html::text(building.name)) + facts(rows) + table + modes_table(building, story);
+}
+
+/// Unit of what a law works with, by the law's exponent; empty where it has none or it is the law's own.
+std::string parameter_unit(std::string_view name, const std::string& law, const Units& units) {
+  const bool hertzian = law == "hertz" || law == "hertz-damp" || law == "jankowski";
+  if (name == "stiffness") return units.force + "/" + units.length + (hertzian ? "^1.5" : "");
+  if (name == "second_stiffness") return units.force + "/" + units.length;
+  if (name == "yield_penetration") return units.length;
+  if (name == "damping") return units.force + "·s/" + units.length;
+  if (name == "alpha") return "s/" + units.length;
+  return "";
+}
+
+Html gap_echo(const Story& story, std::size_t gap) {
+  const Words& say = story.say;
+  const GapSpec& spec = story.c.gaps.at(gap);
+  Rows rows;
+  rows.emplace_back(say("input.law"), spec.contact.law);
+  for (const auto& [name, word] : story.from_case() ? spec.contact.choices() : spec.contact.words) {
+    rows.emplace_back(name, word);
+  }
+  if (spec.contact.axial) rows.emplace_back("stiffness", say("input.axial"));
+  std::vector<double> elevations, widths;
+  std::vector<std::pair<std::string, std::vector<double>>> parameters;
+  for (const std::size_t i : points_of(story.problem, gap)) {
+    const ContactPoint& point = story.problem.points[i];
+    elevations.push_back(point.elevation);
+    widths.push_back(point.width);
+    if (point.law == nullptr) continue;
+    const LawParameters of_law = point.law->parameters();
+    parameters.resize(of_law.size());
+    for (std::size_t k = 0; k < of_law.size(); ++k) {
+      parameters[k].first = of_law[k].first;
+      parameters[k].second.push_back(of_law[k].second);
+    }
+  }
+  if (!story.from_case()) {  // result files keep what the laws worked with, point by point from the lowest
+    for (const auto& [name, values] : spec.contact.numbers)
+      parameters.emplace_back(name, reversed(values, values.size()));
+  }
+  HtmlTable table;
+  table.add(say("column.elevation"), story.c.units.length, elevations);
+  table.add(say("column.gap"), story.c.units.length, widths);
+  for (const auto& [name, values] : parameters) {
+    table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, story.c.units), values);
+  }
+  return element("h3", Html::text(say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}}))) + facts(rows) +
+         table.markup();
+}
+
+Html motion_echo(const Story& story) {
+  const Words& say = story.say;
+  const Case& c = story.c;
+  const std::string acceleration = acceleration_unit(c);
+  const MotionMeasures measures = motion_measures(c.excitation.motion);
+  Rows rows;
+  if (c.excitation.record) {
+    const RecordEcho& record = *c.excitation.record;
+    rows.emplace_back(say("motion.record"), record.file);
+    rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
+    rows.emplace_back(say("motion.samples"),
+                      say("motion.samples_text", {{"count", std::to_string(record.count)},
+                                                  {"step", quantity(record.time_step, "s")},
+                                                  {"duration", quantity(record.duration, "s")}}));
+    rows.emplace_back(say("motion.pga_read"), quantity(record.pga_read, record.unit));
+  } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
+    rows.emplace_back(say("motion.kind"),
+                      say(harmonic->phase == HarmonicMotion::Phase::sine ? "motion.sine" : "motion.cosine"));
+    rows.emplace_back(say("motion.period"), quantity(harmonic->period, "s"));
+    rows.emplace_back(say("motion.amplitude"), quantity(harmonic->displacement_amplitude, c.units.length));
+  } else {
+    rows.emplace_back(say("motion.kind"), say("motion.none"));
+  }
+  const double pga = c.excitation.record ? c.excitation.record->pga : measures.pga;
+  if (pga > 0) {
+    rows.emplace_back(say("motion.pga"), quantity(pga, acceleration) + " = " + quantity(pga / c.units.gravity, "g"));
+  }
+  if (measures.pgv > 0) rows.emplace_back(say("motion.pgv"), quantity(measures.pgv, c.units.length + "/s"));
+  if (measures.significant_duration > 0) {
+    rows.emplace_back(say("motion.significant"), quantity(measures.significant_duration, "s"));
+  }
+  for (std::size_t b = 0; b < c.excitation.delays.size(); ++b) {
+    if (c.excitation.delays[b] != 0) {
+      rows.emplace_back(say("motion.delay", {{"building", story.problem.buildings.at(b).name}}),
+                        quantity(c.excitation.delays[b], "s"));
+    }
+  }
+  if (c.excitation.kinematics == Kinematics::absolute) {
+    rows.emplace_back(say("motion.kinematics"), say("motion.absolute"));
+  }
+  return element("h3", Html::text(say("heading.motion"))) + facts(rows);
+}
+
+Html initial_echo(const Story& story) {
+  const Words& say = story.say;
+  const InitialSpec& initial = story.c.initial;
+  Html content;
+  for (std::size_t b = 0; b < story.c.buildings.size(); ++b) {
+    const auto given = [&](const std::vector<std::vector<double>>& all) {
+      return b < all.size() ? all[b] : std::vector<double>();
+    };
+    const std::vector<double> displacements = given(initial.displacements);
+    const std::vector<double> velocities = given(initial.velocities);
+    if (displacements.empty() && velocities.empty()) continue;
+    const std::vector<double>& elevations = story.problem.buildings[b].model.elevations;
+    HtmlTable table;
+    table.add(say("column.elevation"), story.c.units.length, reversed(elevations, elevations.size()));
+    if (!displacements.empty()) {
+      table.add(say("column.initial_displacement"), story.c.units.length, reversed(displacements, elevations.size()));
+    }
+    if (!velocities.empty()) {
+      table.add(say("column.initial_velocity"), story.c.units.length + "/s", reversed(velocities, elevations.size()));
+    }
+    content += element("h3", Html::text(say("heading.initial_of", {{"building", story.c.buildings[b].name}}))) +
+               table.markup();
+  }
+  return content;
+}
+
+Html analysis_echo(const Story& story) {
+  const Words& say = story.say;
+  const AnalysisSpec& analysis = story.c.analysis;
+  Rows rows;
+  std::string units = story.c.units.length + ", " + story.c.units.force + ", s";
+  if (story.from_case()) units += "; g = " + quantity(story.c.units.gravity, acceleration_unit(story.c));
+  rows.emplace_back(say("analysis.units"), units);
+  rows.emplace_back(say("analysis.duration"), quantity(story.problem.duration, "s"));
+  std::string solver = say("solver." + std::string(name(analysis.solver)));
+  if (const auto* adaptive = std::get_if<AdaptiveSolver>(&analysis.solver)) {
+    solver += fmt::format(" ({} {})", say("solver.tolerance"), adaptive->tolerance);
+  }
+  if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&analysis.solver)) {
+    solver += fmt::format(" ({} {})", say("solver.step"), quantity(stepwise->step, "s"));
+  }
+  rows.emplace_back(say("analysis.solver"), solver);
+  rows.emplace_back(say("analysis.events"), std::to_string(story.response.events));
+  return element("h3", Html::text(say("heading.analysis"))) + facts(rows);
+}
+
+/// What result files hold of the buildings.
+Html buildings_of_results(const Story& story) {
+  Html content = element("p", Html::text(story.say("input.from_results")), "class=\"note\"");
+  for (const Building& building : story.problem.buildings) {
+    const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
+    const std::vector<double> first(periods.begin(), periods.begin() + std::min(periods.size(), most_modes));
+    content += element("h3", Html::text(building.name)) +
+               facts({{story.say("input.floors"), list_text(building.model.elevations) + " " + story.c.units.length},
+                      {story.say("input.periods"), list_text(first) + " s"}});
+  }
+  return content;
+}
+
+}  // namespace
+
+Html input_section(const Story& story) {
+  Html content = motion_echo(story);
+  if (!story.from_case()) content += buildings_of_results(story);
+  for (std::size_t b = 0; b < story.c.buildings.size(); ++b) content += building_echo(story, b);
+  for (std::size_t gap = 0; gap < story.c.gaps.size(); ++gap) content += gap_echo(story, gap);
+  content += initial_echo(story) + analysis_echo(story);
+  return section("input", story.say("heading.input"), content);
+}
+
+}  // namespace bentur::html

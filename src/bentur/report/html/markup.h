@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bentur::html {
+
+/// Markup that may stand in a page as it is. What comes from a case becomes markup by text() alone, so that no title or
+/// name can bring in a tag, an attribute or a script; markup() is for what stands in the program's sources.
+class Html {
+ public:
+  Html() = default;
+  [[nodiscard]] static Html markup(std::string_view trusted) { return Html(std::string(trusted)); }
+  /// Any text, for use between tags and in quoted attributes: & < > " ' ` become references, control characters that
+  /// HTML does not allow and bytes that are not UTF-8 the replacement character.
+  [[nodiscard]] static Html text(std::string_view any);
+
+  Html& operator+=(const Html& other) {
+    markup_ += other.markup_;
+    return *this;
+  }
+  [[nodiscard]] friend Html operator+(Html a, const Html& b) { return a += b; }
+  [[nodiscard]] const std::string& str() const { return markup_; }
+
+ private:
+  explicit Html(std::string markup) : markup_(std::move(markup)) {}
+  std::string markup_;
+};
+
+/// <name attributes>content</name>; `name` and `attributes` stand in the sources.
+[[nodiscard]] Html element(std::string_view name, const Html& content, std::string_view attributes = "");
+
+/// JSON text as it may stand inside <script>: no "<", so that neither </script> nor <!-- can end or open anything.
+[[nodiscard]] Html json_markup(std::string_view json);
+
+/// A table under one header row; units stand below the names. Columns of numbers are aligned to the right.
+class HtmlTable {
+ public:
+  /// `unit` empty: none. All columns of one length.
+  void add(const std::string& name, const std::string& unit, const std::vector<double>& values);
+  void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
+  /// Rows that stand out, e.g. the level that governs.
+  void mark(std::size_t row) { marked_.push_back(row); }
+  /// In a box of its own, which scrolls where the page is narrow.
+  [[nodiscard]] Html markup(std::string_view attributes = "") const;
+
+ private:
+  struct Column {
+    std::string name, unit;
+    std::vector<std::string> cells;
+    bool numeric = true;
+  };
+  std::vector<Column> columns_;
+  std::vector<std::size_t> marked_;
+};
+
+/// Names and what they have: a table of two columns without a header.
+[[nodiscard]] Html facts(const std::vector<std::pair<std::string, std::string>>& rows);
+
+}  // namespace bentur::html

@@ -1,0 +1,151 @@
+#include "bentur/report/html/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include "bentur/core/errors.h"
+#include "bentur/report/html/animation.h"
+#include "bentur/report/html/markup.h"
+#include "bentur/report/html/page.h"
+#include "bentur/report/html/sections.h"
+
+namespace bentur {
+namespace {
+
+using html::element;
+using html::Html;
+using html::Story;
+using html::Words;
+
+/// The hardest impacts by peak force, then closing speed, the hardest first.
+std::vector<std::size_t> hardest_impacts(const std::vector<Impact>& impacts) {
+  std::vector<std::size_t> order(impacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return impacts[a].peak_force != impacts[b].peak_force ? impacts[a].peak_force > impacts[b].peak_force
+                                                          : impacts[a].closing_speed > impacts[b].closing_speed;
+  });
+  order.resize(std::min(order.size(), html::most_impacts));
+  return order;
+}
+
+/// The rules that need no more than the peaks of the free response.
+std::vector<PointSeparation> from_peaks(const Problem& problem, const Response& response) {
+  std::vector<PointSeparation> result;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const ContactPoint& point = problem.points[i];
+    const auto left = static_cast<std::size_t>(point.left);
+    const SeparationInput a{.displacement = response.buildings.at(left).displacement_no_contact(point.left_floor)};
+    const SeparationInput b{.displacement = response.buildings.at(left + 1).displacement_no_contact(point.right_floor)};
+    result.push_back({.point = static_cast<int>(i),
+                      .simulated = response.points.at(i).minimum_gap_no_contact,
+                      .abs = separation_abs(a, b),
+                      .srss = separation_srss(a, b),
+                      .ddc = std::numeric_limits<double>::quiet_NaN()});
+  }
+  return result;
+}
+
+Html button(const Words& say, const std::string& id) {
+  return element("button", Html::text(say("motion." + id)), fmt::format("type=\"button\" id=\"{}\"", id));
+}
+
+Html labelled(const Words& say, const std::string& key, const Html& control) {
+  return element("label", Html::text(say(key)) + Html::markup(" ") + control);
+}
+
+Html speeds() {
+  Html options;
+  const std::pair<const char*, const char*> all[] = {{"2", "2 ×"},      {"1", "1 ×"},        {"0.5", "1/2 ×"},
+                                                     {"0.1", "1/10 ×"}, {"0.01", "1/100 ×"}, {"0.001", "1/1000 ×"}};
+  for (const auto& [value, text] : all) {
+    const std::string chosen = std::string(value) == "1" ? " selected" : "";
+    options += element("option", Html::text(text), fmt::format("value=\"{}\"{}", value, chosen));
+  }
+  return element("select", options, "id=\"speed\"");
+}
+
+/// The buildings in motion; the script draws them.
+Html motion_section(const Story& story) {
+  const Words& say = story.say;
+  const std::string label = Html::text(say("motion.picture")).str();
+  Html content = element("noscript", element("p", Html::text(say("motion.noscript"))));
+  content += element(
+      "div",
+      element("svg", {}, "id=\"stage\" role=\"img\" aria-label=\"" + label + "\"") +
+          element("div",
+                  element("p", element("output", {}, "id=\"clock\"") + Html::markup("<br>") +
+                                   element("span", {}, "id=\"event\"")) +
+                      element("div",
+                              element("table",
+                                      element("caption",
+                                              Html::text(say("motion.opening", {{"unit", story.c.units.length}}))) +
+                                          element("tbody", {}, "id=\"live\""),
+                                      "class=\"live\""),
+                              "class=\"wide\""),
+                  "class=\"readout\""),
+      "class=\"player\"");
+  content += element("svg", {},
+                     "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
+  content += Html::markup("<input type=\"range\" id=\"scrub\" class=\"screen\" min=\"0\" aria-label=\"" +
+                          Html::text(say("motion.scrub")).str() + "\">\n");
+  content += element(
+      "p",
+      button(say, "play") + button(say, "previous") + button(say, "next") + button(say, "hardest") +
+          labelled(say, "motion.speed", speeds()) +
+          element("label", Html::markup("<input type=\"checkbox\" id=\"slow\"> ") + Html::text(say("motion.slow"))) +
+          labelled(say, "motion.magnify",
+                   Html::markup("<input type=\"range\" id=\"magnify\">") + element("output", {}, "id=\"magnified\"")),
+      "class=\"controls screen\"");
+  content += element("p", Html::text(say("motion.note")), "class=\"note\"");
+  return html::section("motion", say("heading.motion_picture"), content);
+}
+
+}  // namespace
+
+double report_output_step(const Problem& problem) {
+  Eigen::Index floors = 0;
+  for (const Building& building : problem.buildings) floors += building.model.floors();
+  const double bytes = 6e5 * std::clamp(problem.duration / 10, 1.0, 5.0);
+  const double samples = bytes * 3 / 4 / 2;
+  const double least = problem.duration * static_cast<double>(floors) / samples;
+  double step = 5e-4;  // some samples of even a short impact
+  for (const double longer : {1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0}) {
+    if (step < least) step = longer;
+  }
+  return std::max(std::min(step, problem.duration / 100), least);
+}
+
+std::string report_html(const Case& c, const Problem& problem, const Response& response, const ReportOptions& options) {
+  if (response.histories.displacement.size() != problem.buildings.size() || response.histories.time.empty()) {
+    throw InvalidParameter("response", std::to_string(response.histories.displacement.size()) + " histories",
+                           "must have the histories of every building");
+  }
+  const Words say(options.language);
+  const Story story{
+      c, problem, response, say,
+      c.buildings.empty() ? from_peaks(problem, response) : separations(problem, response, c.code, c.units)};
+  const std::vector<std::size_t> listed = hardest_impacts(response.impacts);
+  const std::string title = c.title.empty() ? say("report.untitled") : c.title;
+
+  Html body = element("header",
+                      element("h1", Html::text(title)) +
+                          element("p", Html::text(say("report.by", {{"version", options.version}})), "class=\"note\""));
+  body += html::verdict_section(story) + motion_section(story) + html::gap_section(story) + html::peaks_section(story) +
+          html::impacts_section(story, listed) + html::figures_section(say, options.figures) +
+          html::input_section(story);
+  body += element("footer", element("p", Html::text(say("report.footer")), "class=\"note\""));
+  body += element("script", html::json_markup(html::animation_json(story, listed)),
+                  "type=\"application/json\" id=\"data\"") +
+          Html::markup("\n");
+
+  return html::page(say, title, body, true);
+}
+
+}  // namespace bentur

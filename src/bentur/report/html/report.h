@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/report/html/words.h"
+#include "bentur/solve/response.h"
+#include "bentur/study/case.h"
+
+namespace bentur {
+
+/// A figure that stands in a report as inline SVG.
+struct ReportFigure {
+  std::string caption;
+  std::string svg;  ///< as a file would hold it; empty: it cannot be drawn, and the caption says why
+};
+
+struct ReportOptions {
+  std::string language = "en";  ///< one of report_languages()
+  std::string version;          ///< of the program
+  std::vector<ReportFigure> figures = {};
+};
+
+/// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so
+/// coarse that the samples take no more than 0.6 MB for 10 s and 3 MB for 50 s and longer.
+[[nodiscard]] double report_output_step(const Problem& problem);
+
+/// One HTML page that needs nothing else: verdict, gap needed, peaks, impacts, the buildings in motion, figures, input.
+/// Text of a case cannot bring in markup or script, and the page's own policy lets it fetch nothing and run no other
+/// script. The same run gives the same bytes. The response must have histories. A run read from result files
+/// (io/results/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.
+/// @throws InvalidParameter for an unknown language, or a response that is not that of the problem.
+[[nodiscard]] std::string report_html(const Case& c, const Problem& problem, const Response& response,
+                                      const ReportOptions& options);
+
+}  // namespace bentur

@@ -1,0 +1,510 @@
+// The moving buildings and the sortable, downloadable impact list of a report. Reads the page's own data alone; no request
+// ever leaves the page. Text reaches the page by textContent, never as markup.
+"use strict";
+(() => {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const words = data.words;
+  const SVG = "http://www.w3.org/2000/svg";
+  const COLOURS = ["#1b5e9b", "#c2610c", "#4f7f2d", "#7d4a9c", "#8a6d1d"];
+
+  function svg(name, attributes, parent) {
+    const node = document.createElementNS(SVG, name);
+    for (const key of Object.keys(attributes)) node.setAttribute(key, attributes[key]);
+    if (parent) parent.appendChild(node);
+    return node;
+  }
+
+  function html(name, text, parent) {
+    const node = document.createElement(name);
+    if (text !== undefined) node.textContent = text;
+    if (parent) parent.appendChild(node);
+    return node;
+  }
+
+  /** Four significant digits, as everywhere in the report. */
+  function number(value) {
+    const size = Math.abs(value);
+    if (size === 0) return "0";
+    if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
+    const decimals = Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size))));
+    return String(Number(value.toFixed(decimals)));
+  }
+
+  // ---------------------------------------------------------------- samples
+
+  /** int16 samples, little endian in base64, floors of one instant side by side. */
+  function decode(text) {
+    const bytes = atob(text);
+    const view = new DataView(new ArrayBuffer(bytes.length));
+    for (let i = 0; i < bytes.length; ++i) view.setUint8(i, bytes.charCodeAt(i));
+    const values = new Int16Array(bytes.length / 2);
+    for (let i = 0; i < values.length; ++i) values[i] = view.getInt16(2 * i, true);
+    return values;
+  }
+
+  const buildings = data.buildings.map((given) => ({
+    name: given.name,
+    elevations: given.elevations,
+    base: given.base,
+    bays: given.bays,
+    width: given.bays.reduce((sum, bay) => sum + bay, 0),
+    scale: given.scale,
+    samples: decode(given.samples),
+  }));
+  // [point, start, end, peak force, time of it, closing speed], by start
+  const impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
+    ({ point, start, end, force, peak, speed, number }));
+  const duration = data.duration;
+
+  /** Displacement of a floor at time t: cubic between samples, with slopes from their neighbours. */
+  function displacement(building, floor, t) {
+    const floors = building.elevations.length;
+    const last = building.samples.length / floors - 1;
+    const at = Math.min(Math.max(t / data.step, 0), last);
+    const frame = Math.min(Math.floor(at), Math.max(last - 1, 0));
+    const s = at - frame;
+    const sample = (k) => building.samples[Math.min(Math.max(k, 0), last) * floors + floor];
+    const before = sample(frame - 1), here = sample(frame), next = sample(frame + 1), after = sample(frame + 2);
+    const slope = (next - before) / 2;
+    const turn = (after - here) / 2;
+    const change = next - here;
+    return building.scale *
+      (here + s * (slope + s * (3 * change - 2 * slope - turn + s * (slope + turn - 2 * change))));
+  }
+
+  function opening(point, t) {
+    const left = displacement(buildings[point.left], point.leftFloor, t);
+    const right = displacement(buildings[point.left + 1], point.rightFloor, t);
+    return point.width + right - left;
+  }
+
+  /** Impacts under way at some time of [from, to], but for rounding. */
+  function underWay(from, to) {
+    const tiny = 1e-12 * duration;
+    return impacts.filter((impact) => impact.start <= to + tiny && impact.end >= from - tiny);
+  }
+
+  // ---------------------------------------------------------------- the picture
+
+  const stage = document.getElementById("stage");
+  const top_ = Math.max(...buildings.map((b) => b.elevations[b.elevations.length - 1]));
+  const bottom = Math.min(...buildings.map((b) => b.base));
+  const largest = Math.max(1e-300, ...buildings.map((b) => {
+    let most = 0;
+    for (const sample of b.samples) most = Math.max(most, Math.abs(sample));
+    return b.scale * most;
+  }));
+  const gaps = buildings.slice(1).map((_, gap) =>
+    Math.min(...data.points.filter((point) => point.left === gap).map((point) => point.width)));
+  const height = top_ - bottom;
+  const lowest = Math.min(...buildings.map((b) =>
+    Math.min(...b.elevations.map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base)))));
+  const breadth = buildings.reduce((sum, b) => sum + b.width, 0);
+  const unit = Math.min(320 / height, 620 / breadth); // picture units per length
+  /** A magnification that people can say: 1, 2 or 5 times a power of ten. */
+  function round125(value) {
+    const power = Math.pow(10, Math.floor(Math.log10(value)));
+    const digit = value / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+  }
+  const gapsTogether = gaps.reduce((sum, gap) => sum + gap, 0);
+  const fits = Math.min(0.09 * height / largest, gapsTogether > 0 ? 0.5 * breadth / gapsTogether : Infinity);
+  let magnification = round125(Math.max(fits, 1e-6));
+
+  const drawn = { ghosts: [], columns: [], slabs: [], marks: [], cells: [] };
+
+  /** Picture x of a building's left face, with gaps magnified like the motion, so that touching looks like touching. */
+  function leftFace(index) {
+    let x = 0;
+    for (let b = 0; b < index; ++b) x += unit * (buildings[b].width + magnification * gaps[b]);
+    return x;
+  }
+
+  const y = (elevation) => unit * (top_ - elevation);
+
+  function build() {
+    const defs = svg("defs", {}, stage);
+    const glow = svg("radialGradient", { id: "glow" }, defs);
+    svg("stop", { offset: "0%", "stop-color": "#ff1f1f", "stop-opacity": "1" }, glow);
+    svg("stop", { offset: "45%", "stop-color": "#ff2a1f", "stop-opacity": "0.75" }, glow);
+    svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, glow);
+    drawn.ground = svg("path", { class: "ground" }, stage);
+    buildings.forEach((building, b) => {
+      const colour = COLOURS[b % COLOURS.length];
+      drawn.ghosts.push(svg("path", { class: "ghost" }, stage));
+      drawn.columns.push(svg("path", { class: "column", stroke: colour }, stage));
+      drawn.slabs.push(svg("path", { class: "slab", stroke: colour }, stage));
+      const label = svg("text", { class: "name", fill: colour, "text-anchor": "middle" }, stage);
+      label.textContent = building.name;
+      building.label = label;
+    });
+    data.points.forEach((point, i) => {
+      drawn.marks.push(svg("circle", { class: "hit", fill: "url(#glow)", opacity: 0, "data-point": i,
+        "data-contact": 0 }, stage));
+    });
+    frame();
+  }
+
+  /** Everything that depends on the magnification but not on time. */
+  function frame() {
+    const room = unit * magnification * largest + 30;
+    const right = leftFace(buildings.length - 1) + unit * buildings[buildings.length - 1].width;
+    const wide = right + 2 * room;
+    const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1)); // lines and names keep their size on a narrow page
+    const storey = unit * lowest / pixel;
+    stage.style.setProperty("--px", pixel.toFixed(3));
+    stage.style.setProperty("--slab", `${Math.min(5, 0.35 * storey).toFixed(2)}px`);
+    stage.style.setProperty("--flash", `${Math.min(24, Math.max(10, 1.2 * storey)).toFixed(2)}px`);
+    stage.setAttribute("viewBox", `${-room} ${-24 * pixel} ${wide} ${unit * height + 54 * pixel}`);
+    const base = y(bottom);
+    drawn.ground.setAttribute("d", `M${-room} ${base}H${right + room}`);
+    buildings.forEach((building, b) => {
+      building.label.setAttribute("x", leftFace(b) + unit * building.width / 2);
+      building.label.setAttribute("y", base + 20 * pixel);
+      const zero = building.elevations.map(() => 0);
+      const shape = outline(building, b, zero);
+      drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
+    });
+  }
+
+  /** Columns and floors of a building whose floors are displaced by `x`. */
+  function outline(building, b, x) {
+    const left = leftFace(b);
+    const shift = x.map((value) => unit * magnification * value);
+    let columns = "";
+    let line = left;
+    for (let bay = 0; bay <= building.bays.length; ++bay) {
+      columns += `M${line.toFixed(2)} ${y(building.base).toFixed(2)}`;
+      building.elevations.forEach((elevation, floor) => {
+        columns += `L${(line + shift[floor]).toFixed(2)} ${y(elevation).toFixed(2)}`;
+      });
+      line += unit * (building.bays[bay] || 0);
+    }
+    let slabs = "";
+    building.elevations.forEach((elevation, floor) => {
+      // A level with a wider gap than the narrowest one of its joint stands back by the difference.
+      const joint = data.points.find((point) => point.left === b - 1 && point.rightFloor === floor);
+      const back = joint ? unit * magnification * (joint.width - gaps[b - 1]) : 0;
+      slabs += `M${(left + shift[floor] + back).toFixed(2)} ${y(elevation).toFixed(2)}` +
+        `H${(left + shift[floor] + unit * building.width).toFixed(2)}`;
+    });
+    return { columns, slabs };
+  }
+
+  // ---------------------------------------------------------------- the time line
+
+  const line = document.getElementById("timeline");
+  const WIDTH = 1000, HEIGHT = 130, MIDDLE = 52, SPAN = 44;
+
+  function buildTimeline() {
+    line.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT}`);
+    line.setAttribute("preserveAspectRatio", "none");
+    svg("path", { class: "axis", d: `M0 ${MIDDLE}H${WIDTH}` }, line);
+    buildings.forEach((building, b) => {
+      const floors = building.elevations.length;
+      const frames = building.samples.length / floors;
+      const bins = Math.min(WIDTH, frames);
+      let path = "";
+      for (let bin = 0; bin < bins; ++bin) { // smallest and largest of each bin, so that no peak is lost
+        let low = Infinity, high = -Infinity;
+        const end = Math.max(Math.floor((bin + 1) * frames / bins), Math.floor(bin * frames / bins) + 1);
+        for (let k = Math.floor(bin * frames / bins); k < end; ++k) {
+          const value = building.samples[k * floors + floors - 1] * building.scale / largest;
+          low = Math.min(low, value);
+          high = Math.max(high, value);
+        }
+        const x = (bin + 0.5) * WIDTH / bins;
+        path += `${bin ? "L" : "M"}${x.toFixed(1)} ${(MIDDLE - SPAN * low).toFixed(1)}` +
+          `L${x.toFixed(1)} ${(MIDDLE - SPAN * high).toFixed(1)}`;
+      }
+      svg("path", { class: "roof", d: path, stroke: COLOURS[b % COLOURS.length] }, line);
+    });
+    const strongest = Math.max(1e-300, ...impacts.map((impact) => impact.force));
+    let ticks = "";
+    for (const impact of impacts) {
+      const share = impact.force > 0 ? impact.force / strongest : 1;
+      ticks += `M${(WIDTH * impact.start / duration).toFixed(2)} ${HEIGHT}v${(-4 - 24 * share).toFixed(1)}`;
+    }
+    svg("path", { class: "tick", d: ticks }, line);
+    drawn.head = svg("path", { class: "head", d: `M0 0V${HEIGHT}` }, line);
+    const seek = (event) => {
+      const box = line.getBoundingClientRect();
+      pause();
+      show(duration * Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1));
+    };
+    line.addEventListener("pointerdown", (event) => {
+      line.setPointerCapture(event.pointerId);
+      seek(event);
+    });
+    line.addEventListener("pointermove", (event) => {
+      if (event.buttons & 1) seek(event);
+    });
+  }
+
+  // ---------------------------------------------------------------- showing an instant
+
+  const scrub = document.getElementById("scrub");
+  const clock = document.getElementById("clock");
+  const event_ = document.getElementById("event");
+  const live = document.getElementById("live");
+  let now = 0;
+  let glow = data.points.map(() => 0);
+
+  /** Shows time t; contacts that were under way since `since` flash. */
+  function show(t, since) {
+    now = Math.min(Math.max(t, 0), duration);
+    buildings.forEach((building, b) => {
+      const x = building.elevations.map((_, floor) => displacement(building, floor, now));
+      const shape = outline(building, b, x);
+      drawn.columns[b].setAttribute("d", shape.columns);
+      drawn.slabs[b].setAttribute("d", shape.slabs);
+    });
+    const current = underWay(since === undefined ? now : Math.min(since, now), now);
+    data.points.forEach((point, i) => {
+      const hit = current.some((impact) => impact.point === i);
+      glow[i] = hit ? 1 : since === undefined ? 0 : glow[i];
+      const left = buildings[point.left];
+      const x = leftFace(point.left) + unit * left.width +
+        unit * magnification * displacement(left, point.leftFloor, now);
+      const mark = drawn.marks[i];
+      mark.setAttribute("cx", x.toFixed(2));
+      mark.setAttribute("cy", y(point.elevation).toFixed(2));
+      mark.setAttribute("opacity", glow[i].toFixed(3));
+      mark.setAttribute("data-contact", hit ? 1 : 0);
+      drawn.cells[i].textContent = number(opening(point, now));
+      drawn.cells[i].className = hit ? "marked" : "";
+    });
+    drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
+    scrub.value = now;
+    clock.textContent = `t = ${now.toFixed(4)} s`;
+    stage.setAttribute("data-time", now);
+    current.sort((a, b) => b.force - a.force);
+    const more = current.length > 3 ? `; + ${current.length - 3}` : "";
+    event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
+  }
+
+  function describe(impact) {
+    const what = impact.force > 0 ? `${number(impact.force)} ${data.units.force}`
+      : `${number(impact.speed)} ${data.units.length}/s`;
+    return `${words.impact} ${impact.number}: ${what}, ${words.level} ` +
+      `${number(data.points[impact.point].elevation)} ${data.units.length}`;
+  }
+
+  function buildLive() {
+    if (gaps.length > 1) {
+      stage.parentNode.classList.add("stacked");
+      const head = html("tr", undefined, live);
+      html("td", "", head);
+      gaps.forEach((_, gap) => {
+        html("th", `${buildings[gap].name} | ${buildings[gap + 1].name}`, head).scope = "col";
+      });
+    }
+    const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
+    for (const level of levels) {
+      const row = html("tr", undefined, live);
+      html("th", `${number(level)} ${data.units.length}`, row).scope = "row";
+      gaps.forEach((_, gap) => {
+        const cell = html("td", "", row);
+        const point = data.points.findIndex((p) => p.left === gap && p.elevation === level);
+        if (point >= 0) drawn.cells[point] = cell;
+      });
+    }
+  }
+
+  // ---------------------------------------------------------------- playing
+
+  const play = document.getElementById("play");
+  const speed = document.getElementById("speed");
+  const slow = document.getElementById("slow");
+  const SLOW = 1 / 100;
+  let playing = false;
+  let started = false;
+  let until = Infinity; // end of a single impact that is being shown
+  let rate = null; // its speed
+  let wall = 0;
+
+  /** Model seconds to a second of the clock. */
+  function pace() {
+    if (rate !== null) return rate;
+    const chosen = Number(speed.value);
+    if (!slow.checked || chosen <= SLOW) return chosen;
+    const near = impacts.some((impact) => {
+      const pad = Math.max(2 * (impact.end - impact.start), 2 * data.step);
+      return now >= impact.start - pad && now <= impact.end + pad;
+    });
+    return near ? SLOW : chosen;
+  }
+
+  /** The start of the slow motion that comes next, so that no fast step jumps over it. */
+  function nextSlow() {
+    if (!slow.checked || rate !== null) return Infinity;
+    let next = Infinity;
+    for (const impact of impacts) {
+      const start = impact.start - Math.max(2 * (impact.end - impact.start), 2 * data.step);
+      if (start > now && start < next) next = start;
+    }
+    return next;
+  }
+
+  function step(time) {
+    if (!playing) return;
+    const passed = Math.min((time - wall) / 1000, 0.1); // a page that was out of sight goes on where it was
+    wall = time;
+    const before = now;
+    glow = glow.map((value) => value * Math.exp(-passed / 0.15));
+    show(Math.min(now + passed * pace(), nextSlow(), until), before);
+    if (now >= duration || now >= until) {
+      pause();
+      return;
+    }
+    requestAnimationFrame(step);
+  }
+
+  function start() {
+    if (playing) return;
+    if (!started || now >= duration) show(0);
+    started = true;
+    playing = true;
+    play.textContent = words.pause;
+    play.setAttribute("aria-pressed", "true");
+    wall = performance.now();
+    requestAnimationFrame(step);
+  }
+
+  function pause() {
+    playing = false;
+    until = Infinity;
+    rate = null;
+    play.textContent = words.play;
+    play.setAttribute("aria-pressed", "false");
+  }
+
+  /** One impact in slow motion: about four seconds from before it to after it. */
+  function showImpact(impact) {
+    pause();
+    started = true;
+    const length = Math.max(impact.end - impact.start, 4 * data.step);
+    show(impact.start - 1.5 * length);
+    until = Math.min(impact.end + 1.5 * length, duration);
+    rate = length;
+    start();
+  }
+
+  function jump(direction) {
+    pause();
+    started = true;
+    const tiny = 1e-9 * duration;
+    const others = impacts.filter((impact) => direction > 0 ? impact.start > now + tiny : impact.start < now - tiny);
+    if (others.length > 0) show((direction > 0 ? others[0] : others[others.length - 1]).start);
+  }
+
+  function buildControls() {
+    const magnify = document.getElementById("magnify");
+    const magnified = document.getElementById("magnified");
+    const usual = magnification;
+    magnify.min = -1.5;
+    magnify.max = 1.5;
+    magnify.step = 0.01;
+    magnify.value = 0;
+    const say = () => { magnified.textContent = `× ${number(Number(magnification.toPrecision(2)))}`; };
+    say();
+    magnify.addEventListener("input", () => {
+      magnification = usual * Math.pow(10, Number(magnify.value));
+      say();
+      frame();
+      show(now);
+    });
+    scrub.max = duration;
+    scrub.step = data.step;
+    scrub.addEventListener("input", () => {
+      pause();
+      started = true;
+      show(Number(scrub.value));
+    });
+    play.addEventListener("click", () => (playing ? pause() : start()));
+    document.getElementById("previous").addEventListener("click", () => jump(-1));
+    document.getElementById("next").addEventListener("click", () => jump(1));
+    const hardest = document.getElementById("hardest");
+    for (const button of [hardest, document.getElementById("previous"), document.getElementById("next")]) {
+      button.disabled = impacts.length === 0;
+    }
+    hardest.addEventListener("click", () => showImpact(strongest()));
+  }
+
+  function strongest() {
+    return impacts.reduce((most, impact) =>
+      (impact.force > most.force || (impact.force === most.force && impact.speed > most.speed) ? impact : most));
+  }
+
+  // ---------------------------------------------------------------- the impact list
+
+  function value(row, column) {
+    const text = row.cells[column].textContent.trim();
+    const number_ = Number(text);
+    return text === "" || Number.isNaN(number_) ? text : number_;
+  }
+
+  /** Numbers by size, texts by alphabet, what is missing last. */
+  function compare(a, b, direction) {
+    const missing = (x) => x === "–";
+    if (missing(a) || missing(b)) return missing(a) - missing(b);
+    if (typeof a === "number" && typeof b === "number") return direction * (a - b);
+    return direction * String(a).localeCompare(String(b), document.documentElement.lang);
+  }
+
+  function sort(table, column, direction) {
+    const body = table.tBodies[0];
+    const rows = Array.from(body.rows);
+    rows.sort((a, b) => compare(value(a, column), value(b, column), direction));
+    body.append(...rows);
+    Array.from(table.tHead.rows[0].cells).forEach((cell, i) => {
+      if (i === column) cell.setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
+      else cell.removeAttribute("aria-sort");
+    });
+  }
+
+  function buildList() {
+    const table = document.getElementById("impact-list");
+    if (!table) return;
+    Array.from(table.tHead.rows[0].cells).forEach((cell, column) => {
+      const button = html("button"); // over the whole cell
+      button.type = "button";
+      button.className = "sorter";
+      button.setAttribute("aria-label", cell.childNodes[0].textContent);
+      cell.append(button);
+      button.addEventListener("click", () =>
+        sort(table, column, cell.getAttribute("aria-sort") === "descending" ? 1 : -1));
+      if (column === Number(table.dataset.sorted)) cell.setAttribute("aria-sort", "descending");
+    });
+    const byNumber = new Map(impacts.map((impact) => [String(impact.number), impact]));
+    for (const row of table.tBodies[0].rows) {
+      const cell = row.cells[0];
+      const impact = byNumber.get(cell.textContent.trim());
+      const button = html("button", cell.textContent.trim());
+      button.type = "button";
+      button.title = words.show_impact;
+      cell.replaceChildren(button);
+      button.addEventListener("click", () => {
+        document.getElementById("motion").scrollIntoView();
+        showImpact(impact);
+      });
+    }
+    document.getElementById("download").addEventListener("click", () => {
+      const link = html("a");
+      link.href = URL.createObjectURL(new Blob([data.csv], { type: "text/csv" }));
+      link.download = "impacts.csv";
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    });
+  }
+
+  new ResizeObserver(frame).observe(stage);
+  build();
+  buildTimeline();
+  buildLive();
+  buildControls();
+  buildList();
+  // What stands still, and is printed: the hardest impact, else the start.
+  show(impacts.length > 0 ? (strongest().force > 0 ? strongest().peak : strongest().start) : 0);
+  document.documentElement.classList.add("ready");
+})();

@@ -1,0 +1,240 @@
+#include "bentur/report/html/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/case_toml.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/report/html/animation.h"
+
+namespace bentur {
+namespace {
+
+struct Simulated {
+  Case c;
+  Problem problem;
+  Response response;
+
+  [[nodiscard]] std::string page(const std::string& language = "en", std::vector<ReportFigure> figures = {}) const {
+    return report_html(c, problem, response, {.language = language, .version = "0", .figures = std::move(figures)});
+  }
+};
+
+Simulated run(const std::string& text) {
+  Diagnostics diagnostics;
+  auto c = read_case_text(text, std::string(BENTUR_SOURCE_DIR) + "/examples/case.toml", diagnostics);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  Problem problem = make_problem(*c);
+  SolveOptions options;
+  options.output_step = report_output_step(problem);
+  Response response = solve(problem, c->analysis.solver, options);
+  return {std::move(*c), std::move(problem), std::move(response)};
+}
+
+std::string example(const std::string& name) {
+  std::ifstream stream(std::string(BENTUR_SOURCE_DIR) + "/examples/" + name + ".toml");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  EXPECT_NE(text.find(from), std::string::npos) << from;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// The JSON that the script gets to read.
+std::string json_of(const std::string& page) {
+  const std::string opening = R"(<script type="application/json" id="data">)";
+  const std::size_t start = page.find(opening) + opening.size();
+  return page.substr(start, page.find("</script>", start) - start);
+}
+
+nlohmann::json data_of(const std::string& page) { return nlohmann::json::parse(json_of(page)); }
+
+std::string decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6U | static_cast<unsigned>(digits.find(c));
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes += static_cast<char>(bits >> count & 0xFFU);
+    }
+  }
+  return bytes;
+}
+
+/// Without the spaces that no line break separates.
+std::string plain(const std::string& page) { return replaced(page, "\u00A0", " "); }
+
+bool has(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
+
+TEST(Report, Base64IsThatOfTheStandard) {
+  EXPECT_EQ(html::base64(""), "");
+  EXPECT_EQ(html::base64("f"), "Zg==");
+  EXPECT_EQ(html::base64("fo"), "Zm8=");
+  EXPECT_EQ(html::base64("foobar"), "Zm9vYmFy");  // RFC 4648, 10
+  EXPECT_EQ(html::base64("\xFF\xEF\xBE"), "/+++");
+}
+
+TEST(Report, VerdictComesFirstWithNumbersOfTheResponse) {
+  const Simulated m12 = run(example("m12-el-centro"));
+  const std::string page = plain(m12.page());
+  EXPECT_TRUE(
+      has(page, "Model 1 and Model 2 collide " + std::to_string(m12.response.impacts.size()) + " times in 10 s"));
+  EXPECT_TRUE(has(page, "they need a gap of 0.7262 cm at level 300 cm; the gap of 0.2 cm is 0.5262 cm too small."));
+  EXPECT_TRUE(has(page, "DDC would be too small for this motion."));
+  EXPECT_LT(page.find("collide"), page.find("<table"));
+  EXPECT_TRUE(has(page, "<td>kgf") || has(page, "kgf/cm²"));
+  EXPECT_TRUE(has(page, "341.7 cm/s² = 0.3487 g"));  // 341.7/980
+  EXPECT_LT(page.size(), 2'000'000U);
+}
+
+TEST(Report, NoPoundingIsSaidSo) {
+  const std::string page = plain(run(replaced(example("m12-el-centro"), "width = 0.2 ", "width = 5.0 ")).page());
+  EXPECT_TRUE(has(page, "No pounding"));
+  EXPECT_TRUE(has(page, "do not touch in 10 s."));
+  EXPECT_TRUE(has(page, "4.274 cm to spare"));
+  EXPECT_FALSE(has(page, "<table id=\"impact-list\""));
+  EXPECT_TRUE(has(page, "There were no impacts."));
+}
+
+TEST(Report, EveryRuleOfTheCaseIsShown) {
+  const std::string code =
+      "\n[code]\nen-1998-1 = { behaviour_factor = 1.0 }\nnbcc = { ductility_factor = 1.0, overstrength_factor = 1.0, "
+      "importance_factor = 1.0 }\n";
+  const Simulated m12 = run(example("m12-el-centro") + code);
+  const std::string page = m12.page();
+  for (const CodeRuleSpec& rule : m12.c.code.rules) {
+    EXPECT_TRUE(has(page, std::string(find_code_rule(rule.rule)->title))) << rule.rule;
+    EXPECT_TRUE(has(page, std::string(find_code_rule(rule.rule)->clause))) << rule.rule;
+  }
+}
+
+TEST(Report, TheSameRunGivesTheSameBytes) {
+  EXPECT_EQ(run(example("row-of-three")).page(), run(example("row-of-three")).page());
+}
+
+TEST(Report, Indonesian) {
+  const std::string page = run(example("m12-el-centro")).page("id");
+  EXPECT_TRUE(has(page, "<html lang=\"id\">"));
+  EXPECT_TRUE(has(page, "Model 1 dan Model 2 berbenturan"));
+  for (const std::string english : {"Verdict", "Gap needed", "collide", "Peak force", "Magnification"}) {
+    EXPECT_FALSE(has(page, english)) << english;
+  }
+  EXPECT_THROW(static_cast<void>(run(example("free-impact")).page("fr")), InvalidParameter);
+}
+
+TEST(Report, SamplesAreThoseOfTheResponseWithinTheirScale) {
+  const Simulated m12 = run(example("m12-el-centro"));
+  const nlohmann::json data = data_of(m12.page());
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Eigen::MatrixXd& x = m12.response.histories.displacement[b];
+    const std::string bytes = decoded(data["buildings"][b]["samples"]);
+    const double scale = data["buildings"][b]["scale"];
+    ASSERT_EQ(bytes.size(), static_cast<std::size_t>(2 * x.size()));
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const auto low = static_cast<unsigned char>(bytes[static_cast<std::size_t>(2 * k)]);
+      const auto high = static_cast<unsigned char>(bytes[static_cast<std::size_t>(2 * k + 1)]);
+      const auto whole = static_cast<std::int16_t>(low | high << 8);
+      ASSERT_NEAR(whole * scale, x.data()[k], 0.5001 * scale);  // rounding to the nearest; columns are instants
+    }
+    EXPECT_NEAR(scale, x.cwiseAbs().maxCoeff() / 32767, 1e-12 * scale);
+  }
+  EXPECT_NEAR(data["step"], 5e-4, 1e-12);
+  ASSERT_EQ(data["impacts"].size(), m12.response.impacts.size());
+  EXPECT_EQ(data["impacts"][6][1], m12.response.impacts[6].start);
+  EXPECT_EQ(data["csv"], impacts_csv(m12.c.units, m12.problem, m12.response));
+}
+
+TEST(Report, LongRunsStaySmall) {
+  Problem problem = run(example("two-frames-si")).problem;
+  const auto floors = static_cast<double>(problem.buildings[0].model.floors() + problem.buildings[1].model.floors());
+  for (const double duration : {0.01, 10.0, 60.0, 600.0, 1e5}) {
+    problem.duration = duration;
+    const double step = report_output_step(problem);
+    const double bytes = 8.0 / 3 * floors * (duration / step + 1);  // 16 bits in base64
+    EXPECT_LT(bytes, duration <= 10 ? 7e5 : 3.1e6) << duration;
+    EXPECT_GE(duration / step, 99) << duration;
+  }
+}
+
+TEST(Report, TextOfACaseCannotBringInMarkupOrScript) {
+  const std::vector<std::string> hostile = {"<script>alert(1)</script>",
+                                            "</script><script>alert(2)</script>",
+                                            "\"><img src=x onerror=alert(3)>",
+                                            "' onmouseover='alert(4)",
+                                            "`${alert(5)}`",
+                                            "\"; system('touch pwned'); \"",
+                                            "<!-- ]]> {left}",
+                                            "</title></style><svg onload=alert(6)>"};
+  for (const std::string& text : hostile) {
+    const std::string quoted = nlohmann::json(text).dump();  // TOML's basic strings have these escapes too
+    std::string source = replaced(example("m12-el-centro"), "\"Model 1\"", quoted);
+    source = replaced(source, "\"Monograph M1-2, El Centro, gap 0.2 cm\"", quoted);
+    const Simulated injected = run(source);
+    const Simulated harmless = run(example("m12-el-centro"));
+    for (const std::string language : {"en", "id"}) {
+      const std::string page = injected.page(language);
+      EXPECT_FALSE(has(json_of(page), "<")) << text;
+      EXPECT_FALSE(has(replaced(page, json_of(page), ""), text)) << text;
+      EXPECT_EQ(data_of(page)["buildings"][0]["name"], text);
+      // As many tags of every kind as without it: nothing was opened or closed.
+      for (const std::string tag : {"<script", "</script", "<img", "<svg", "<!--", "</title", "</style", "</td"}) {
+        const auto count = [&](const std::string& in) {
+          std::size_t n = 0;
+          for (std::size_t at = in.find(tag); at != std::string::npos; at = in.find(tag, at + 1)) ++n;
+          return n;
+        };
+        EXPECT_EQ(count(page), count(harmless.page(language))) << text << ": " << tag;
+      }
+    }
+  }
+}
+
+TEST(Report, FiguresStandInlineWithNamesOfTheirOwn) {
+  const ReportFigure figure{.caption = "a < b",
+                            .svg =
+                                "<?xml version=\"1.0\"?>\n<!DOCTYPE svg>\n<svg "
+                                "id=\"s\"><title>T</title><desc>D</desc><defs><path id='p'/></defs>"
+                                "<use xlink:href='#p'/><g clip-path=\"url(#p)\"/></svg>"};
+  const std::string page = run(example("free-impact")).page("en", {figure, figure});
+  EXPECT_FALSE(has(page, "<?xml"));
+  EXPECT_TRUE(has(page,
+                  "<svg id=\"figure1-s\"><defs><path id='figure1-p'/></defs><use xlink:href='#figure1-p'/>"
+                  "<g clip-path=\"url(#figure1-p)\"/></svg>"));
+  EXPECT_TRUE(has(page, "id=\"figure2-s\""));
+  EXPECT_TRUE(has(page, "<figcaption>a &lt; b</figcaption>"));
+  EXPECT_FALSE(has(page, "gnuplot"));
+  EXPECT_TRUE(has(run(example("free-impact")).page(), "gnuplot is not installed"));
+}
+
+TEST(Report, ImpactsWithoutDurationHaveASpeedInPlaceOfAForce) {
+  const std::string page = run(replaced(example("free-impact"), R"(law = "linear", stiffness = 2.0e8)",
+                                        R"(law = "restitution", restitution = 0.6)"))
+                               .page();
+  EXPECT_TRUE(has(page, "The fastest impact closes at "));
+  EXPECT_FALSE(has(page, "The hardest impact reaches"));
+}
+
+TEST(Report, NeedsHistories) {
+  Simulated m12 = run(example("free-impact"));
+  m12.response.histories = {};
+  EXPECT_THROW(static_cast<void>(m12.page()), InvalidParameter);
+}
+
+}  // namespace
+}  // namespace bentur

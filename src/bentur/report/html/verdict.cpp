@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/html/sections.h"
+
+namespace bentur::html {
+namespace {
+
+/// What there is to say of one gap.
+struct GapFindings {
+  int impacts = 0;
+  int touched = 0;          ///< contact points hit
+  std::size_t hardest = 0;  ///< contact point with the largest force, or the fastest impact where no force is known
+  std::size_t closest = 0;  ///< contact point whose gap falls short the most
+};
+
+GapFindings findings(const Story& story, const std::vector<std::size_t>& points) {
+  GapFindings found{.hardest = points.front(), .closest = points.front()};
+  const auto shortfall = [&](std::size_t i) {
+    return story.response.points[i].minimum_gap_no_contact - story.problem.points[i].width;
+  };
+  const auto harder = [&](const PointSummary& a, const PointSummary& b) {
+    return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
+  };
+  for (const std::size_t i : points) {
+    const PointSummary& point = story.response.points[i];
+    found.impacts += point.impacts;
+    found.touched += point.impacts > 0 ? 1 : 0;
+    if (harder(point, story.response.points[found.hardest])) found.hardest = i;
+    if (shortfall(i) > shortfall(found.closest)) found.closest = i;
+  }
+  return found;
+}
+
+/// The impact of a point with its peak force, or its fastest where no force is known.
+const Impact* hardest_impact(const Response& response, std::size_t point) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : response.impacts) {
+    if (impact.point != static_cast<int>(point)) continue;
+    if (hardest == nullptr || impact.peak_force > hardest->peak_force ||
+        (impact.peak_force == hardest->peak_force && impact.closing_speed > hardest->closing_speed)) {
+      hardest = &impact;
+    }
+  }
+  return hardest;
+}
+
+std::string collision_text(const Story& story, std::size_t gap, const GapFindings& found, std::size_t points) {
+  const Words& say = story.say;
+  const std::string left = story.problem.buildings[gap].name;
+  const std::string right = story.problem.buildings[gap + 1].name;
+  const std::string duration = quantity(story.problem.duration, "s");
+  if (found.impacts == 0) return say("verdict.apart", {{"left", left}, {"right", right}, {"duration", duration}});
+  std::string text = say(points == 1 ? "verdict.collide.one_level" : "verdict.collide",
+                         {{"left", left},
+                          {"right", right},
+                          {"times", say.count("verdict.times", found.impacts)},
+                          {"duration", duration},
+                          {"touched", std::to_string(found.touched)},
+                          {"points", std::to_string(points)}});
+  const std::string elevation = quantity(story.problem.points[found.hardest].elevation, story.c.units.length);
+  if (const Impact* const impact = hardest_impact(story.response, found.hardest)) {
+    if (impact->peak_force > 0) {
+      text += " " + say("verdict.hardest", {{"force", quantity(impact->peak_force, story.c.units.force)},
+                                            {"time", quantity(impact->peak_force_time, "s")},
+                                            {"elevation", elevation},
+                                            {"contact", quantity(1e3 * (impact->end - impact->start), "ms")}});
+    } else {
+      text += " " + say("verdict.fastest", {{"speed", quantity(impact->closing_speed, story.c.units.length + "/s")},
+                                            {"time", quantity(impact->start, "s")},
+                                            {"elevation", elevation}});
+    }
+  }
+  return text;
+}
+
+std::string needed_text(const Story& story, const GapFindings& found) {
+  const std::string& length = story.c.units.length;
+  const ContactPoint& point = story.problem.points[found.closest];
+  const double needed = story.response.points[found.closest].minimum_gap_no_contact;
+  const bool enough = needed <= point.width;
+  return story.say(enough ? "verdict.enough" : "verdict.short",
+                   {{"needed", quantity(needed, length)},
+                    {"elevation", quantity(point.elevation, length)},
+                    {"width", quantity(point.width, length)},
+                    {"difference", quantity(std::abs(needed - point.width), length)}});
+}
+
+/// One rule against what is simulated, each at its worst level.
+struct RuleFinding {
+  std::string name;
+  double gap = 0;
+  bool falls_short = false;  ///< of the simulated gap, at some level
+  bool known = true;
+};
+
+std::vector<RuleFinding> rules(const Story& story, const std::vector<std::size_t>& points) {
+  std::vector<RuleFinding> found;
+  const auto add = [&](const std::string& name, const auto& gap_of) {
+    RuleFinding rule{.name = name};
+    for (const std::size_t i : points) {
+      const PointSeparation& s = story.separations.at(i);
+      rule.gap = std::max(rule.gap, gap_of(s));
+      rule.falls_short = rule.falls_short || gap_of(s) < s.simulated * (1 - 1e-9);
+      rule.known = rule.known && !std::isnan(gap_of(s));
+    }
+    if (rule.known) found.push_back(rule);
+  };
+  add("ABS", [](const PointSeparation& s) { return s.abs; });
+  add("SRSS", [](const PointSeparation& s) { return s.srss; });
+  add("DDC", [](const PointSeparation& s) { return s.ddc; });
+  const std::vector<CodeSeparation>& codes = story.separations.at(points.front()).codes;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    add(std::string(find_code_rule(codes[k].rule)->title), [k](const PointSeparation& s) { return s.codes[k].gap; });
+  }
+  return found;
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == parts.size() ? " " + last + " " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+std::string rules_text(const Story& story, const std::vector<std::size_t>& points) {
+  std::vector<std::string> gaps, unsafe;
+  for (const RuleFinding& rule : rules(story, points)) {
+    gaps.push_back(quantity(rule.gap, story.c.units.length) + " (" + rule.name + ")");
+    if (rule.falls_short) unsafe.push_back(rule.name);
+  }
+  const std::string conjunction = story.say("word.and");
+  std::string text = story.say("verdict.rules", {{"rules", joined(gaps, conjunction)}});
+  if (!unsafe.empty()) text += " " + story.say("verdict.rules_short", {{"rules", joined(unsafe, conjunction)}});
+  return text;
+}
+
+/// What contact does to the buildings, over all of them.
+std::string effect_text(const Story& story) {
+  const auto& buildings = story.response.buildings;
+  double amplification = 0;
+  double acceleration = 0;
+  std::size_t most = 0;
+  std::size_t fastest = 0;
+  Eigen::Index most_floor = 0;
+  Eigen::Index fastest_floor = 0;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    for (Eigen::Index floor = 0; floor < buildings[b].displacement.size(); ++floor) {
+      const double free = buildings[b].displacement_no_contact(floor);
+      if (free > 0 && buildings[b].displacement(floor) / free > amplification) {
+        amplification = buildings[b].displacement(floor) / free;
+        most = b;
+        most_floor = floor;
+      }
+      if (buildings[b].acceleration(floor) > acceleration) {
+        acceleration = buildings[b].acceleration(floor);
+        fastest = b;
+        fastest_floor = floor;
+      }
+    }
+  }
+  const auto level = [&](std::size_t b, Eigen::Index floor) {
+    return quantity(story.problem.buildings[b].model.elevations[static_cast<std::size_t>(floor)], story.c.units.length);
+  };
+  std::string text;
+  if (!story.response.impacts.empty()) {
+    const BuildingPeaks& peaks = buildings[most];
+    text = amplification > 1 + 1e-9
+               ? story.say("verdict.amplified",
+                           {{"building", story.problem.buildings[most].name},
+                            {"elevation", level(most, most_floor)},
+                            {"factor", number(amplification)},
+                            {"with", quantity(peaks.displacement(most_floor), story.c.units.length)},
+                            {"without", quantity(peaks.displacement_no_contact(most_floor), story.c.units.length)}})
+               : story.say("verdict.not_amplified");
+    text += " ";
+  }
+  return text + story.say("verdict.acceleration", {{"acceleration", quantity(acceleration, acceleration_unit(story.c))},
+                                                   {"g", number(acceleration / story.c.units.gravity)},
+                                                   {"building", story.problem.buildings[fastest].name},
+                                                   {"elevation", level(fastest, fastest_floor)}});
+}
+
+/// What of a rule's wording was checked, in the words of the report.
+std::string wording_text(const CodeRule& rule, const Words& say) {
+  std::string text(rule.wording);
+  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("checked", "gap.checked")}) {
+    const std::size_t at = text.find(english);
+    if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
+  }
+  return text;
+}
+
+/// The rules of codes at the level where each asks for most over what is given.
+Html code_table(const Story& story, const std::vector<std::size_t>& points) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> titles, clauses, wordings, verdicts;
+  std::vector<double> gaps, elevations, lefts, rights;
+  const auto width = [&](std::size_t i) { return story.problem.points[i].width; };
+  const std::size_t count = story.separations.at(points.front()).codes.size();
+  bool property_line = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto short_by = [&](std::size_t i) { return story.separations[i].codes[k].gap - width(i); };
+    const std::size_t most = *std::max_element(points.begin(), points.end(),
+                                               [&](std::size_t a, std::size_t b) { return short_by(a) < short_by(b); });
+    const CodeSeparation& code = story.separations[most].codes[k];
+    const CodeRule& rule = *find_code_rule(code.rule);
+    titles.emplace_back(rule.title);
+    clauses.emplace_back(rule.clause);
+    wordings.push_back(wording_text(rule, say));
+    gaps.push_back(code.gap);
+    elevations.push_back(story.problem.points[most].elevation);
+    lefts.push_back(code.to_left.value_or(none));
+    rights.push_back(code.to_right.value_or(none));
+    property_line = property_line || code.to_left || code.to_right;
+    verdicts.push_back(say(short_by(most) > 0 ? "gap.too_close" : "gap.wide_enough"));
+  }
+  HtmlTable table;
+  table.add(say("gap.code"), "", titles, false);
+  table.add(say("gap.clause"), "", clauses, false);
+  table.add(say("column.needed"), length, gaps);
+  table.add(say("column.elevation"), length, elevations);
+  table.add(say("gap.given_is"), "", verdicts, false);
+  if (property_line) {
+    table.add(say("gap.left_to_line"), length, lefts);
+    table.add(say("gap.right_to_line"), length, rights);
+  }
+  table.add(say("gap.wording"), "", wordings, false);
+  return table.markup();
+}
+
+}  // namespace
+
+Html verdict_section(const Story& story) {
+  Html blocks;
+  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+    const std::vector<std::size_t> points = points_of(story.problem, gap);
+    const GapFindings found = findings(story, points);
+    const bool pounding = found.impacts > 0;
+    const Html block =
+        element("p", Html::text(story.say(pounding ? "verdict.pounding" : "verdict.no_pounding")), "class=\"badge\"") +
+        element("p", Html::text(collision_text(story, gap, found, points.size())), "class=\"lead\"") +
+        element("p", Html::text(needed_text(story, found))) + element("p", Html::text(rules_text(story, points)));
+    blocks += element("div", block, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+  }
+  return section("verdict", story.say("heading.verdict"),
+                 blocks + element("p", Html::text(effect_text(story)), "class=\"effect\""));
+}
+
+Html gap_section(const Story& story) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  Html content;
+  bool codes = false;
+  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+    const std::vector<std::size_t> points = points_of(story.problem, gap);
+    const std::size_t governing = findings(story, points).closest;
+    HtmlTable table;
+    std::vector<double> elevations, widths, simulated, abs, srss, ddc;
+    std::vector<std::string> marks;
+    for (const std::size_t i : points) {
+      const PointSeparation& s = story.separations.at(i);
+      if (i == governing && s.simulated > story.problem.points[i].width) table.mark(elevations.size());
+      elevations.push_back(story.problem.points[i].elevation);
+      widths.push_back(story.problem.points[i].width);
+      simulated.push_back(s.simulated);
+      abs.push_back(s.abs);
+      srss.push_back(s.srss);
+      ddc.push_back(s.ddc);
+      marks.push_back(say(s.simulated > widths.back() ? "gap.too_close" : "gap.wide_enough"));
+    }
+    table.add(say("column.elevation"), length, elevations);
+    table.add(say("column.given"), length, widths);
+    table.add(say("column.simulated"), length, simulated);
+    table.add("ABS", length, abs);
+    table.add("SRSS", length, srss);
+    if (story.from_case()) table.add("DDC", length, ddc);
+    table.add(say("gap.given_is"), "", marks, false);
+    content += element("h3", Html::text(gap_name(story.problem, gap))) + table.markup();
+    if (!story.separations.at(points.front()).codes.empty()) {
+      codes = true;
+      content += code_table(story, points);
+    }
+  }
+  content += element("p", Html::text(say("gap.note")), "class=\"note\"");
+  content += element("p",
+                     Html::text(say(!story.from_case() ? "gap.no_case"
+                                    : codes            ? "gap.codes_note"
+                                                       : "gap.no_codes")),
+                     "class=\"note\"");
+  return section("gaps", say("heading.gaps"), content);
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/io/results/temporary_folder.h"
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur {
+namespace {
+
+constexpr int records = 3;
+constexpr int levels = 4;
+constexpr int widths = 2;
+
+/// Peak force of a made-up run: none below a level that grows with record and width, then a line.
+double force(int record, int level, int width) { return std::max(0, (record + 1) * (level - width) * 10); }
+
+/// Results as docs/studies.md has them: record × width × intensity × point.
+std::filesystem::path write_results(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "ida.nc";
+  int file = 0;
+  EXPECT_EQ(nc_create(path.c_str(), NC_NETCDF4, &file), NC_NOERR);
+  int dims[4] = {};
+  nc_def_dim(file, "record", records, &dims[0]);
+  nc_def_dim(file, "width", widths, &dims[1]);
+  nc_def_dim(file, "intensity", levels, &dims[2]);
+  nc_def_dim(file, "point", 1, &dims[3]);
+  const auto variable = [&](const char* name, nc_type type, int count, const int* of, const std::string& units,
+                            const std::string& long_name) {
+    int id = 0;
+    EXPECT_EQ(nc_def_var(file, name, type, count, of, &id), NC_NOERR);
+    nc_put_att_text(file, id, "units", units.size(), units.data());
+    nc_put_att_text(file, id, "long_name", long_name.size(), long_name.data());
+    return id;
+  };
+  const int record = variable("record", NC_STRING, 1, &dims[0], "", "excitation.file");
+  const char* names[] = {"a", "b", "c"};
+  EXPECT_EQ(nc_put_var_string(file, record, names), NC_NOERR);
+  const double w[] = {0.1, 0.2};
+  nc_put_var_double(file, variable("width", NC_DOUBLE, 1, &dims[1], "m", "gap[0].width"), w);
+  const double x[] = {0.5, 1, 1.5, 2};
+  const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";
+  nc_put_var_double(file, variable("intensity", NC_DOUBLE, 1, &dims[2], "gravity", measure), x);
+  const double own[] = {1, 1, 1};
+  nc_put_var_double(file, variable("record_intensity", NC_DOUBLE, 1, &dims[0], "gravity", measure), own);
+  std::vector<double> forces, impacts;
+  for (int r = 0; r < records; ++r) {
+    for (int width = 0; width < widths; ++width) {
+      for (int level = 0; level < levels; ++level) {
+        forces.push_back(force(r, level, width));
+        // The higher the level the more records pound: 0, 1, 2, 3 at width 0, one less at the other.
+        impacts.push_back(r < level - width ? 2 : 0);
+      }
+    }
+  }
+  nc_put_var_double(file, variable("peak_force", NC_DOUBLE, 4, dims, "kN", "largest force"), forces.data());
+  nc_put_var_double(file, variable("impacts", NC_DOUBLE, 4, dims, "1", "impacts"), impacts.data());
+  const std::vector<double> status(forces.size(), 0);
+  nc_put_var_double(file, variable("status", NC_BYTE, 3, dims, "", "how the run ended"), status.data());
+  EXPECT_EQ(nc_close(file), NC_NOERR);
+  return path;
+}
+
+const Curve& labelled(const Figure& figure, const std::string& label) {
+  for (const Curve& curve : figure.panels.at(0).curves) {
+    if (curve.label == label) return curve;
+  }
+  throw std::runtime_error("no curve " + label);
+}
+
+TEST(IdaFigure, FractilesOfTheRecords) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure figure = make_figure(results, "ida", options);
+  EXPECT_EQ(figure.panels[0].y.label, "Sa (1.2 s, 5 %) [g]");
+  EXPECT_EQ(figure.panels[0].curves.size(), 6U);
+  const Curve& median = labelled(figure, "50 %");
+  const Curve& low = labelled(figure, "16 %");
+  EXPECT_EQ(median.y, (std::vector<double>{0.5, 1, 1.5, 2}));
+  for (int level = 0; level < levels; ++level) {
+    const auto i = static_cast<std::size_t>(level);
+    EXPECT_EQ(median.x[i], force(1, level, 0));
+    EXPECT_NEAR(low.x[i], force(0, level, 0) + 0.32 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
+  }
+  EXPECT_THROW(static_cast<void>(make_figure(results, "ida")), NoFigure);  // which width?
+}
+
+TEST(IdaFigure, FragilityOfEachWidth) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  const Figure figure = make_figure(results, "fragility");
+  const Curve& observed = labelled(figure, "observed");
+  EXPECT_EQ(observed.x, (std::vector<double>{0.5, 1, 1.5, 2}));
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_DOUBLE_EQ(observed.y[i], static_cast<double>(i) / 3);
+  const Curve& fit = labelled(figure, "width = 0.1 m");
+  EXPECT_TRUE(std::is_sorted(fit.y.begin(), fit.y.end()));
+  EXPECT_GT(fit.y.back(), 0.9);
+  labelled(figure, "width = 0.2 m");
+  const Curve& bounds = labelled(figure, "95 % bounds");
+  for (std::size_t i = 0; i < bounds.x.size(); ++i) EXPECT_LE(bounds.y[i], bounds.top[i]);
+}
+
+TEST(IdaFigure, FragilityOfAnotherEvent) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.event = "peak_force > 25";
+  const Figure figure = make_figure(results, "fragility", options);
+  EXPECT_EQ(figure.panels[0].y.label, "P(peak_force > 25 kN) [–]");
+  const Curve& observed = labelled(figure, "observed");
+  for (int level = 0; level < levels; ++level) {
+    double events = 0;
+    for (int record = 0; record < records; ++record) events += force(record, level, 0) > 25 ? 1 : 0;
+    EXPECT_DOUBLE_EQ(observed.y[static_cast<std::size_t>(level)], events / records) << level;
+  }
+  for (const char* wrong : {"peak_force", "peak_farce > 1"}) {
+    options.event = wrong;
+    EXPECT_THROW(static_cast<void>(make_figure(results, "fragility", options)), NoFigure) << wrong;
+  }
+}
+
+TEST(IdaFigure, ListsItsKinds) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  const std::vector<FigureKind> kinds = figure_kinds(results);
+  ASSERT_GE(kinds.size(), 3U);
+  EXPECT_EQ(kinds[0].name, "ida");
+  EXPECT_EQ(kinds[1].name, "fragility");
+  EXPECT_EQ(kinds[2].name, "peak-force");
+}
+
+}  // namespace
+}  // namespace bentur

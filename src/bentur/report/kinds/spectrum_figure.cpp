@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "bentur/report/figures/text.h"
+#include "bentur/report/kinds/run_data.h"
+
+namespace bentur {
+
+Figure spectrum_figure(const SpectrumCurves& curves, double width) {
+  const auto panel = [&](const std::string& label, const std::vector<double>& values) {
+    Panel one;
+    one.x = {.from = curves.periods.front(), .to = curves.periods.back(), .logarithmic = true};
+    one.y.label = label;
+    one.y.from = 0;
+    one.height = 3.2;
+    Curve curve;
+    curve.x = curves.periods;
+    curve.y = values;
+    one.curves = {curve};
+    std::size_t index = 0;
+    for (const auto& [name, period] : curves.marks) {
+      Curve style;
+      tell_apart(style, ++index);
+      one.rules.push_back({.at = period,
+                           .vertical = true,
+                           .label = fmt::format("T1 of {}", name),
+                           .tone = style.tone,
+                           .line = style.line});
+    }
+    return one;
+  };
+  Figure figure;
+  figure.title = fmt::format("Response spectra of the ground motion, damping ratio {}", number_text(curves.damping));
+  figure.width = width;
+  figure.shared_legend = true;
+  figure.panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
+                   panel(with_unit("Sd", curves.length), curves.displacement)};
+  figure.panels.front().curves.front().label = fmt::format("ζ = {:.3g} %", 100 * curves.damping);
+  figure.panels.back().x.label = "Period T [s]";
+  return figure;
+}
+
+Figure run_spectrum_figure(const RunData& run, const FigureOptions& options) {
+  const NetcdfReader& results = run.results;
+  if (results.find("spectrum_period") == nullptr) {
+    throw NoFigure("the file has no response spectrum: \"bentur run --figures\" adds that of a record");
+  }
+  SpectrumCurves curves;
+  curves.periods = results.numbers("spectrum_period");
+  curves.acceleration = results.numbers("spectrum_acceleration");
+  curves.displacement = results.numbers("spectrum_displacement");
+  curves.acceleration_unit = unit_text(results.at("spectrum_acceleration").units);
+  curves.length = run.length;
+  curves.damping = results.numbers("spectrum_damping").at(0);
+  for (const std::size_t b : run.shown(options)) {
+    const RunData::Building& building = run.buildings[b];
+    if (!building.periods.empty()) curves.marks.emplace_back(building.name, building.periods.front());
+  }
+  return spectrum_figure(curves, options.width);
+}
+
+}  // namespace bentur

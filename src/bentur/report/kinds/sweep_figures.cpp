@@ -1,0 +1,312 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bentur/report/figures/text.h"
+#include "bentur/report/kinds/run_data.h"
+#include "bentur/report/kinds/sweep_data.h"
+
+namespace bentur {
+namespace {
+
+constexpr std::size_t most_owner_curves = 6;  // points or floors drawn one by one
+constexpr std::size_t most_level_curves = 4;  // values of a second parameter drawn as curves, not as a map
+
+/// The variables of a kind: one, or one for each building.
+std::vector<std::string> quantities(const NetcdfReader& results, const SweepKind& kind) {
+  if (results.find(kind.quantity) != nullptr) return {kind.quantity};
+  std::vector<std::string> names;
+  for (std::size_t b = 1;; ++b) {
+    const std::string name = fmt::format("{}_{}", kind.quantity, b);
+    if (results.find(name) == nullptr) return names;
+    names.push_back(name);
+  }
+}
+
+/// "Model 1" out of the long name of the floors, where it stands in quotes.
+std::string building_name(const NetcdfReader& results, std::size_t number) {
+  const NetcdfVariable* floors = results.find(fmt::format("elevation_{}", number));
+  if (floors != nullptr) {
+    const std::string& text = floors->long_name;
+    const std::size_t first = text.find('"');
+    const std::size_t last = text.rfind('"');
+    if (first < last && last != std::string::npos) return text.substr(first + 1, last - first - 1);
+  }
+  return fmt::format("building {}", number);
+}
+
+/// One number for all points or floors; NaN where there is none.
+double joined(const std::vector<double>& values, bool sum) {
+  double result = NAN;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    result = std::isnan(result) ? value : sum ? result + value : std::max(result, value);
+  }
+  return result;
+}
+
+/// Draws one kind with what is left free of a sweep's dimensions.
+class SweepDrawing {
+ public:
+  SweepDrawing(const SweepData& sweep, const SweepKind& kind, const FigureOptions& options)
+      : sweep_(sweep), kind_(kind), options_(options), at_(sweep.chosen(options.at)) {
+    for (std::size_t d = 0; d < at_.size(); ++d) {
+      if (at_[d] == sweep.dimensions()[d].size) free_.push_back(d);
+    }
+  }
+
+  Figure make() {
+    const std::vector<std::string> names = quantities(sweep_.results(), kind_);
+    Figure figure;
+    figure.title = kind_.label;
+    figure.width = options_.width;
+    for (std::size_t q = 0; q < names.size(); ++q) {
+      Panel panel = this->panel(names[q]);
+      if (names.size() > 1) panel.title = building_name(sweep_.results(), q + 1);
+      if (q + 1 < names.size()) panel.x.label = "";
+      figure.panels.push_back(std::move(panel));
+    }
+    figure.shared_legend = names.size() > 1 && same_legends(figure);
+    return figure;
+  }
+
+ private:
+  static bool same_legends(const Figure& figure) {
+    const auto& first = figure.panels.front().curves;
+    return std::all_of(figure.panels.begin(), figure.panels.end(), [&](const Panel& panel) {
+      return std::equal(panel.curves.begin(), panel.curves.end(), first.begin(), first.end(),
+                        [](const Curve& a, const Curve& b) { return a.label == b.label; });
+    });
+  }
+
+  [[nodiscard]] std::string label(const std::string& quantity) const {
+    const std::string unit = unit_text(sweep_.results().at(quantity).units);
+    return with_unit(kind_.label, unit.empty() ? "–" : unit);
+  }
+
+  [[nodiscard]] std::string choices(std::size_t from) const {
+    std::string text;
+    for (std::size_t i = from; i < free_.size(); ++i) {
+      text += (text.empty() ? "" : ", ") + sweep_.dimensions()[free_[i]].name;
+    }
+    return text;
+  }
+
+  Panel panel(const std::string& quantity) {
+    if (!sweep_.dimensions().empty() && sweep_.dimensions()[0].name == "sample") return samples(quantity);
+    if (!options_.against.empty()) put_first(options_.against);
+    if (free_.empty()) throw NoFigure("nothing is left to vary");
+    if (free_.size() > 2) {
+      throw NoFigure(fmt::format("{} vary: fix all but one or two, with --at NAME=VALUE", choices(0)));
+    }
+    if (free_.size() == 1) return curves(quantity);
+    if (options_.against.empty()) {  // numbers before names, and many before few
+      const SweepDimension& a = sweep_.dimensions()[free_[0]];
+      const SweepDimension& b = sweep_.dimensions()[free_[1]];
+      if (a.is_text() ? !b.is_text() : (!b.is_text() && b.size > a.size)) std::swap(free_[0], free_[1]);
+    }
+    const SweepDimension& second = sweep_.dimensions()[free_[1]];
+    const bool map = second.size > most_level_curves && sweep_.dimensions()[free_[0]].size > 1;
+    return map ? this->map(quantity) : families(quantity);
+  }
+
+  void put_first(const std::string& name) {
+    const auto found =
+        std::find_if(free_.begin(), free_.end(), [&](std::size_t d) { return sweep_.dimensions()[d].name == name; });
+    if (found == free_.end()) throw NoFigure(fmt::format("--against {}: what varies is {}", name, choices(0)));
+    std::rotate(free_.begin(), found, found + 1);
+  }
+
+  Axis x_axis() const {
+    const SweepDimension& one = sweep_.dimensions()[free_[0]];
+    Axis axis{.label = one.label};
+    if (one.is_text()) {
+      axis.names = one.texts;
+    } else {
+      axis.from = *std::min_element(one.numbers.begin(), one.numbers.end());
+      axis.to = *std::max_element(one.numbers.begin(), one.numbers.end());
+    }
+    return axis;
+  }
+
+  [[nodiscard]] double place(std::size_t d, std::size_t i) const {
+    const SweepDimension& one = sweep_.dimensions()[d];
+    return one.is_text() ? static_cast<double>(i) : one.numbers[i];
+  }
+
+  /// Values along the first free dimension, of one owner or all together, by ascending x.
+  Curve curve(const std::string& quantity, std::optional<std::size_t> owner) {
+    const std::size_t d = free_[0];
+    const SweepDimension& one = sweep_.dimensions()[d];
+    std::vector<std::size_t> order(one.size);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(d, a) < place(d, b); });
+    Curve result;
+    for (const std::size_t i : order) {
+      at_[d] = i;
+      const std::vector<double> values = sweep_.values(quantity, at_);
+      result.x.push_back(place(d, i));
+      result.y.push_back(owner ? values[*owner] : joined(values, kind_.sum));
+    }
+    if (one.is_text()) result.line = Line::none;
+    return result;
+  }
+
+  void style(Curve& curve, std::size_t index) const {
+    tell_apart(curve, index);
+    if (sweep_.dimensions()[free_[0]].is_text()) {
+      curve.line = Line::none;
+      curve.mark = mark_of(index);
+    }
+  }
+
+  Panel framed(const std::string& quantity) const {
+    Panel panel;
+    panel.x = x_axis();
+    panel.y.label = label(quantity);
+    if (kind_.quantity != "amplification") panel.y.from = 0;
+    if (kind_.quantity == "amplification") panel.rules = {{.at = 1}};
+    panel.height = 4.6;
+    return panel;
+  }
+
+  Panel curves(const std::string& quantity) {
+    Panel panel = framed(quantity);
+    const std::vector<std::string> names = sweep_.owner_names(quantity);
+    if (names.size() > most_owner_curves) {
+      Curve all = curve(quantity, std::nullopt);
+      style(all, 0);
+      all.label = kind_.sum ? "all together" : "largest of all";
+      panel.curves.push_back(all);
+    }
+    for (std::size_t i = 0; i < names.size() && names.size() <= most_owner_curves; ++i) {
+      Curve one = curve(quantity, i);
+      style(one, i);
+      one.label = names.size() > 1 ? names[i] : "";
+      if (std::any_of(one.y.begin(), one.y.end(), [](double y) { return std::isfinite(y); })) {
+        panel.curves.push_back(std::move(one));
+      }
+    }
+    return panel;
+  }
+
+  /// One curve for each value of the second dimension.
+  Panel families(const std::string& quantity) {
+    Panel panel = framed(quantity);
+    const std::size_t d = free_[1];
+    const SweepDimension& second = sweep_.dimensions()[d];
+    for (std::size_t i = 0; i < second.size; ++i) {
+      at_[d] = i;
+      Curve one = curve(quantity, std::nullopt);
+      style(one, i);
+      one.label = second.choice(i);
+      panel.curves.push_back(std::move(one));
+    }
+    at_[d] = second.size;
+    return panel;
+  }
+
+  /// Edges of cells around places: half way, or for names half a step.
+  [[nodiscard]] std::vector<double> edges(std::size_t d, const std::vector<std::size_t>& order) const {
+    std::vector<double> places;
+    for (const std::size_t i : order) places.push_back(place(d, i));
+    std::vector<double> list = {places[0] - (places[1] - places[0]) / 2};
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) list.push_back((places[i] + places[i + 1]) / 2);
+    list.push_back(places.back() + (places.back() - places[places.size() - 2]) / 2);
+    return list;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> ascending(std::size_t d) const {
+    std::vector<std::size_t> order(sweep_.dimensions()[d].size);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(d, a) < place(d, b); });
+    return order;
+  }
+
+  Panel map(const std::string& quantity) {
+    const std::size_t x = free_[0];
+    const std::size_t y = free_[1];
+    const std::vector<std::size_t> columns = ascending(x);
+    const std::vector<std::size_t> rows = ascending(y);
+    HeatMap map;
+    map.x_edges = edges(x, columns);
+    map.y_edges = edges(y, rows);
+    map.label = label(quantity);
+    for (const std::size_t row : rows) {
+      for (const std::size_t column : columns) {
+        at_[x] = column;
+        at_[y] = row;
+        map.values.push_back(joined(sweep_.values(quantity, at_), kind_.sum));
+      }
+    }
+    at_[x] = sweep_.dimensions()[x].size;
+    at_[y] = sweep_.dimensions()[y].size;
+    Panel panel;
+    panel.height = 4.6;
+    panel.x = {.label = sweep_.dimensions()[x].label,
+               .from = map.x_edges.front(),
+               .to = map.x_edges.back(),
+               .names = sweep_.dimensions()[x].texts};
+    panel.y = {.label = sweep_.dimensions()[y].label,
+               .from = map.y_edges.front(),
+               .to = map.y_edges.back(),
+               .names = sweep_.dimensions()[y].texts};
+    panel.map = std::move(map);
+    return panel;
+  }
+
+  /// A mark for every sample.
+  Panel samples(const std::string& quantity) {
+    const std::vector<SweepDimension> coordinates = sweep_.sample_coordinates();
+    std::string known;
+    const SweepDimension* x = nullptr;
+    for (const SweepDimension& one : coordinates) {
+      known += (known.empty() ? "" : ", ") + one.name;
+      if (x == nullptr && (options_.against.empty() ? !one.is_text() : one.name == options_.against)) x = &one;
+    }
+    if (x == nullptr) throw NoFigure(fmt::format("--against NAME must be one of {}", known));
+    Panel panel;
+    panel.height = 4.6;
+    panel.x.label = x->label;
+    panel.x.names = x->texts;
+    panel.y.label = label(quantity);
+    Curve marks;
+    marks.line = Line::none;
+    marks.mark = Mark::circle;
+    for (std::size_t i = 0; i < x->size; ++i) {
+      marks.x.push_back(x->is_text() ? static_cast<double>(i) : x->numbers[i]);
+      marks.y.push_back(joined(sweep_.values(quantity, {i}), kind_.sum));
+    }
+    panel.curves = {marks};
+    return panel;
+  }
+
+  const SweepData& sweep_;
+  const SweepKind& kind_;
+  const FigureOptions& options_;
+  std::vector<std::size_t> at_, free_;
+};
+
+}  // namespace
+
+const std::vector<SweepKind>& sweep_kinds() {
+  static const std::vector<SweepKind> kinds = {
+      {"peak-force", "peak_force", "Peak contact force F"},
+      {"amplification", "amplification", "Amplification of max |x|"},
+      {"contact-duration", "contact_duration", "Time in contact", true},
+      {"impacts", "impacts", "Impacts", true},
+      {"penetration", "peak_penetration", "Peak shortening δ"},
+      {"impulse", "impulse", "Impulse of all impacts", true},
+      {"displacement", "peak_displacement", "max |x|"},
+      {"drift", "peak_drift_ratio", "Peak drift ratio"},
+  };
+  return kinds;
+}
+
+Figure sweep_figure(const SweepData& sweep, const SweepKind& kind, const FigureOptions& options) {
+  return SweepDrawing(sweep, kind, options).make();
+}
+
+}  // namespace bentur

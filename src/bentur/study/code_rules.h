@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bentur {
+
+/// What a case gives for one code's rule, key by key.
+struct CodeRuleSpec {
+  std::string rule;  ///< a name of code_rules()
+  /// One value for all buildings or one each, left to right; of keys of the whole site one.
+  std::map<std::string, std::vector<double>, std::less<>> numbers = {};
+  std::map<std::string, std::vector<std::string>, std::less<>> words = {};
+  std::map<std::string, bool, std::less<>> flags = {};  ///< those given; the others are false
+};
+
+/// [code] of a case: the rules it gives numbers for, and how the buildings of each gap stand to one another.
+struct CodeSpec {
+  std::vector<CodeRuleSpec> rules;                       ///< in the order of code_rules()
+  std::optional<std::vector<bool>> floors_aligned = {};  ///< per gap; nothing: as the floors' elevations say
+  std::vector<bool> same_owner = {};                     ///< per gap; empty: true for all
+};
+
+/// One building at a contact level.
+struct CodeSide {
+  double displacement = 0;  ///< u [length] ≥ 0, peak of the elastic analysis at the level
+  double level = 0;         ///< h [length] of the level above the building's base
+  double height = 0;        ///< H [length] of the building above its base
+};
+
+struct CodePair {
+  CodeSide left, right;
+  std::size_t left_building = 0;  ///< its place in the row; the right one is the next
+  bool floors_aligned = false;    ///< all floors of the lower building have a floor of the other at their elevation
+  bool same_owner = true;         ///< no property line between them
+  double metre = 1;               ///< [length], the case's units in one metre
+};
+
+struct CodeSeparation {
+  std::string rule;
+  double gap = 0;                           ///< between the two buildings [length]
+  std::optional<double> to_left, to_right;  ///< from the left, right building to a property line [length]
+};
+
+/// What a rule needs to be given.
+struct CodeKey {
+  enum class Kind {
+    factor,         ///< a number > 0, one for all buildings or one each
+    whole,          ///< a whole number of `from` to `to`, of the site
+    word,           ///< one of `words`, of the site
+    building_word,  ///< one of `words`, one for all buildings or one each
+    flag            ///< true or false; default false
+  };
+  std::string_view name;
+  Kind kind = Kind::factor;
+  std::vector<std::string_view> words = {};
+  int from = 0, to = 0;
+};
+
+/// Separation rules of building codes. With u_A, u_B the peaks of the elastic analysis at the level:
+///
+///   asce-7-16, sni-1726-2019   δ_M = C_d u/I_e; √(δ_MA² + δ_MB²), across a property line δ_MA + δ_MB         (1)
+///   en-1998-1                  d_s = q u; √(d_sA² + d_sB²), across a property line d_sA + d_sB;
+///                              times 0.7 where floors are aligned                                           (2)
+///   is-1893-1                  R_A u_A + R_B u_B, half of it where floors are aligned                        (3)
+///   nbcc                       δ = R_d R_o u/I_E; √(δ_A² + δ_B²)                                             (4)
+///   tbdy-2018                  √((α_A u_A)² + (α_B u_B)²), α = 0.25 R/I where floors are aligned, else 0.5 R/I;
+///                              at least 30 mm, and 10 mm more for each 3 m above 6 m of the lower building   (5)
+///   gb-50011-2010              100 mm, and above 15 m of the lower building 20 mm for each 5, 4, 3, 2 m at
+///                              intensity 6, 7, 8, 9; times 0.7 for frame-wall, 0.5 for wall structures (the one of
+///                              the two that needs more decides); at least 100 mm. Needs no displacement.      (6)
+///   ntc-2004                   s = max(50 mm, Q u + c h), c = 0.001, 0.003, 0.006 in zone I, II, III; s_A + s_B,
+///                              half of it for alike structures whose floors are aligned                      (7)
+///
+/// C_d deflection amplification, I_e, I_E, I importance factor, q, Q behaviour factor, R response reduction, R_d
+/// ductility and R_o overstrength factor, all [-]; h [length] the level above the base. Increments of (5), (6) are in
+/// proportion. The amplifiers belong to displacements under a code's reduced design forces: where the ground motion is
+/// not reduced they are 1. Clauses, sources and what of their wording was checked: docs/separation-rules.md.
+/// Invariants (each has a test): a rule gives the same gap in every unit of length; it does not depend on which
+/// building stands left; it does not shrink when a displacement or an amplifier grows.
+struct CodeRule {
+  std::string_view name, title, clause;
+  std::string_view wording;  ///< "checked", "to check", or which part of it
+  std::vector<CodeKey> keys;
+  CodeSeparation (*separation)(const CodePair&, const CodeRuleSpec&);
+};
+
+[[nodiscard]] const std::vector<CodeRule>& code_rules();
+[[nodiscard]] const CodeRule* find_code_rule(std::string_view name);  ///< nullptr: there is none
+
+/// The gap by one rule. @throws InvalidParameter, naming the key, when something that it needs is missing or out of
+/// range.
+[[nodiscard]] CodeSeparation code_separation(const CodePair& pair, const CodeRuleSpec& spec);
+
+}  // namespace bentur

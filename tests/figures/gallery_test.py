@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""The pictures of docs/gallery.md: the same twice, the same as those in docs/figures where gnuplot is the version that
+drew these (each SVG names it), well formed, and with a label on every axis.
+
+Against the committed ones numbers may differ by half a point: some of the runs collide a hundred times under harmonic
+motion, where a last digit of the processor's sine grows to what can just be seen.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+VERSION = re.compile(r"Produced by GNUPLOT ([^<]*?) *<")
+NUMBER = re.compile(r"-?\d+\.\d+")
+
+
+def same(picture, other):
+    """Whether two pictures have the same texts and the same numbers to half a point."""
+    if NUMBER.sub("", picture) != NUMBER.sub("", other):
+        return False
+    return all(abs(float(a) - float(b)) <= 0.5 for a, b in zip(NUMBER.findall(picture), NUMBER.findall(other)))
+
+
+def draw(folder):
+    subprocess.run([sys.executable, SOURCE / "tools/gallery.py", BENTUR, SOURCE, folder], check=True)
+    return {file.name: file.read_text() for file in pathlib.Path(folder).glob("*.svg")}
+
+
+class Gallery(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as first, tempfile.TemporaryDirectory() as second:
+            cls.pictures, cls.again = draw(first), draw(second)
+
+    def test_the_same_twice(self):
+        self.assertEqual(self.pictures.keys(), self.again.keys())
+        for name, picture in self.pictures.items():
+            self.assertEqual(picture, self.again[name], name)
+
+    def test_the_committed_ones(self):
+        compared = 0
+        for name, picture in self.pictures.items():
+            committed = (SOURCE / "docs/figures" / name).read_text()
+            if VERSION.search(committed)[1] == VERSION.search(picture)[1]:
+                self.assertTrue(same(picture, committed), f"{name}: ./dev gallery draws it anew")
+                compared += 1
+        if compared == 0:
+            self.skipTest("another version of gnuplot drew them")
+
+    def test_every_picture_of_the_page_is_there_and_no_other(self):
+        pages = "".join((SOURCE / "docs" / page).read_text() for page in ("gallery.md", "performance.md"))
+        shown = set(re.findall(r"\]\(figures/([^)]+)\)", pages))
+        self.assertEqual(shown, {file.name for file in (SOURCE / "docs/figures").iterdir()})
+
+    def test_small_and_well_formed(self):
+        for name, picture in self.pictures.items():
+            self.assertLess(len(picture), 250_000, name)
+            root = xml.fromstring(picture)
+            texts = [text.text or "" for text in root.iter("{http://www.w3.org/2000/svg}text")]
+            # A label with a unit on both axes of at least one panel.
+            self.assertGreaterEqual(len([text for text in texts if re.search(r"\[.+\]$", text)]), 2, f"{name}: {texts}")
+
+
+if __name__ == "__main__":
+    if shutil.which("gnuplot") is None:
+        print("skipped: gnuplot is not installed")
+        sys.exit(77)
+    unittest.main()

@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+"""bentur run --figures, bentur plot and bentur spectrum -o as a user meets them.
+
+The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+SVG = "{http://www.w3.org/2000/svg}"
+WITH_IMPACTS = ["displacement", "opening", "force", "impact", "loop", "envelope", "amplification", "modes", "spectrum"]
+NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
+         "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a\n!touch pwned", "'.system('touch pwned').'"]
+
+
+def has_gnuplot():
+    return shutil.which("gnuplot") is not None
+
+
+def blocks(file):
+    """The tables of a data file, as lists of rows."""
+    text = "\n".join(line for line in file.read_text().splitlines() if not line.startswith("#"))
+    return [[[float(cell) for cell in row.split()] for row in block.splitlines()]
+            for block in text.strip("\n").split("\n\n\n")]
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="bentur-plot-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def bentur(self, status, *arguments, env=None):
+        result = subprocess.run([BENTUR, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, env=env,
+                                timeout=120)
+        self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}\n{result.stderr}")
+        return result
+
+    def needs_gnuplot(self):
+        if not has_gnuplot():
+            self.skipTest("gnuplot is not installed")
+
+    def texts(self, file):
+        return [text.text or "" for text in xml.fromstring(file.read_text()).iter(SVG + "text")]
+
+
+class Run(Figures):
+    def test_all_figures_with_data_and_scripts(self):
+        self.needs_gnuplot()
+        self.bentur(0, "run", "--figures", "svg,pdf", "-o", "out", SOURCE / "examples/m12-el-centro.toml")
+        names = {file.name for file in (self.folder / "out/figures").iterdir()}
+        self.assertEqual(names, {f"{kind}.{ending}" for kind in WITH_IMPACTS for ending in ("dat", "gp", "svg", "pdf")})
+        for kind in WITH_IMPACTS:
+            texts = self.texts(self.folder / f"out/figures/{kind}.svg")
+            self.assertGreaterEqual(len([text for text in texts if re.search(r"\[.+\]$", text)]), 2, f"{kind}: {texts}")
+
+    def test_every_script_draws_the_same_picture_and_complains_of_nothing(self):
+        self.needs_gnuplot()
+        self.bentur(0, "run", "-o", "out", "--figures", "svg", SOURCE / "examples/m12-el-centro.toml")
+        folder = self.folder / "out/figures"
+        for kind in WITH_IMPACTS:
+            drawn = (folder / f"{kind}.svg").read_bytes()
+            (folder / f"{kind}.svg").unlink()
+            result = subprocess.run(["gnuplot", "-d", f"{kind}.gp"], cwd=folder, capture_output=True, text=True)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), kind)
+            self.assertEqual((folder / f"{kind}.svg").read_bytes(), drawn, kind)
+
+    def test_peaks_of_the_summary_are_in_the_data(self):
+        self.needs_gnuplot()
+        summary = json.loads(self.bentur(0, "run", "-o", "out", "--figures", "svg", "--json").stdout)
+        folder = self.folder / "out/figures"
+        points = summary["gaps"][0]["points"]
+        hardest = max(points, key=lambda point: point["peak_force"])
+        force = blocks(folder / "force.dat")[0]
+        self.assertEqual(max(row[1] for row in force), hardest["peak_force"])
+        self.assertIn([hardest["peak_force_time"], hardest["peak_force"]], force)
+        contacts = blocks(folder / "displacement.dat")[2]
+        self.assertEqual(len(contacts), hardest["impacts"])
+        building = summary["buildings"][0]
+        for block, key in (0, "peak_displacement"), (1, "peak_displacement_no_contact"):
+            rows = blocks(folder / "envelope.dat")[block]
+            self.assertEqual(rows, [[0, 0]] + [list(row) for row in zip(building[key], building["elevations"])])
+        amplification = blocks(folder / "amplification.dat")[0]
+        for row, value in zip(amplification, building["amplification"]):
+            self.assertAlmostEqual(row[0], value, delta=1e-12)
+        shortening, force = blocks(folder / "impact.dat")
+        self.assertAlmostEqual(max(row[1] for row in shortening), hardest["peak_penetration"],
+                               delta=1e-3 * hardest["peak_penetration"])
+        self.assertAlmostEqual(max(row[1] for row in force), hardest["peak_force"], delta=1e-3 * hardest["peak_force"])
+
+    def test_without_gnuplot_everything_else_is_there(self):
+        result = self.bentur(0, "run", "-o", "out", "--figures", "svg", env={"PATH": "/nonexistent"})
+        self.assertIn("gnuplot is not installed", result.stderr)
+        self.assertIn("gnuplot-nox", result.stderr)
+        self.assertIn("POUNDING", result.stdout)
+        self.assertTrue((self.folder / "out/summary.json").exists())
+        names = {file.name for file in (self.folder / "out/figures").iterdir()}
+        self.assertEqual(names, {f"{kind}.{ending}" for kind in WITH_IMPACTS for ending in ("dat", "gp")})
+
+    def test_figures_of_an_earlier_run_go(self):
+        self.needs_gnuplot()
+        self.bentur(0, "run", "-o", "out", "--figures", "svg,pdf")
+        (self.folder / "out/figures/mine.svg").touch()
+        self.bentur(0, "example", "m12-el-centro", "-o", ".")
+        case = self.folder / "m12-el-centro.toml"
+        case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
+        self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
+        quiet = ["displacement", "opening", "envelope", "amplification", "modes", "spectrum"]
+        names = {file.name for file in (self.folder / "out/figures").iterdir()}
+        self.assertEqual(names, {f"{kind}.{ending}" for kind in quiet for ending in ("dat", "gp", "svg")} | {"mine.svg"})
+
+    def test_wrong_usage(self):
+        self.assertIn("--output", self.bentur(2, "run", "--figures", "svg").stderr)
+        self.bentur(2, "run", "-o", "out", "--figures", "gif")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_texts_of_a_case_are_shown_and_do_nothing(self):
+        self.needs_gnuplot()
+        self.bentur(0, "example", "m12-el-centro", "-o", ".")
+        case = self.folder / "m12-el-centro.toml"
+        plain = case.read_text()
+        for name in NASTY:
+            case.write_text(plain.replace('"Model 1"', json.dumps(name)).replace("title = ", "title = " + json.dumps(name) + " # "))
+            self.bentur(0, "run", case, "-o", "out", "--figures", "svg,pdf,png")
+            for file in (self.folder / "out/figures").glob("*.svg"):
+                root = xml.fromstring(file.read_text())
+                self.assertEqual([e for e in root.iter() if "script" in e.tag.lower()], [], f"{name}: {file}")
+            shown = name.replace("\n", " ").replace("]]>", "]] >")
+            self.assertIn(shown, self.texts(self.folder / "out/figures/displacement.svg"))
+            self.assertEqual(list(self.folder.rglob("pwned")), [], name)
+
+
+class Plot(Figures):
+    def run_of(self, name, *arguments):
+        self.bentur(0, "run", SOURCE / "examples" / f"{name}.toml", "-o", name, "-q", *arguments)
+        return f"{name}/histories.nc"
+
+    def test_the_same_figure_as_run_draws(self):
+        self.needs_gnuplot()
+        results = self.run_of("m12-el-centro", "--figures", "svg")
+        for kind in WITH_IMPACTS:
+            self.bentur(0, "plot", results, kind)
+            self.assertEqual((self.folder / f"{kind}.svg").read_bytes(),
+                             (self.folder / f"m12-el-centro/figures/{kind}.svg").read_bytes())
+
+    def test_list_and_suggestion(self):
+        results = self.run_of("kelvin-voigt-pair")
+        listed = [line.split()[0] for line in self.bentur(0, "plot", results, "--list").stdout.splitlines()]
+        self.assertEqual(listed, ["displacement", "opening", "force", "envelope", "amplification", "modes", "energy"])
+        message = self.bentur(2, "plot", results, "enrgy").stderr
+        self.assertIn('did you mean "energy"?', message)
+        self.assertIn("--figures", self.bentur(2, "plot", results, "impact").stderr)
+        self.assertIn("KIND", self.bentur(2, "plot", results).stderr)
+        self.assertIn("energy_audit", self.bentur(2, "plot", self.run_of("m12-harmonic"), "energy").stderr)
+
+    def test_options_of_histories(self):
+        self.needs_gnuplot()
+        results = self.run_of("m12-el-centro")
+        self.bentur(0, "plot", results, "displacement", "--from", 2, "--to", 3, "--elevation", 200, "-o", "a.pdf")
+        rows = blocks(self.folder / "a.dat")[0]
+        self.assertAlmostEqual(rows[0][0], 2, delta=0.0051)
+        self.assertAlmostEqual(rows[-1][0], 3, delta=0.0051)
+        self.assertTrue((self.folder / "a.pdf").read_bytes().startswith(b"%PDF"))
+        self.assertIn("100, 200, 300", self.bentur(2, "plot", results, "opening", "--elevation", 150).stderr)
+        self.assertIn("gap 3", self.bentur(2, "plot", results, "opening", "--gap", 3).stderr)
+        self.assertIn("--from", self.bentur(2, "plot", results, "opening", "--from", 3, "--to", 2).stderr)
+        self.assertIn("--from", self.bentur(2, "plot", results, "opening", "--from", 30).stderr)
+
+    def test_wrong_files(self):
+        self.bentur(2, "plot", "nothing.nc", "opening")
+        (self.folder / "text.nc").write_text("no results")
+        self.assertIn("NetCDF", self.bentur(1, "plot", "text.nc", "opening").stderr)
+        results = self.run_of("free-impact")
+        self.assertIn(".svg, .pdf or .png", self.bentur(2, "plot", results, "opening", "-o", "a.gif").stderr)
+        self.bentur(1, "plot", results, "opening", "-o", "/proc/none/a.svg")
+
+    def test_without_gnuplot(self):
+        results = self.run_of("free-impact")
+        result = self.bentur(1, "plot", results, "opening", env={"PATH": "/nonexistent"})
+        self.assertIn("gnuplot is not installed", result.stderr)
+        self.assertFalse((self.folder / "opening.svg").exists())
+
+    def test_a_file_name_is_a_name(self):
+        self.needs_gnuplot()
+        results = self.run_of("free-impact")
+        for name in "it's.svg", "'a'.svg", "`touch pwned`.svg", "| touch pwned.svg", "-e.svg", "~.svg", "$(x).svg":
+            self.bentur(0, "plot", results, "opening", "-o", "./" + name)
+            xml.fromstring((self.folder / name).read_text())
+            self.assertEqual(list(self.folder.rglob("pwned*")), [])
+
+    def test_long_histories_make_small_pictures_with_their_peaks(self):
+        self.needs_gnuplot()
+        self.bentur(0, "example", "m12-el-centro", "-o", ".")
+        case = self.folder / "m12-el-centro.toml"
+        text = re.sub(r"output_step = \S+", "output_step = 0.0001", case.read_text())
+        self.assertIn("output_step = 0.0001", text)
+        case.write_text(text)
+        summary = json.loads(self.bentur(0, "run", case, "-o", "out", "--figures", "svg", "--json").stdout)
+        self.assertLess((self.folder / "out/figures/displacement.svg").stat().st_size, 150_000)
+        peak = summary["buildings"][0]["peak_displacement"][-1]
+        seen = max(abs(row[1]) for row in blocks(self.folder / "out/figures/displacement.dat")[0])
+        self.assertAlmostEqual(seen, peak, delta=1e-4 * peak)
+
+
+class Sweep(Figures):
+    STUDY = 'case = "{}"\n'.format(SOURCE / "examples/m12-el-centro.toml")
+
+    def sweep(self, name, *varies, head=""):
+        (self.folder / f"{name}.toml").write_text(self.STUDY + head + "".join(f"[[vary]]\n{vary}\n" for vary in varies))
+        self.bentur(0, "sweep", f"{name}.toml", "-o", f"{name}.nc", "-q")
+        return f"{name}.nc"
+
+    GAPS = 'parameter = "gap[0].width"\nfrom = 0.1\nto = 0.5\ncount = 5'
+    DAMPING = 'parameter = "building[0].damping"\nvalues = [0.02, 0.05]'
+    PERIODS = 'parameter = "building[1].calibrate_period"\nfrom = 0.1\nto = 0.3\ncount = 6'
+
+    def forces_of_runs(self, widths):
+        self.bentur(0, "example", "m12-el-centro", "-o", ".")
+        case = self.folder / "m12-el-centro.toml"
+        plain = case.read_text()
+        for width in widths:
+            case.write_text(plain.replace("width = 0.2 ", f"width = {width} "))
+            summary = json.loads(self.bentur(0, "run", case, "--json").stdout)
+            yield [point["peak_force"] for point in summary["gaps"][0]["points"]]
+
+    def test_one_parameter_gives_a_curve_per_point(self):
+        self.needs_gnuplot()
+        self.bentur(0, "plot", self.sweep("one", self.GAPS), "peak-force", "-o", "f.svg")
+        curves = blocks(self.folder / "f.dat")
+        widths = [0.1, 0.2, 0.3, 0.4, 0.5]
+        for i, forces in enumerate(self.forces_of_runs(widths)):
+            for curve, force in zip(curves, forces):
+                self.assertEqual(curve[i], [widths[i], force])
+        self.assertIn("Gap width w [cm]", self.texts(self.folder / "f.svg"))
+        self.assertIn("Peak contact force F [kgf]", self.texts(self.folder / "f.svg"))
+
+    def test_two_parameters_give_curves_or_a_map(self):
+        self.needs_gnuplot()
+        results = self.sweep("two", self.GAPS, self.DAMPING)
+        self.bentur(0, "plot", results, "contact-duration", "-o", "f.svg")
+        self.assertEqual(len(blocks(self.folder / "f.dat")), 2)
+        self.assertIn("damping = 0.02", self.texts(self.folder / "f.svg"))
+        self.bentur(0, "plot", results, "contact-duration", "--at", "damping=0.05", "-o", "g.svg")
+        points = blocks(self.folder / "g.dat")
+        sums = [sum(curve[i][1] for curve in points) for i in range(5)]
+        for row, expected in zip(blocks(self.folder / "f.dat")[1], sums):
+            self.assertAlmostEqual(row[1], expected, delta=1e-12)
+        cells = self.sweep("map", self.GAPS, self.PERIODS)
+        self.bentur(0, "plot", cells, "peak-force", "-o", "h.svg")
+        rows = blocks(self.folder / "h.dat")[0]
+        self.assertEqual(len(rows), 30)
+        self.assertEqual(len(rows[0]), 7)
+
+    def test_too_much_varies(self):
+        results = self.sweep("three", self.GAPS, self.DAMPING, self.PERIODS)
+        self.assertIn("--at", self.bentur(2, "plot", results, "impacts").stderr)
+        self.assertIn("0.02, 0.05", self.bentur(2, "plot", results, "impacts", "--at", "damping=0.03").stderr)
+        self.assertIn("width", self.bentur(2, "plot", results, "impacts", "--at", "height=1").stderr)
+        self.bentur(2, "plot", results, "impacts", "--at", "damping")
+        if has_gnuplot():
+            self.bentur(0, "plot", "--at", "damping=0.05", results, "impacts")
+
+    def test_samples_are_marks(self):
+        self.needs_gnuplot()
+        head = '[sampling]\nmethod = "sobol"\ncount = 8\n'
+        results = self.sweep("samples", 'parameter = "gap[0].width"\nfrom = 0.1\nto = 0.5', head=head)
+        self.bentur(0, "plot", results, "amplification")
+        self.assertEqual(len(blocks(self.folder / "amplification.dat")[0]), 8)
+        self.assertIn("width", self.bentur(2, "plot", results, "amplification", "--against", "height").stderr)
+
+    def test_names_of_values_are_shown_and_do_nothing(self):
+        self.needs_gnuplot()
+        labels = ["'; system('touch pwned') #", "<script>"]
+        vary = f'parameter = "gap[0].contact.stiffness"\nvalues = [[1e5, 1e5, 1e5], [2e5, 2e5, 2e5]]\nlabels = {json.dumps(labels)}'
+        results = self.sweep("names", self.GAPS, vary)
+        self.bentur(0, "plot", results, "peak-force")
+        texts = self.texts(self.folder / "peak-force.svg")
+        for label in labels:
+            self.assertIn(label, texts)
+        self.assertEqual(list(self.folder.rglob("pwned")), [])
+
+
+class Spectrum(Figures):
+    def test_a_picture_of_the_same_numbers(self):
+        self.needs_gnuplot()
+        record = SOURCE / "data/el-centro-1940-ns.csv"
+        self.bentur(0, "spectrum", record, "--unit", "g", "-o", "s.csv")
+        self.bentur(0, "spectrum", record, "--unit", "g", "-o", "s.svg")
+        with open(self.folder / "s.csv", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        acceleration, displacement = blocks(self.folder / "s.dat")
+        self.assertEqual([row[0] for row in acceleration], [float(row["period [s]"]) for row in rows])
+        self.assertEqual([row[1] for row in displacement], [float(row["displacement [m]"]) for row in rows])
+        self.assertIn("Sa [g]", self.texts(self.folder / "s.svg"))
+
+
+if __name__ == "__main__":
+    unittest.main()

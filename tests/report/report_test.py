@@ -1,0 +1,369 @@
+#!/usr/bin/env python3
+"""The report as its reader meets it: opened from disk in Chromium, played, scrubbed, sorted, downloaded, printed.
+
+The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE. `report_test.py --keep DIR` keeps
+screenshots of every example at phone and A4 width and its pages as PDF in DIR, to be looked at.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import browser  # noqa: E402
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+PHONE, A4 = 390, 794  # CSS pixels
+
+
+class Reports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="bentur-report-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.browser = browser.Browser(browser.find(), cls.folder)
+        cls.addClassCleanup(cls.browser.close)
+
+    def report(self, case, *options):
+        output = self.folder / "report.html"
+        result = subprocess.run([BENTUR, "report", str(case), "-o", str(output), *options], capture_output=True,
+                                text=True, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, "")
+        return output
+
+    def example(self, name, *options):
+        return self.report(SOURCE / "examples" / f"{name}.toml", *options)
+
+    def opened(self, page, width=1000):
+        self.browser.resize(width, 900)
+        self.browser.open(page)
+        self.assertTrue(self.js("document.documentElement.classList.contains('ready')"), self.browser.complaints())
+
+    def js(self, expression):
+        return self.browser.evaluate(expression)
+
+    def click(self, selector):
+        self.js(f"document.querySelector({json.dumps(selector)}).click()")
+
+    def scrub(self, time_):
+        self.js(f"(() => {{ const s = document.getElementById('scrub'); s.step = 'any'; s.value = {time_!r};"
+                "s.dispatchEvent(new Event('input')); })()")
+
+    def contacts(self):
+        """Contact points whose flash is on."""
+        return self.js("Array.from(document.querySelectorAll('#stage .hit')).filter(m => m.dataset.contact === '1')"
+                       ".map(m => Number(m.dataset.point))")
+
+    def shown_time(self):
+        return self.js("Number(document.getElementById('stage').dataset.time)")
+
+    def impacts(self, case):
+        """The impact list of the program itself."""
+        folder = self.folder / "results"
+        subprocess.run([BENTUR, "run", "-q", str(case), "-o", str(folder)], check=True, timeout=300)
+        return folder / "impacts.csv"
+
+    def clean(self, page):
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual(self.browser.requests(), [page.resolve().as_uri()], "the page asks for nothing but itself")
+
+
+class Pages(Reports):
+    def test_every_example_opens_without_a_complaint_and_fits_phone_and_a4(self):
+        for case in sorted((SOURCE / "examples").glob("*.toml")):
+            for language in "en", "id":
+                page = self.report(case, "--lang", language)
+                for width in PHONE, A4:
+                    with self.subTest(case=case.name, language=language, width=width):
+                        self.opened(page, width)
+                        self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
+                        self.assertEqual(self.js("document.documentElement.lang"), language)
+                        self.clean(page)
+
+    def test_reports_of_results_open_as_well(self):
+        results, sweep = self.folder / "results", self.folder / "sweep.nc"
+        subprocess.run([BENTUR, "run", "-q", "-o", str(results)], check=True, timeout=300)
+        study = SOURCE / "examples" / "studies" / "m12-gaps.toml"
+        subprocess.run([BENTUR, "sweep", "-q", str(study), "-o", str(sweep)], check=True, timeout=300)
+        page = self.report(results)
+        self.opened(page)
+        self.assertEqual(self.js("document.getElementById('impact-list').tBodies[0].rows.length"), 37)
+        self.clean(page)
+        page = self.report(sweep)
+        for width in PHONE, A4:
+            self.browser.resize(width, 900)
+            self.browser.open(page)
+            self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
+            self.assertIn("202", self.js("document.querySelector('.lead').textContent"))
+            self.clean(page)
+
+    def test_sizes(self):
+        page = self.example("m12-el-centro")
+        self.assertLess(page.stat().st_size, 2e6)
+        text = (SOURCE / "examples" / "two-frames-si.toml").read_text()
+        self.assertEqual(text.count("duration = 20.0"), 1)
+        case = self.folder / "long.toml"
+        case.write_text(text.replace("duration = 20.0", "duration = 60.0").replace("../data", str(SOURCE / "data")))
+        self.assertLess(self.report(case).stat().st_size, 10e6)
+
+    def test_pages_print_on_a4(self):
+        self.opened(self.example("m12-el-centro"))
+        printed = self.folder / "report.pdf"
+        self.browser.pdf(printed)
+        boxes = set(re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", printed.read_bytes()))
+        self.assertEqual({(round(float(w)), round(float(h))) for w, h in boxes}, {(595, 842)})
+
+    def test_text_of_a_case_runs_nothing(self):
+        hostile = ["<script>window.pwned = 1</script>", "</script><script>window.pwned = 2</script>",
+                   "\"><img src=x onerror=window.pwned=3>", "`${window.pwned = 4}`", "\"; system('touch pwned'); \"",
+                   "</title></style><svg onload=window.pwned=5>"]
+        text = (SOURCE / "examples" / "m12-el-centro.toml").read_text().replace("../data", str(SOURCE / "data"))
+        for name in hostile:
+            with self.subTest(name):
+                case = self.folder / "hostile.toml"
+                quoted = json.dumps(name)
+                case.write_text(text.replace('"Model 1"', quoted).replace('"Monograph M1-2, El Centro, gap 0.2 cm"', quoted))
+                page = self.report(case)
+                self.opened(page)
+                self.click("#hardest")
+                self.click("#impact-list .sorter")
+                self.assertIsNone(self.js("window.pwned"))
+                self.assertEqual(self.js("document.querySelector('h1').textContent"), name)
+                self.assertEqual(self.js("document.title"), name)
+                self.assertEqual(self.js("document.querySelector('#stage .name').textContent"), name)
+                self.clean(page)
+
+    def test_a_script_that_came_in_would_not_run_and_nothing_can_be_fetched(self):
+        page = self.example("free-impact")
+        text = page.read_text()
+        page.write_text(text.replace("<header>", "<script>window.pwned = 1</script>"
+                                     "<img src=\"https://example.invalid/x.png\" onerror=\"window.pwned = 2\"><header>"))
+        self.opened(page)
+        self.assertIsNone(self.js("window.pwned"))
+        self.assertTrue(any("Content Security Policy" in complaint for complaint in self.browser.complaints()))
+
+
+class Motion(Reports):
+    def test_flashes_when_and_where_the_impact_list_says(self):
+        for name in "m12-el-centro", "row-of-three", "restitution-asked":
+            case = SOURCE / "examples" / f"{name}.toml"
+            with self.impacts(case).open() as file:
+                impacts = list(csv.DictReader(file))
+            self.opened(self.report(case))
+            data = json.loads(self.js("document.getElementById('data').textContent"))
+            points = {(data["buildings"][p["left"]]["name"], p["elevation"]): i for i, p in enumerate(data["points"])}
+
+            def at(impact):
+                level = next(float(value) for key, value in impact.items() if key.startswith("elevation"))
+                return points[impact["left"], level]
+
+            for impact in impacts[::max(1, len(impacts) // 25)]:
+                start, end = float(impact["start [s]"]), float(impact["end [s]"])
+                with self.subTest(name, start=start):
+                    for moment in (start + end) / 2, start + 1e-9, end - 1e-9, start - 1e-6, end + 1e-6:
+                        if not 0 <= moment <= data["duration"]:
+                            continue
+                        expected = sorted({at(other) for other in impacts
+                                           if float(other["start [s]"]) <= moment <= float(other["end [s]"])})
+                        if end - start < 1e-8 and moment != (start + end) / 2:
+                            continue  # an impact without duration has no inside
+                        self.scrub(moment)
+                        self.assertEqual(self.contacts(), expected, moment)
+                        self.assertAlmostEqual(self.shown_time(), moment, delta=1e-12)
+
+    def test_openings_shown_are_those_of_the_histories(self):
+        """At an impact's start the opening is zero, at its peak force minus the penetration."""
+        case = SOURCE / "examples" / "m12-el-centro.toml"
+        with self.impacts(case).open() as file:
+            impacts = list(csv.DictReader(file))
+        self.opened(self.report(case))
+        for impact in impacts[:10]:
+            row = round(3 - float(impact["elevation [cm]"]) / 100)
+            shown = f"Number(document.getElementById('live').rows[{row}].cells[1].textContent)"
+            depth = float(impact["peak_penetration [cm]"])
+            self.scrub(float(impact["start [s]"]))
+            # Samples of 16 bits every 0.5 ms, between which the picture interpolates: a few percent of a penetration.
+            self.assertAlmostEqual(self.js(shown), 0, delta=0.05 * max(depth, 0.005))
+            self.scrub(float(impact["peak_force_time [s]"]))
+            self.assertAlmostEqual(self.js(shown), -depth, delta=0.05 * max(depth, 0.005))
+
+    def test_starts_at_the_hardest_impact(self):
+        case = SOURCE / "examples" / "m12-el-centro.toml"
+        with self.impacts(case).open() as file:
+            hardest = max(csv.DictReader(file), key=lambda impact: float(impact["peak_force [kgf]"]))
+        self.opened(self.report(case))
+        self.assertAlmostEqual(self.shown_time(), float(hardest["peak_force_time [s]"]), delta=1e-12)
+        self.assertEqual(len(self.contacts()), 1)
+
+    def test_plays_in_real_time_pauses_and_goes_on(self):
+        self.opened(self.example("m12-el-centro"))
+        moved = self.js("document.querySelector('#stage .column').getAttribute('d')")
+        self.click("#play")
+        begin = time.monotonic()
+        time.sleep(1.5)
+        # Frames without a window come as the machine can; time never runs ahead of the clock.
+        shown, passed = self.shown_time(), time.monotonic() - begin
+        self.assertGreater(shown, 0.2)
+        self.assertLess(shown, passed + 0.3)
+        self.click("#play")
+        stopped = self.shown_time()
+        time.sleep(0.3)
+        self.assertEqual(self.shown_time(), stopped)
+        self.assertNotEqual(self.js("document.querySelector('#stage .column').getAttribute('d')"), moved)
+        self.click("#play")
+        time.sleep(0.5)
+        self.assertGreater(self.shown_time(), stopped)
+
+    def test_every_impact_that_is_played_over_flashes(self):
+        """However few frames there are, no impact of 2 ms falls between two of them."""
+        case = SOURCE / "examples" / "m12-el-centro.toml"
+        with self.impacts(case).open() as file:
+            impacts = list(csv.DictReader(file))
+        self.opened(self.report(case))
+        self.js("""(() => { window.flashes = 0; new MutationObserver(list => { for (const m of list)
+            if (m.oldValue === '0' && m.target.dataset.contact === '1') ++window.flashes; })
+            .observe(document.getElementById('stage'),
+                     {subtree: true, attributeFilter: ['data-contact'], attributeOldValue: true}); })()""")
+        self.scrub(1.2)
+        self.js("document.getElementById('speed').value = '0.5'")
+        self.click("#play")
+        while self.shown_time() < 2.0:
+            time.sleep(0.1)
+        self.click("#play")
+        end = self.shown_time()
+        within = [impact for impact in impacts if 1.2 <= float(impact["start [s]"]) <= end]
+        self.assertGreater(len(within), 1)
+        self.assertEqual(self.js("window.flashes"), len(within))
+
+    def test_slow_motion_around_an_impact(self):
+        self.opened(self.example("m12-el-centro"))
+        first = self.js("JSON.parse(document.getElementById('data').textContent).impacts[0]")
+        self.scrub(first[1] - 0.05)
+        self.click("#slow")
+        self.click("#play")
+        deadline = time.monotonic() + 30
+        while self.shown_time() < first[1] and time.monotonic() < deadline:
+            time.sleep(0.02)
+        entered = time.monotonic()
+        while self.shown_time() <= first[2] and time.monotonic() < deadline:
+            time.sleep(0.02)
+        self.click("#play")
+        # 2.4 ms at a hundredth of the speed
+        self.assertGreater(time.monotonic() - entered, 0.5 * 100 * (first[2] - first[1]))
+
+    def test_hardest_impact_slowly(self):
+        self.opened(self.example("m12-el-centro"))
+        hardest = max(self.js("JSON.parse(document.getElementById('data').textContent).impacts"), key=lambda i: i[3])
+        self.click("#hardest")
+        self.assertLess(self.shown_time(), hardest[1])
+        deadline = time.monotonic() + 30
+        while self.js("document.getElementById('play').getAttribute('aria-pressed')") == "true":
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.1)
+        self.assertGreater(self.shown_time(), hardest[2])
+        self.assertLess(self.shown_time(), hardest[2] + 2 * (hardest[2] - hardest[1]))
+
+    def test_steps_from_impact_to_impact(self):
+        self.opened(self.example("m12-el-centro"))
+        starts = [i[1] for i in self.js("JSON.parse(document.getElementById('data').textContent).impacts")]
+        self.scrub(0)
+        for start in starts[:3]:
+            self.click("#next")
+            self.assertAlmostEqual(self.shown_time(), start, delta=1e-12)
+        self.click("#previous")
+        self.assertAlmostEqual(self.shown_time(), starts[1], delta=1e-12)
+
+    def test_touching_floors_touch_in_the_picture_at_every_magnification(self):
+        self.opened(self.example("m12-el-centro"))
+        first = self.js("JSON.parse(document.getElementById('data').textContent).impacts[0]")
+        self.scrub(first[1])
+        faces = """(() => { const at = b => document.querySelectorAll('#stage .slab')[b].getAttribute('d').match(/M[^M]*/g)[2];
+            return [Number(at(0).match(/H(.*)/)[1]), Number(at(1).match(/M([-.0-9]+)/)[1])]; })()"""
+        for zoom in -1, 0, 1:
+            self.js(f"(() => {{ const m = document.getElementById('magnify'); m.value = {zoom};"
+                    "m.dispatchEvent(new Event('input')); })()")
+            left, right = self.js(faces)
+            self.assertAlmostEqual(left, right, delta=0.02 + 0.25 * 10 ** zoom)  # 1e-4 cm, 50 times as large
+
+
+class List(Reports):
+    def column(self, number):
+        return self.js("Array.from(document.getElementById('impact-list').tBodies[0].rows)"
+                       f".map(row => row.cells[{number}].textContent)")
+
+    def test_sorts_by_every_column_both_ways(self):
+        self.opened(self.example("row-of-three"))
+        count = self.js("document.getElementById('impact-list').tHead.rows[0].cells.length")
+        for number in range(count):
+            for sign in 1, -1:
+                self.js(f"document.querySelectorAll('#impact-list .sorter')[{number}].click()")
+                order = self.js(f"document.querySelectorAll('#impact-list th')[{number}].getAttribute('aria-sort')")
+                values = [value for value in self.column(number) if value != "–"]
+                try:
+                    values = list(map(float, values))
+                except ValueError:
+                    pass
+                self.assertEqual(values, sorted(values, reverse=order == "descending"), number)
+                self.assertEqual(self.js("document.querySelectorAll('#impact-list [aria-sort]').length"), 1)
+
+    def test_hardest_first(self):
+        self.opened(self.example("m12-el-centro"))
+        forces = list(map(float, self.column(4)))
+        self.assertEqual(forces, sorted(forces, reverse=True))
+        self.assertEqual(len(forces), 37)
+
+    def test_download_is_the_file_of_bentur_run(self):
+        case = SOURCE / "examples" / "m12-el-centro.toml"
+        expected = self.impacts(case).read_bytes()
+        self.opened(self.report(case))
+        self.click("#download")
+        saved = self.folder / "impacts.csv"
+        self.browser.wait_for("Browser.downloadWillBegin")
+        deadline = time.monotonic() + 20
+        while not (saved.exists() and saved.stat().st_size == len(expected)):
+            self.assertLess(time.monotonic(), deadline, "no download")
+            time.sleep(0.1)
+        self.assertEqual(saved.read_bytes(), expected)
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_a_number_shows_its_impact(self):
+        self.opened(self.example("m12-el-centro"))
+        self.js("Array.from(document.querySelectorAll('#impact-list td button')).find(b => b.textContent === '3').click()")
+        third = self.js("JSON.parse(document.getElementById('data').textContent).impacts[2]")
+        self.assertLess(abs(self.shown_time() - third[1]), 2 * (third[2] - third[1]))
+
+
+def keep(folder):
+    """Pictures to look at."""
+    folder.mkdir(parents=True, exist_ok=True)
+    page = browser.Browser(browser.find(), folder)
+    for case in sorted((SOURCE / "examples").glob("*.toml")):
+        for language in "en", "id":
+            report = folder / f"{case.stem}-{language}.html"
+            subprocess.run([BENTUR, "report", str(case), "-o", str(report), "--lang", language], check=True)
+            for width in PHONE, A4:
+                page.resize(width, 900)
+                page.open(report)
+                page.screenshot(folder / f"{report.stem}-{width}.png")
+            page.pdf(folder / f"{report.stem}.pdf")
+    page.close()
+
+
+if __name__ == "__main__":
+    if browser.find() is None:
+        print("skipped: chromium is not installed")
+        sys.exit(77)
+    if sys.argv[1:2] == ["--keep"]:
+        keep(pathlib.Path(sys.argv[2]))
+    else:
+        unittest.main()
