@@ -58,6 +58,13 @@ void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& pr
 
 }  // namespace
 
+std::vector<double> gap_widths(const Problem& problem) {
+  std::vector<double> widths;
+  widths.reserve(problem.points.size());
+  for (const ContactPoint& point : problem.points) widths.push_back(point.width);
+  return widths;
+}
+
 void validate(const Problem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b);

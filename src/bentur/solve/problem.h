@@ -36,6 +36,9 @@ struct Problem {
   double duration = 0;                                ///< [s] > 0
 };
 
+/// w of every point [length].
+[[nodiscard]] std::vector<double> gap_widths(const Problem& problem);
+
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.
 void validate(const Problem& problem);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
@@ -57,6 +59,11 @@ void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& po
   }
 }
 
+Problem without_widths(Problem problem) {
+  for (ContactPoint& point : problem.points) point.width = 0.0;
+  return problem;
+}
+
 /// Status and message of a walk that did not get to its end.
 void report_end(Response& response, Status status, const Walk& walk) {
   response.status = status;
@@ -79,9 +86,7 @@ namespace engine {
 
 /// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(Problem p, const Solver& s) : problem(std::move(p)), solver(s) {
-    for (auto& point : system.points) point.width = 0.0;
-  }
+  FreeParts(Problem p, const Solver& s) : problem(without_widths(std::move(p))), solver(s) {}
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 
@@ -90,7 +95,8 @@ struct FreeParts {
   bool exact = std::holds_alternative<ExactSolver>(solver);
   ModalSystem system{problem};
   TimeGrid grid{problem, exact};
-  FlightTable flights = exact ? make_flights(system, grid) : FlightTable(grid.kinds());
+  FlightPlan plan{system, grid, problem.duration, exact};
+  FreeRun run;
   Response response;                         ///< as far as it goes without contact
   std::vector<double> largest_displacement;  ///< scale of round-off per point: of floors and ground [length]
 };
@@ -101,14 +107,19 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   validate(problem);
   engine::validate(solver);
   const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver);
-  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->flights});
+  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->plan});
   const Status status = walk.run(progress);
   Response& response = parts->response;
   engine::report_end(response, status, walk);
   response.buildings.resize(parts->problem.buildings.size());
   response.points.resize(parts->problem.points.size());
-  for (std::size_t b = 0; b < response.buildings.size(); ++b) walk.watch().report(b, response.buildings[b]);
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) {
+    walk.watch().report(b, response.buildings[b]);
+    response.buildings[b].displacement_no_contact = response.buildings[b].displacement;
+  }
   for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = walk.needed()[i];
+  response.steps = walk.steps();
+  parts->run = walk.take_run();
   parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, walk);
   parts_ = parts;
 }
@@ -118,14 +129,25 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;
-  engine::ModalSystem system = parts_->system;
   std::vector<double> tolerances;
-  for (std::size_t i = 0; i < system.points.size(); ++i) {
-    system.points[i].width = problem.points[i].width;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
     tolerances.push_back(engine::round_off_band * (problem.points[i].width + parts_->largest_displacement[i]));
   }
-  engine::PoundingWalk walk({system, problem, parts_->solver, parts_->grid, parts_->flights}, std::move(tolerances),
-                            options);
+  // Of approximate solvers the state alone is not all there is to go on with.
+  const long first_contact = parts_->exact ? engine::first_contact(parts_->run, gap_widths(problem)) : 0;
+  const bool records = options.output_step > 0.0 || options.energy_audit;
+  if (first_contact == std::numeric_limits<long>::max() && !records) {
+    response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return response;
+  }
+  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan},
+                            std::move(tolerances), first_contact, options);
+  if (!records) {
+    const auto& checkpoints = parts_->run.checkpoints;
+    const auto later = std::find_if(checkpoints.begin(), checkpoints.end(),
+                                    [&](const auto& checkpoint) { return checkpoint.segment > first_contact; });
+    if (later != checkpoints.begin()) walk.resume(*std::prev(later));
+  }
   const Status status = walk.run(options.progress);
   engine::report_end(response, status, walk);
   walk.contacts().finish(problem.duration);

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bentur::engine {
-namespace {
 
 using Eigen::Index;
 
-template <class Row>
-Polynomial combine(const Row& row, const Eigen::MatrixXd& c, Index begin, Index size, int degree) {
-  Polynomial p;
-  p.degree = degree;
-  for (int k = 0; k <= degree; ++k) p[k] = row.dot(c.col(k).segment(begin, size));
-  return p;
-}
-
-}  // namespace
-
-Expansion::Expansion(const ModalSystem& system)
+Expansion::Expansion(const ModalSystem& system, std::vector<double> widths)
     : system_(&system),
+      widths_(std::move(widths)),
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       curvature_(Eigen::VectorXd::Zero(system.size)),
       fourth_(Eigen::VectorXd::Zero(system.size)),
+      curved_(Eigen::VectorXd::Zero(system.size)),
       resting_force_(system.points.size()),
       openings_(system.points.size()),
       opening_known_(system.points.size(), 0) {}
@@ -41,6 +33,7 @@ Polynomial& Expansion::fill_opening(std::size_t point) {
 void Expansion::begin(Index first, Index count, double h, int degree) {
   first_ = first;
   count_ = count;
+  place_ = 0.0;
   h_ = h;
   degree_ = degree;
 }
@@ -54,8 +47,9 @@ bool Expansion::bound() {
 }
 
 void Expansion::evaluate(double s, State& state) const {
-  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, state.q.data() + first_,
-                    state.v.data() + first_);
+  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, state.q.data() + first_, state.v.data() + first_,
+                    curved_.data() + first_);
+  place_ = s;
   const double rate = 1.0 / h_;
   double* v = state.v.data() + first_;
   for (Index j = 0; j < count_; ++j) v[j] *= rate;
@@ -68,20 +62,7 @@ const Polynomial& Expansion::opening(std::size_t i) const {
   const auto& point = system_->points[i];
   p.degree = degree_;
   for (int k = 0; k <= degree_; ++k) p[k] = point.sense(c_.col(k).data());
-  p[0] += point.width;
-  return p;
-}
-
-Polynomial Expansion::output(std::size_t b, Index row) const {
-  const auto& block = system_->blocks[b];
-  return combine(block.outputs.row(row), c_, block.begin, block.size, degree_);
-}
-
-Polynomial Expansion::acceleration(std::size_t b, Index floor) const {
-  const auto& block = system_->blocks[b];
-  Polynomial p = combine(block.acceleration.row(floor), c_, block.begin, block.size, degree_);
-  p.degree = degree_ - 2;
-  for (int k = 0; k <= p.degree; ++k) p[k] = p[k + 2] * ((k + 2.0) * (k + 1.0)) / (h_ * h_);
+  p[0] += widths_[i];
   return p;
 }
 

@@ -12,7 +12,8 @@ namespace bentur::engine {
 /// this form, and everything else (events, impacts, peaks, histories, energy) reads it.
 class Expansion {
  public:
-  explicit Expansion(const ModalSystem& system);
+  /// `widths`: of the gap at each point [length].
+  Expansion(const ModalSystem& system, std::vector<double> widths);
 
   // For those who fill it.
   /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
@@ -32,9 +33,10 @@ class Expansion {
   [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
   /// Position and speed at s; only the coordinates that were filled are written.
   void evaluate(double s, State& state) const;
-  [[nodiscard]] const Polynomial& opening(std::size_t point) const;            ///< g(s) of (T-1) [length]
-  [[nodiscard]] Polynomial output(std::size_t block, Eigen::Index row) const;  ///< row of Block::outputs
-  [[nodiscard]] Polynomial acceleration(std::size_t block, Eigen::Index floor) const;
+  /// Where that was last asked for, and d²q/ds² there.
+  [[nodiscard]] double place() const { return place_; }
+  [[nodiscard]] const Eigen::VectorXd& curved() const { return curved_; }
+  [[nodiscard]] const Polynomial& opening(std::size_t point) const;  ///< g(s) of (T-1) [length]
   [[nodiscard]] const Polynomial& resting_force(std::size_t point) const { return resting_force_[point]; }
   /// Bound of |q_j''| with respect to s on [0, 1], one entry per coordinate.
   [[nodiscard]] const Eigen::VectorXd& curvature() const { return curvature_; }
@@ -43,11 +45,14 @@ class Expansion {
 
  private:
   const ModalSystem* system_;
+  std::vector<double> widths_;
   double h_ = 0;
   int degree_ = highest_degree;
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd curvature_, fourth_;
+  mutable double place_ = 0;
+  mutable Eigen::VectorXd curved_;
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> openings_;  ///< those asked for
   mutable std::vector<char> opening_known_;

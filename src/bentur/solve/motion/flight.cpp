@@ -13,6 +13,8 @@ namespace {
 using Eigen::Index;
 using Map = kernels::FlightMap;
 
+constexpr int halvings_beyond_one_series = 0;
+
 /// An error of a map would grow with the number of segments flown by it, so maps are made with more digits.
 using Long = long double;
 
@@ -69,14 +71,6 @@ Transition doubled(const Transition& once) {
 
 }  // namespace
 
-Flight::Bounds Flight::make_bounds(Index size) {
-  Bounds bounds;
-  for (auto* list : {&bounds.rise, &bounds.acceleration_rise, &bounds.position, &bounds.acceleration}) {
-    list->setZero(size);
-  }
-  return bounds;
-}
-
 std::vector<Flight> Flight::make(const ModalSystem& system, double length, int halvings) {
   std::vector<Flight> flights;
   for (int n = 0; n <= halvings; ++n) flights.push_back(Flight(system, std::ldexp(length, -n)));
@@ -97,8 +91,7 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
 }
 
 /// All but the map itself.
-Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length) {
-  map_.table.setZero(system.size, Map::columns);
+Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length), map_(system.size) {
   const double nu = system_->nu;
   const double chord = length_ * length_ / 8.0;
   for (Index j = 0; j < system_->size; ++j) {
@@ -133,23 +126,42 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
   }
 }
 
-void Flight::advance_block(std::size_t b, const double* q, const double* v, const GroundInput& input, double* q_end,
-                           double* v_end, Bounds& bounds) const {
+kernels::FlightInput Flight::input(const GroundInput& ground) const {
   const double nu = system_->nu;
-  kernels::FlightInput in{input.value, input.slope, 0.0, 0.0};
+  kernels::FlightInput in{ground.value, ground.slope, 0.0, 0.0, 0.0};
   in.largest = nu > 0.0 ? std::hypot(in.value, in.slope / nu)
                         : std::max(std::abs(in.value), std::abs(in.value + in.slope * length_));
   in.steepest = nu > 0.0 ? nu * in.largest : std::abs(in.slope);
-  const auto& block = system_->blocks[b];
-  kernels::fly(map_, block.begin, block.room, in, q, v, q_end, v_end, bounds);
+  GroundInput end = ground;
+  system_->advance(end, length_);
+  in.end = end.value;
+  return in;
 }
 
-void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, State& to, Bounds& bounds) const {
-  for (std::size_t b = 0; b < inputs.size(); ++b) {
-    const Index begin = system_->blocks[b].begin;
-    advance_block(b, from.q.data() + begin, from.v.data() + begin, inputs[b], to.q.data() + begin, to.v.data() + begin,
-                  bounds);
+void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, const kernels::Lumped& lumped,
+                     State& to, kernels::Rises& rises, std::vector<kernels::Sums>& sums) const {
+  for (std::size_t b = 0; b < inputs.size(); ++b) sums[b] = advance_block(b, from, inputs[b], lumped, to, rises);
+}
+
+kernels::Sums Flight::advance_block(std::size_t b, const State& from, const GroundInput& ground,
+                                    const kernels::Lumped& lumped, State& to, kernels::Rises& rises) const {
+  const kernels::FlightInput in = input(ground);
+  const auto& block = system_->blocks[b];
+  return kernels::fly(map_, {block.begin, block.room}, in, from.q.data(), from.v.data(), to.q.data(), to.v.data(),
+                      lumped, rises);
+}
+
+FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {
+  FlightTable table(grid.kinds());
+  if (!system.classical) return table;
+  const double rate = system.rate({});
+  for (std::size_t kind = 0; kind < table.size(); ++kind) {
+    const double length = grid.length(kind);
+    const double to_one_series = std::ceil(std::log2(std::max(1.0, length * rate / series_reach)));
+    const int halvings = static_cast<int>(to_one_series) + halvings_beyond_one_series;
+    table[kind] = Flight::make(system, length, halvings);
   }
+  return table;
 }
 
 }  // namespace bentur::engine

@@ -16,25 +16,25 @@ namespace bentur::engine {
 /// |q̈| ≤ κ S + max|γ a_g|.                                                                                 (T-3)
 class Flight {
  public:
-  /// Bounds over one flight, an entry per coordinate.
-  using Bounds = kernels::FlightBounds;
-  [[nodiscard]] static Bounds make_bounds(Eigen::Index size);
-
   /// The flights of a length [s], its half, its quarter, … `halvings` times.
   [[nodiscard]] static std::vector<Flight> make(const ModalSystem& system, double length, int halvings);
 
-  /// The end state; `from` and `to` must differ. Bounds:
-  ///   rise               how far q can leave its chord: |q̈| length²/8,
-  ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
-  ///   position           |q|,
-  ///   acceleration       |q̈|.
-  void advance(const State& from, const std::vector<GroundInput>& inputs, State& to, Bounds& bounds) const;
+  /// The same acceleration with its bounds over the flight.
+  [[nodiscard]] kernels::FlightInput input(const GroundInput& ground) const;
 
-  /// The same of one building, by where its coordinates begin in each.
-  void advance_block(std::size_t block, const double* q, const double* v, const GroundInput& input, double* q_end,
-                     double* v_end, Bounds& bounds) const;
+  /// The end state, which must be another than `from`, and what is known of the way:
+  ///   rises.position      how far q can leave its chord: |q̈| length²/8,
+  ///   rises.acceleration  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
+  ///   sums                (T-4), per building.
+  void advance(const State& from, const std::vector<GroundInput>& inputs, const kernels::Lumped& lumped, State& to,
+               kernels::Rises& rises, std::vector<kernels::Sums>& sums) const;
+
+  /// The same of one building; only its coordinates are looked at and written.
+  [[nodiscard]] kernels::Sums advance_block(std::size_t block, const State& from, const GroundInput& input,
+                                            const kernels::Lumped& lumped, State& to, kernels::Rises& rises) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
+  [[nodiscard]] const kernels::FlightMap& map() const { return map_; }
 
  private:
   Flight(const ModalSystem& system, double length);
@@ -43,5 +43,13 @@ class Flight {
   double length_ = 0;
   kernels::FlightMap map_;
 };
+
+/// The flights of one segment length of the grid and of its halves, quarters, …: number n is of length/2ⁿ.
+using Flights = std::vector<Flight>;
+
+/// The flights of every segment length of the grid down to a part short enough for one power series and for a tight
+/// bound. Empty where a damping matrix is full.
+using FlightTable = std::vector<Flights>;  // [kind][halvings]
+[[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 
 }  // namespace bentur::engine

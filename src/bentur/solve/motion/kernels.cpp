@@ -1,7 +1,9 @@
 #include "bentur/solve/motion/kernels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #if defined(__x86_64__) && defined(__linux__)
 #define BENTUR_FOR_ALL_PROCESSORS __attribute__((target_clones("avx2", "default")))
@@ -42,6 +44,51 @@ BENTUR_INLINE Four product(Index n, const double* a, const double* b) {
 
 BENTUR_INLINE bool any(Bits x) { return (x[0] | x[1] | x[2] | x[3]) != 0; }
 
+struct Input {
+  Four value, slope, largest, steepest;
+  BENTUR_INLINE explicit Input(const FlightInput& in)
+      : value(all(in.value)), slope(all(in.slope)), largest(all(in.largest)), steepest(all(in.steepest)) {}
+};
+
+/// Four coordinates at the end of a flight, and what is known of the way (flight.h).
+struct Flown {
+  Four q, v, rise, acceleration_rise, position, acceleration;
+
+  BENTUR_INLINE Flown(const double* row, const Input& in, Four q_start, Four v_start) {
+    const auto at = [row](FlightMap::Column column) __attribute__((always_inline)) {
+      return load(row + column * four);
+    };
+    using enum FlightMap::Column;
+    q = (at(qq) * q_start + at(qv) * v_start) + (at(qa) * in.value + at(qb) * in.slope);
+    v = (at(vq) * q_start + at(vv) * v_start) + (at(va) * in.value + at(vb) * in.slope);
+    const Four du = v_start - at(p_rate) * in.slope;
+    const Four u = at(omega) * (q_start - (at(p_value) * in.value + at(p_slope) * in.slope));
+    const Four s = root(du * du + u * u) + at(slow) * in.largest;
+    rise = at(second) * s + at(second_force) * in.largest;
+    acceleration_rise = at(fourth) * s + (at(fourth_force) * in.largest + at(fourth_slope) * in.steepest);
+    const Four chord = larger(size(q_start), size(q)) + rise;
+    const Four around =
+        (at(orbit_floor) + at(orbit) * s) + (at(orbit_value) * in.largest + at(orbit_slope) * in.steepest);
+    position = smaller(chord, around);
+    acceleration = at(kappa) * s + at(force) * in.largest;
+  }
+};
+
+/// The sums of (T-4), four coordinates at a time.
+struct FourSums {
+  Four positions{}, accelerations{}, as_left{}, as_right{};
+
+  BENTUR_INLINE void add(const Lumped& lumped, Index j, Four position, Four acceleration) {
+    positions += load(lumped.positions.data() + j) * position;
+    accelerations += load(lumped.accelerations.data() + j) * acceleration;
+    as_left += load(lumped.as_left.data() + j) * position;
+    as_right += load(lumped.as_right.data() + j) * position;
+  }
+  [[nodiscard]] BENTUR_INLINE Sums result() const {
+    return {sum(positions), sum(accelerations), sum(as_left), sum(as_right)};
+  }
+};
+
 /// Four rows of a matrix at two vectors, and Σ |w_rj| rise_j.
 struct Ends {
   Four start, end, beyond;
@@ -72,37 +119,70 @@ PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void fly(const FlightMap& map, Index begin, Index n, const FlightInput& in, const double* q_start,
-         const double* v_start, double* q_end, double* v_end, FlightBounds& bounds) {
-  const Four value = all(in.value);
-  const Four slope = all(in.slope);
-  const Four largest = all(in.largest);
-  const Four steepest = all(in.steepest);
-  const Index rows = map.table.rows();
-  for (Index i = 0; i < n; i += four) {
-    const Index j = begin + i;
-    const double* row = map.table.data() + j;
-    const auto at = [ row, rows ](FlightMap::Column column) __attribute__((always_inline)) {
-      return load(row + column * rows);
-    };
-    using enum FlightMap::Column;
-    const Four q = load(q_start + i);
-    const Four v = load(v_start + i);
-    const Four end = (at(qq) * q + at(qv) * v) + (at(qa) * value + at(qb) * slope);
-    store(q_end + i, end);
-    store(v_end + i, (at(vq) * q + at(vv) * v) + (at(va) * value + at(vb) * slope));
-    const Four du = v - at(p_rate) * slope;
-    const Four u = at(omega) * (q - (at(p_value) * value + at(p_slope) * slope));
-    const Four s = root(du * du + u * u) + at(slow) * largest;
-    const Four rise = at(second) * s + at(second_force) * largest;
-    const Four chord = larger(size(q), size(end)) + rise;
-    const Four around = (at(orbit_floor) + at(orbit) * s) + (at(orbit_value) * largest + at(orbit_slope) * steepest);
-    store(bounds.rise.data() + j, rise);
-    store(bounds.position.data() + j, smaller(chord, around));
-    store(bounds.acceleration.data() + j, at(kappa) * s + at(force) * largest);
-    store(bounds.acceleration_rise.data() + j,
-          at(fourth) * s + (at(fourth_force) * largest + at(fourth_slope) * steepest));
+Sums fly(const FlightMap& map, Room room, const FlightInput& input, const double* q, const double* v, double* q_end,
+         double* v_end, const Lumped& lumped, Rises& rises) {
+  const Input in(input);
+  FourSums total;
+  for (Index j = room.begin; j < room.begin + room.size; j += four) {
+    const Flown flown(map.table.data() + j * FlightMap::columns, in, load(q + j), load(v + j));
+    store(q_end + j, flown.q);
+    store(v_end + j, flown.v);
+    store(rises.position.data() + j, flown.rise);
+    store(rises.acceleration.data() + j, flown.acceleration_rise);
+    total.add(lumped, j, flown.position, flown.acceleration);
   }
+  return total.result();
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Index fly_on(const Legs& legs, Index count, const Lumped& lumped) {
+  std::size_t kind = 0;
+  for (Index n = 0; n < count; ++n) {
+    const double* q = legs.q + n * legs.stride;
+    const double* v = legs.v + n * legs.stride;
+    double* q_end = legs.q + (n + 1) * legs.stride;
+    double* v_end = legs.v + (n + 1) * legs.stride;
+    const double* table = legs.maps[kind]->table.data();
+    if (++kind == legs.maps.size()) kind = 0;
+    bool open = true;
+    double left = 0.0;  // sum of the building before, as the left one of a pair
+    const FlightInput* input = legs.inputs + n * static_cast<Index>(legs.rooms.size());
+    for (const Room& room : legs.rooms) {
+      const Input in(*input++);
+      Four as_left = all(0.0);
+      Four as_right = all(0.0);
+      for (Index j = room.begin; j < room.begin + room.size; j += four) {
+        const Flown flown(table + j * FlightMap::columns, in, load(q + j), load(v + j));
+        store(q_end + j, flown.q);
+        store(v_end + j, flown.v);
+        const Index at = n * legs.stride + j;
+        store(legs.rise + at, flown.rise);
+        store(legs.acceleration_rise + at, flown.acceleration_rise);
+        as_left += load(lumped.as_left.data() + j) * flown.position;
+        as_right += load(lumped.as_right.data() + j) * flown.position;
+      }
+      open = open && left + sum(as_right) < 1.0;
+      left = sum(as_left);
+    }
+    if (!open) return n;
+  }
+  return count;
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Sums sum_up(Room room, const Stretch& stretch, const Lumped& lumped) {
+  const Four chord = all(stretch.end * stretch.end / 8.0);
+  const Four rate = all(1.0 / (stretch.h * stretch.h));
+  const auto at_most = [&chord](const double* from, const double* to, Four curvature) __attribute__((always_inline)) {
+    return larger(size(load(from)), size(load(to))) + chord * curvature;
+  };
+  FourSums total;
+  for (Index j = room.begin; j < room.begin + room.size; j += four) {
+    const Four second = load(stretch.second + j);
+    const Four curved = at_most(stretch.curved + j, stretch.curved_end + j, load(stretch.fourth + j));
+    total.add(lumped, j, at_most(stretch.q + j, stretch.q_end + j, second), rate * smaller(second, curved));
+  }
+  return total.result();
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -156,18 +236,22 @@ void expand(const double* stiff, const double* damp, const double* gamma, std::s
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void evaluate(Index n, const double* c, Index stride, int degree, double at, double* q, double* hv) {
+void evaluate(Index n, const double* c, Index stride, int degree, double at, double* q, double* first, double* second) {
   const Four s = all(at);
   for (Index j = 0; j < n; j += four) {
     Four x = all(0.0);
     Four y = all(0.0);
-    for (int k = degree; k >= 1; --k) {
+    Four z = all(0.0);
+    for (int k = degree; k >= 2; --k) {
       const Four term = load(c + k * stride + j);
       x = x * s + term;
       y = y * s + all(k) * term;
+      z = z * s + all(k * (k - 1.0)) * term;
     }
-    store(q + j, x * s + load(c + j));
-    store(hv + j, y);
+    const Four linear = load(c + stride + j);
+    store(q + j, (x * s + linear) * s + load(c + j));
+    store(first + j, y * s + linear);
+    store(second + j, z);
   }
 }
 
@@ -219,12 +303,14 @@ void sample(Index n, const double* c, Index stride, int degree, int count, doubl
 
 BENTUR_FOR_ALL_PROCESSORS
 bool reach_of_samples(const PackedRows& rows, int count, const double* x, const double* rise, double* peak,
-                      double* reach) {
+                      const double* reach_before, double* reach) {
   const Index columns = rows.columns();
   Bits beyond_peak{};
   for (Index r = 0; r < rows.rows(); r += four) {
     const Four before = load(peak + r);
-    if (!any(load(reach + r) > before)) continue;
+    const Four so_far = load(reach_before + r);
+    store(reach + r, so_far);
+    if (!any(so_far > before)) continue;
     const double* weights = rows.from(r);
     Four most = all(0.0);
     Four beyond = all(0.0);
@@ -293,6 +379,74 @@ void accelerate(Index n, const double* omega_squared, const double* two_sigma, c
 }
 
 BENTUR_FOR_ALL_PROCESSORS
+void raise_peaks(const PackedRows& rows, Index count, const double* x, Index apart, double* peak, double* share,
+                 double* room) {
+  for (Index r = 0; r < rows.rows(); r += four) {
+    const double* weights = rows.from(r);
+    double* values = room + r * count;
+    Four high = load(peak + r);
+    Index i = 0;
+    for (; i + four <= count; i += four) {
+      const double* at = x + i * apart;
+      Four value[four] = {};  // NOLINT(modernize-avoid-c-arrays): registers
+      for (Index j = 0; j < rows.columns(); ++j) {
+        const Four weight = load(weights + four * j);
+        for (Index k = 0; k < four; ++k) value[k] += weight * all(at[k * apart + j]);
+      }
+      for (Index k = 0; k < four; ++k) {
+        const Four most = size(value[k]);
+        store(values + four * (i + k), most);
+        high = larger(high, most);
+      }
+    }
+    for (; i < count; ++i) {
+      Four value = all(0.0);
+      for (Index j = 0; j < rows.columns(); ++j) value += load(weights + four * j) * all(x[i * apart + j]);
+      store(values + four * i, size(value));
+      high = larger(high, size(value));
+    }
+    store(peak + r, high);
+  }
+  for (Index i = 0; i < count; ++i) {
+    Four most = all(0.0);
+    for (Index r = 0; r < rows.rows(); r += four) {
+      const Four part = load(room + r * count + four * i) / load(peak + r);
+      most = part > most ? part : most;  // 0/0 is no share
+    }
+    share[i] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* room,
+             double* polynomial) {
+  for (Index j = 0; j < rows.columns(); ++j) room[j] = rows(r, j);
+  for (int k = 0; k <= degree; ++k) polynomial[k] = sum(product(rows.columns(), room, c + k * stride));
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest,
+                 double* open) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  for (Index r = 0; r < n; r += four) {
+    const Four most = larger(load(x + r * apart), load(y + r * apart));
+    store(open + r, all(any(most > all(rest) * load(peak + r)) ? unknown : 0.0));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void lump(const PackedRows& rows, Index first, Index count, const double* limits, double* largest) {
+  for (Index j = first; j < first + count; ++j) {
+    Four most = all(0.0);
+    for (Index r = 0; r < rows.rows(); r += four) {
+      const Four share = size(load(rows.from(r) + four * j)) / load(limits + r);
+      most = share > most ? share : most;  // 0/0 is no share
+    }
+    largest[j - first] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
 void lowest_of_rows(const PackedRows& rows, const double* start, const double* end, const double* rise, double* lowest,
                     double* beyond) {
   for (Index r = 0; r < rows.rows(); r += four) {
@@ -304,11 +458,13 @@ void lowest_of_rows(const PackedRows& rows, const double* start, const double* e
 
 BENTUR_FOR_ALL_PROCESSORS
 bool reach_of_rows(const PackedRows& rows, const double* start, const double* end, const double* rise, double* peak,
-                   double* reach) {
+                   const double* reach_before, double* reach) {
   Bits beyond_peak{};
   for (Index r = 0; r < rows.rows(); r += four) {
     const Four before = load(peak + r);
-    if (!any(load(reach + r) > before)) continue;
+    const Four so_far = load(reach_before + r);
+    store(reach + r, so_far);
+    if (!any(so_far > before)) continue;
     const Ends at = ends_of_rows(rows.columns(), rows.from(r), start, end, rise);
     const Four most = larger(size(at.start), size(at.end));
     const Four high = larger(before, most);

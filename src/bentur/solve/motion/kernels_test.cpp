@@ -62,11 +62,11 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
   constexpr Index n = 8;
   constexpr int degree = 20, parts = 5;
   const Numbers c = random_numbers(n * (degree + 1), 7);
-  Numbers q(n), hv(n), samples(n * (parts + 1)), seconds(n * (parts + 1));
+  Numbers q(n), first(n), second(n), samples(n * (parts + 1)), seconds(n * (parts + 1));
   sample(n, c.data(), n, degree, parts, 0.75, samples.data(), seconds.data());
   for (int i = 0; i <= parts; ++i) {
     const double s = i == parts ? 0.75 : 0.75 * i / parts;
-    evaluate(n, c.data(), n, degree, s, q.data(), hv.data());
+    evaluate(n, c.data(), n, degree, s, q.data(), first.data(), second.data());
     for (Index j = 0; j < n; ++j) {
       double x = 0.0, y = 0.0, z = 0.0;
       for (int k = degree; k >= 0; --k) {
@@ -77,7 +77,8 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
       }
       const auto at = static_cast<std::size_t>(i * n + j);
       EXPECT_EQ(q[static_cast<std::size_t>(j)], x);
-      EXPECT_EQ(hv[static_cast<std::size_t>(j)], y);
+      EXPECT_EQ(first[static_cast<std::size_t>(j)], y);
+      EXPECT_EQ(second[static_cast<std::size_t>(j)], z);
       EXPECT_EQ(samples[at], x);
       EXPECT_EQ(seconds[at], z);
     }
@@ -95,9 +96,9 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
       beyond(rows);
   bool settled = true, ends_settled = true;
   const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
-  const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data());
-  const bool ends_found =
-      reach_of_rows(packed, x.data(), x.data() + columns, rise.data(), ends_peak.data(), ends_reach.data());
+  const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
+  const bool ends_found = reach_of_rows(packed, x.data(), x.data() + columns, rise.data(), ends_peak.data(),
+                                        ends_reach.data(), ends_reach.data());
   lowest_of_rows(packed, x.data(), x.data() + columns, rise.data(), lowest.data(), beyond.data());
   for (Index r = 0; r < rows; ++r) {
     const auto at = static_cast<std::size_t>(r);

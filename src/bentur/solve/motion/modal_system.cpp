@@ -94,11 +94,13 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
     gamma(begin + modes) = 1.0;
     gamma.segment(begin, modes) = -building.modes.shapes.transpose() * building.model.load;
-    const MatrixXd to_modes = building.modes.shapes.transpose() * building.model.mass;
+    const auto to_modes = [&building](const VectorXd& x) -> VectorXd {
+      return building.modes.shapes.transpose() * (building.model.mass * x);
+    };
     if (!problem.initial_displacement.empty()) {
-      initial_q.segment(begin, modes) = to_modes * problem.initial_displacement[b];
+      initial_q.segment(begin, modes) = to_modes(problem.initial_displacement[b]);
     }
-    if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes * problem.initial_velocity[b];
+    if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(problem.initial_velocity[b]);
   }
 
   for (const ContactPoint& contact : problem.points) {
@@ -112,9 +114,6 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     point.sense_right = sense_row(problem.buildings[left + 1], contact.right_floor, problem.kinematics, 1.0);
     point.push_left = push_column(point.sense_left, blocks[left].size - 1);
     point.push_right = push_column(point.sense_right, blocks[left + 1].size - 1);
-    point.sense_left_abs = point.sense_left.cwiseAbs();
-    point.sense_right_abs = point.sense_right.cwiseAbs();
-    point.width = contact.width;
     points.push_back(std::move(point));
   }
   const auto count = static_cast<Index>(points.size());

@@ -33,6 +33,7 @@ struct ContactForces {
 /// All buildings side by side in modal coordinates. The coordinates of one building are its modes followed by its
 /// ground displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
 ///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = −g_i,   g_i = w_i + sense_i q.   (T-1)
+/// Gap widths w are no part of it.
 /// Every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
 struct ModalSystem {
   struct Block {
@@ -52,8 +53,6 @@ struct ModalSystem {
     Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< with the room of the buildings
     Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
     Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates
-    Eigen::VectorXd sense_left_abs, sense_right_abs;
-    double width = 0;  ///< w [length]
 
     /// sense · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move
     /// alike give exactly zero.
@@ -62,11 +61,12 @@ struct ModalSystem {
              kernels::dot(left_size, sense_left.data(), x + left_begin);
     }
     [[nodiscard]] double sense(const Eigen::VectorXd& x) const { return sense(x.data()); }
-    /// The same with |sense|.
-    [[nodiscard]] double sense_abs(const Eigen::VectorXd& x) const {
-      return kernels::dot(right_size, sense_right_abs.data(), x.data() + right_begin) +
-             kernels::dot(left_size, sense_left_abs.data(), x.data() + left_begin);
+    /// |sense| · |x|.
+    [[nodiscard]] double sense_abs(const double* x) const {
+      return kernels::dot_of_sizes(right_size, sense_right.data(), x + right_begin) +
+             kernels::dot_of_sizes(left_size, sense_left.data(), x + left_begin);
     }
+    [[nodiscard]] double sense_abs(const Eigen::VectorXd& x) const { return sense_abs(x.data()); }
   };
 
   explicit ModalSystem(const Problem& problem);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace bentur::engine {
 
 using Eigen::Index;
 
-Series::Series(const ModalSystem& system)
-    : system_(&system), stiff_(system.size), damp_(system.size), force_(system.size) {}
+Series::Series(const ModalSystem& system, std::vector<double> widths)
+    : system_(&system), widths_(std::move(widths)), stiff_(system.size), damp_(system.size), force_(system.size) {}
 
 int needed_degree(double rate_times_h) {
   // Longest products rate · h for which degrees 2, 3, … suffice, largest last; highest_degree serves series_reach.
@@ -51,7 +52,7 @@ void Series::add_full_damping(const ModalSystem::Block& block, int k) {
 /// F = base + k δ + c δ̇ with δ = −g, coefficient k of the power series, times h².
 void Series::add_contact(std::size_t i, const ContactForces::Linear& linear, int k) {
   const auto& point = system_->points[i];
-  double force = -linear.stiffness * (point.sense(c_->col(k).data()) + (k == 0 ? point.width : 0.0)) * h_ * h_;
+  double force = -linear.stiffness * (point.sense(c_->col(k).data()) + (k == 0 ? widths_[i] : 0.0)) * h_ * h_;
   if (k == 0) force += linear.base * h_ * h_;
   if (linear.damping != 0.0) force -= linear.damping * (k + 1.0) * point.sense(c_->col(k + 1).data()) * h_;
   system_->push(i, force, force_);
@@ -88,7 +89,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
     const auto& linear = forces.linear[i];
     pressing_.push_back({point.left_begin, point.left_size, point.right_begin, point.right_size,
                          point.sense_left.data(), point.sense_right.data(), point.push_left.data(),
-                         point.push_right.data(), point.width, linear.base * h * h, linear.stiffness * h * h,
+                         point.push_right.data(), widths_[i], linear.base * h * h, linear.stiffness * h * h,
                          linear.damping * h, motion.fill_opening(i).coefficients.data()});
   }
   kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, pressing_, motion.degree(),

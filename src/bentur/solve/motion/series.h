@@ -19,7 +19,8 @@ inline constexpr double series_reach = 2.4;
 /// same. Nonlinear forces are left out.
 class Series {
  public:
-  explicit Series(const ModalSystem& system);
+  /// `widths`: of the gap at each point [length].
+  Series(const ModalSystem& system, std::vector<double> widths);
 
   /// Expands every building from `state` over a step of `h` [s] under the linear and resting forces.
   /// rate · h must not exceed series_reach.
@@ -38,6 +39,7 @@ class Series {
   void hold(const std::vector<std::size_t>& resting, int k);
 
   const ModalSystem* system_;
+  std::vector<double> widths_;
   double h_ = 0;
   Eigen::MatrixXd* c_ = nullptr;          ///< coefficients of the motion being expanded
   Eigen::VectorXd stiff_, damp_;          ///< h²Ω², h · diagonal of D

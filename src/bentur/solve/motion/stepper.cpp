@@ -26,7 +26,7 @@ Stepper::Stepper(const ModalSystem& system, const Problem& problem, const Solver
     : system_(&system),
       problem_(&problem),
       solver_(solver),
-      series_(system),
+      series_(system, gap_widths(problem)),
       pair_(system, tolerance_of(solver)),
       fixed_(system),
       range_{0, system.blocks.size()},
@@ -58,7 +58,7 @@ bool Stepper::advance(const Start& start, double longest, bool in_contact, Expan
 double Stepper::longest_before_parting(const Start& start, double h) const {
   for (const std::size_t i : start.forces.nonlinear) {
     const auto& point = system_->points[i];
-    const double depth = -(point.width + point.sense(start.state.q));
+    const double depth = -(problem_->points[i].width + point.sense(start.state.q));
     const double opening_speed = point.sense(start.state.v);
     if (depth <= 0.0 || depth > opening_speed * h) continue;
     const double left = depth / opening_speed;
@@ -82,16 +82,16 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
     if (h >= longest) return false;
     series_.expand(start.state, start.inputs, h, start.forces, motion);
     // ∫ F dt and ∫ (h − t) F dt with t = h u⁴, in which roots of time are smooth.
-    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(points);
-    Eigen::VectorXd moment = impulse;
-    Eigen::VectorXd force;
+    auto& [impulse, moment, force, dv, dq] = push_;
+    impulse.setZero(points);
+    moment.setZero(points);
     const auto add = [&](double u, double weight) {
       const double s = u * u * u * u;
       motion.evaluate(s, to);
-      start.force_at(to, start.inputs, force);
+      start.force_at(to, start.inputs, push_.force);
       const double part = 4.0 * u * u * u * weight * h;
-      impulse += part * force;
-      moment += part * h * (1.0 - s) * force;
+      push_.impulse += part * push_.force;
+      push_.moment += part * h * (1.0 - s) * push_.force;
     };
     for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
       const double x = Gauss::abscissa()[n];
@@ -99,8 +99,8 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
       add(0.5 * (1.0 + x), weight);
       if (x != 0.0) add(0.5 * (1.0 - x), weight);
     }
-    Eigen::VectorXd dv = Eigen::VectorXd::Zero(system_->size);
-    Eigen::VectorXd dq = dv;
+    dv.setZero(system_->size);
+    dq.setZero(system_->size);
     for (const std::size_t i : start.forces.nonlinear) {
       system_->push(i, impulse(static_cast<Eigen::Index>(i)), dv);
       system_->push(i, moment(static_cast<Eigen::Index>(i)), dq);
@@ -166,15 +166,15 @@ void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State
   const bool all = range_.first == 0 && range_.end == system_->blocks.size();
   int degree = EmbeddedPair::degree;
   if (!all) {
-    const State there = to;
+    there_ = to;
     series_.expand(start.state, start.inputs, h, start.forces, motion);
     for (int k = motion.degree() + 1; k <= degree; ++k) motion.coefficients().col(k).setZero();
     degree = std::max(degree, motion.degree());
     motion.evaluate(1.0, to);
     const auto begin = system_->blocks[range_.first].begin;
     const auto count = system_->blocks[range_.end - 1].begin + system_->blocks[range_.end - 1].size - begin;
-    to.q.segment(begin, count) = there.q.segment(begin, count);
-    to.v.segment(begin, count) = there.v.segment(begin, count);
+    to.q.segment(begin, count) = there_.q.segment(begin, count);
+    to.v.segment(begin, count) = there_.v.segment(begin, count);
   }
   motion.begin(0, system_->size, h, degree);
   pair_.expand(start.force_at, motion);
@@ -232,19 +232,20 @@ double Stepper::accuracy() const {
 
 /// The buildings that a nonlinear force shakes, directly or through other contacts.
 BuildingRange Stepper::island(const ContactForces& forces) const {
-  std::vector<char> joined(system_->blocks.size(), 0);  // building b touches b + 1
+  const auto left = [&](std::size_t i) { return static_cast<std::size_t>(problem_->points[i].left); };
+  const auto touches_next = [&](std::size_t building) {
+    const auto is_of = [&](std::size_t i) { return left(i) == building; };
+    return std::ranges::any_of(forces.pressing, is_of) || std::ranges::any_of(forces.resting, is_of) ||
+           std::ranges::any_of(forces.nonlinear, is_of);
+  };
   std::size_t first = system_->blocks.size();
   std::size_t last = 0;
-  const auto left = [&](std::size_t i) { return static_cast<std::size_t>(problem_->points[i].left); };
-  for (const auto* list : {&forces.pressing, &forces.resting, &forces.nonlinear}) {
-    for (const std::size_t i : *list) joined[left(i)] = 1;
-  }
   for (const std::size_t i : forces.nonlinear) {
     first = std::min(first, left(i));
     last = std::max(last, left(i) + 1);
   }
-  while (first > 0 && joined[first - 1] != 0) --first;
-  while (joined[last] != 0) ++last;  // the last building touches nobody to its right
+  while (first > 0 && touches_next(first - 1)) --first;
+  while (touches_next(last)) ++last;  // the last building touches nobody to its right
   return {first, last + 1};
 }
 

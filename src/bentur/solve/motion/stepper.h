@@ -65,6 +65,12 @@ class Stepper {
   double first_guess_ = 0;    ///< length of the step that begins a contact [s]
   double parting_scale_ = 0;  ///< step that failed first in a contact [s]; 0: none has
   bool fresh_ = true;
+  /// What a force does over the first step of a contact: ∫F dt and ∫(h − t) F dt per point, changes of v and q.
+  struct Push {
+    Eigen::VectorXd impulse, moment, force, dv, dq;
+  };
+  Push push_;    ///< room
+  State there_;  ///< room
 };
 
 }  // namespace bentur::engine

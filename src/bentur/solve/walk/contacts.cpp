@@ -47,7 +47,7 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, std::vecto
 }
 
 double Contacts::penetration(std::size_t i, const State& state) const {
-  return -(system_->points[i].width + system_->points[i].sense(state.q));
+  return -(problem_->points[i].width + system_->points[i].sense(state.q));
 }
 
 double Contacts::closing_speed(std::size_t i, const State& state) const { return -system_->points[i].sense(state.v); }
@@ -59,7 +59,7 @@ double Contacts::tolerance(std::size_t i, const Guard& guard, const State& state
   double result = std::abs(guard.penetration) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
   if (guard.decaying != 0.0) result += tolerances_[i];
   if (guard.speed != 0.0) {
-    result += std::abs(guard.speed) * round_off_band * system_->points[i].sense_abs(state.v.cwiseAbs());
+    result += std::abs(guard.speed) * round_off_band * system_->points[i].sense_abs(state.v);
   }
   return result;
 }
@@ -99,7 +99,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       continue;
     }
     if (states_[i].branch == 0) {
-      const double lowest = point.width + std::min(point.sense(from.q), point.sense(to.q));
+      const double lowest = problem_->points[i].width + std::min(point.sense(from.q), point.sense(to.q));
       if (lowest > point.sense_abs(motion.curvature()) / 8.0) continue;
     }
     const Polynomial& opening = motion.opening(i);
@@ -173,8 +173,8 @@ void Contacts::accumulate(const Expansion& motion, double time, double end) {
     }
     double band = 2.0 * branches_[i].stiffness * tolerances_[i];
     if (branches_[i].damping != 0.0) {
-      const auto speeds = motion.coefficients().col(1).cwiseAbs();
-      band += 2.0 * branches_[i].damping * round_off_band * system_->points[i].sense_abs(speeds) / motion.h();
+      const double speeds = system_->points[i].sense_abs(motion.coefficients().col(1).data());
+      band += 2.0 * branches_[i].damping * round_off_band * speeds / motion.h();
     }
     log_.accumulate(i, {law(i), states_[i], motion.opening(i), motion.h(), time, end, band});
   }
@@ -290,7 +290,7 @@ void Contacts::collide(std::size_t point, double time, State& state) {
   std::vector<std::size_t> at;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (law(i).restitution() && (i == point || resting(i) || penetration(i, state) >= -tolerances_[i])) at.push_back(i);
-    fastest_ = std::max(fastest_, system_->points[i].sense_abs(state.v.cwiseAbs()));
+    fastest_ = std::max(fastest_, system_->points[i].sense_abs(state.v));
   }
   const auto count = static_cast<Eigen::Index>(at.size());
   Eigen::MatrixXd a(count, count);

@@ -7,6 +7,21 @@
 
 namespace bentur::engine {
 
+/// What the free response has in common with all responses that it turns into when two buildings touch.
+struct FreeRun {
+  /// The openings came no lower than −reach before a segment.
+  struct Reach {
+    long segment = 0;
+    double reach = 0;  ///< [length]
+  };
+  std::vector<std::vector<Reach>> reaches;    ///< per point, ascending in both
+  std::vector<double> needed;                 ///< per point: the gap that is never closed [length]
+  std::vector<Walk::Checkpoint> checkpoints;  ///< ascending
+};
+
+/// The first segment in which one of the gaps may close when they have these widths; max() where they never do.
+[[nodiscard]] long first_contact(const FreeRun& run, const std::vector<double>& widths);
+
 /// Contact switched off: peak displacements and the gap that would have been needed.
 class FreeWalk final : public Walk {
  public:
@@ -15,14 +30,20 @@ class FreeWalk final : public Walk {
   /// Per point, max(0, x_left − x_right) [length].
   [[nodiscard]] const std::vector<double>& needed() const { return needed_; }
 
+  /// After run().
+  [[nodiscard]] FreeRun take_run();
+
  private:
   [[nodiscard]] const ContactForces& forces() const override { return none_; }
   [[nodiscard]] long changes() const override { return 0; }
   [[nodiscard]] const ForceFunction& force_at() const override { return no_force_; }
   [[nodiscard]] bool may_fly() const override { return true; }
-  bool quiet(const Flights& flights, std::size_t halvings, const Flight::Bounds& bounds) override;
+  bool quiet(const Flown& flown) override;
   double look(double time) override;
+  [[nodiscard]] bool settle_before(long /*segment*/) override { return true; }
+  void settled_before(long /*segment*/) override { run_.checkpoints.push_back(checkpoint()); }
   void settle() override;
+  void reach(std::size_t point, double reach);
   void raise(const State& from, const State& to);
 
   /// A flight in which a gap may have been exceeded.
@@ -38,6 +59,7 @@ class FreeWalk final : public Walk {
   Openings openings_;
   std::vector<double> needed_;
   std::vector<double> reach_;
+  FreeRun run_;
   std::vector<Unsettled> unsettled_;
 };
 

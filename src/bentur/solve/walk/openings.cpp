@@ -1,17 +1,24 @@
 #include "bentur/solve/walk/openings.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bentur::engine {
 
 using Eigen::Index;
 
-Openings::Openings(const ModalSystem& system) : limits_(system.points.size(), 0.0) {
+Openings::Openings(const ModalSystem& system, kernels::Lumped& lumped)
+    : system_(&system),
+      lumped_(&lumped),
+      limits_(system.points.size(), 0.0),
+      lowest_(system.points.size(), 0.0),
+      beyond_(system.points.size(), 0.0) {
+  std::size_t left = 0;
   for (std::size_t i = 0; i < system.points.size(); ++i) {
     const auto& point = system.points[i];
-    if (pairs_.empty() || pairs_.back().begin != point.left_begin) {
+    while (system.blocks[left].begin != point.left_begin) ++left;
+    if (pairs_.empty() || pairs_.back().left != left) {
       Pair pair;
+      pair.left = left;
       pair.begin = point.left_begin;
       pair.first = i;
       pair.count = 0;
@@ -27,39 +34,29 @@ Openings::Openings(const ModalSystem& system) : limits_(system.points.size(), 0.
       sense.row(static_cast<Index>(n)) << point.sense_left.transpose(), point.sense_right.transpose();
     }
     pair.weights = kernels::PackedRows(sense, sense.cols());
-    pair.lowest.resize(pair.weights.rows());
-    pair.beyond.resize(pair.weights.rows());
+    for (auto* list : {&pair.limits, &pair.lowest, &pair.beyond}) list->setZero(pair.weights.rows());
   }
-  limit(limits_);
 }
 
 void Openings::limit(const std::vector<double>& limits) {
   limits_ = limits;
   for (Pair& pair : pairs_) {
-    pair.lumped.setZero(pair.weights.columns());
-    for (std::size_t n = 0; n < pair.count; ++n) {
-      const double rate = 1.0 / limits[pair.first + n];
-      for (Index j = 0; j < pair.lumped.size(); ++j) {
-        const double weight = std::abs(pair.weights(static_cast<Index>(n), j));
-        if (weight != 0.0) pair.lumped(j) = std::max(pair.lumped(j), weight * rate);
-      }
-    }
+    for (std::size_t n = 0; n < pair.count; ++n) pair.limits(static_cast<Index>(n)) = limits[pair.first + n];
+    const Index left = system_->blocks[pair.left].room;
+    const Index right = system_->blocks[pair.left + 1].room;
+    kernels::lump(pair.weights, 0, left, pair.limits.data(), lumped_->as_left.data() + pair.begin);
+    kernels::lump(pair.weights, left, right, pair.limits.data(), lumped_->as_right.data() + pair.begin + left);
   }
 }
 
-bool Openings::stay_open(const State& from, const State& to, const Flight::Bounds& bounds) {
+void Openings::look(const double* q, const double* q_end, const double* rise) {
   for (Pair& pair : pairs_) {
     const Index begin = pair.begin;
-    if (kernels::dot(pair.lumped.size(), pair.lumped.data(), bounds.position.data() + begin) < 1.0) continue;
-    kernels::lowest_of_rows(pair.weights, from.q.data() + begin, to.q.data() + begin, bounds.rise.data() + begin,
-                            pair.lowest.data(), pair.beyond.data());
-    for (std::size_t n = 0; n < pair.count; ++n) {
-      const auto row = static_cast<Index>(n);
-      const double lowest = limits_[pair.first + n] + pair.lowest(row);
-      if (!(lowest > 0.0 && lowest > pair.beyond(row))) return false;
-    }
+    kernels::lowest_of_rows(pair.weights, q + begin, q_end + begin, rise + begin, pair.lowest.data(),
+                            pair.beyond.data());
+    std::copy_n(pair.lowest.data(), pair.count, lowest_.begin() + static_cast<std::ptrdiff_t>(pair.first));
+    std::copy_n(pair.beyond.data(), pair.count, beyond_.begin() + static_cast<std::ptrdiff_t>(pair.first));
   }
-  return true;
 }
 
 }  // namespace bentur::engine

@@ -11,190 +11,274 @@ using Eigen::VectorXd;
 constexpr std::size_t most_open = 4096;  // flights and steps kept at a time
 constexpr int few_parts = 4;             // of a step, at a first look
 constexpr int many_parts = 8;            // at the last one
+constexpr Index few_quantities = 4;      // that are searched at once
+
+State state_of(Index size) { return {VectorXd::Zero(size), VectorXd::Zero(size)}; }
 
 }  // namespace
 
-PeakSearch::PeakSearch(const ModalSystem& system, PeakWatch::Scope scope)
+PeakSearch::PeakSearch(const ModalSystem& system, kernels::Lumped& lumped)
     : system_(&system),
-      watch_(system, scope),
-      state_{VectorXd::Zero(system.size), VectorXd::Zero(system.size)},
-      bounds_(Flight::make_bounds(system.size)),
+      lumped_(&lumped),
+      watch_(system, lumped),
+      state_(state_of(system.size)),
+      rises_{VectorXd::Zero(system.size), VectorXd::Zero(system.size)},
       start_acceleration_(VectorXd::Zero(system.size)),
-      end_acceleration_(VectorXd::Zero(system.size)),
-      rise_(VectorXd::Zero(system.size)),
-      acceleration_rise_(VectorXd::Zero(system.size)) {}
+      end_acceleration_(VectorXd::Zero(system.size)) {}
 
-std::size_t PeakSearch::keep(const double* q, const double* v, Index count) {
-  const std::size_t place = kept_.size();
-  kept_.insert(kept_.end(), q, q + count);
-  kept_.insert(kept_.end(), v, v + count);
-  return place;
+/// Makes room for so many numbers in kept_; returns where.
+Index PeakSearch::claim(Index count) {
+  const Index at = kept_count_;
+  kept_count_ += count;
+  if (kept_count_ > kept_.size()) kept_.conservativeResize(2 * kept_count_);
+  return at;
 }
 
-std::size_t PeakSearch::keep_reach() {
-  const std::size_t place = kept_.size();
-  PeakWatch::append(reach_, kept_);
-  return place;
+void PeakSearch::keep(Index at, const double* q, const double* v, Index count) {
+  std::copy_n(q, count, kept_.data() + at);
+  std::copy_n(v, count, kept_.data() + at + count);
 }
 
-/// Takes up what is known of an interval, and returns whether that has been settled since.
-bool PeakSearch::recall(std::size_t block, std::size_t reach) {
-  watch_.read(block, kept_.data() + reach, reach_);
-  return watch_.settled(block, reach_);
+void PeakSearch::recall(Index at, Index first, Index count) {
+  std::copy_n(kept_.data() + at, count, state_.q.data() + first);
+  std::copy_n(kept_.data() + at + count, count, state_.v.data() + first);
 }
 
-/// Whether a flight of one building stays below its peaks. States and bounds by where its coordinates begin.
-bool PeakSearch::settled(std::size_t b, const double* q, const double* v, const double* q_end, const double* v_end,
-                         const GroundInput& input, const GroundInput& end_input, const Flight::Bounds& bounds) {
-  const PeakWatch::Open open = watch_.open_at_once(b, bounds);
-  if (!open.positions && !open.accelerations) return true;
+/// Whether a flight of one building stays below its peaks.
+bool PeakSearch::settled(std::size_t b, const Flown& flown, PeakWatch::Open open, const double* before, double* reach) {
   const auto& block = system_->blocks[b];
-  const auto at = [&block](const VectorXd& x) { return x.data() + block.begin; };
+  const Index begin = block.begin;
   if (open.accelerations) {
-    const auto accelerate = [&](double value, const double* from_q, const double* from_v, VectorXd& to) {
-      kernels::accelerate(block.room, at(system_->omega_squared), at(system_->two_sigma), at(system_->gamma), value,
-                          from_q, from_v, to.data() + block.begin);
+    const auto accelerate = [&](double value, const double* q, const double* v, VectorXd& result) {
+      kernels::accelerate(block.room, system_->omega_squared.data() + begin, system_->two_sigma.data() + begin,
+                          system_->gamma.data() + begin, value, q + begin, v + begin, result.data() + begin);
     };
-    accelerate(input.value, q, v, start_acceleration_);
-    accelerate(end_input.value, q_end, v_end, end_acceleration_);
+    accelerate(flown.value, flown.q, flown.v, start_acceleration_);
+    accelerate(flown.end_value, flown.q_end, flown.v_end, end_acceleration_);
   }
   return watch_.settled_by_bound(
-      b, {q, q_end, at(start_acceleration_), at(end_acceleration_), at(bounds.rise), at(bounds.acceleration_rise)},
-      open, reach_);
+      b,
+      {flown.q + begin, flown.q_end + begin, start_acceleration_.data() + begin, end_acceleration_.data() + begin,
+       flown.rise + begin, flown.acceleration_rise + begin},
+      open, before, reach);
 }
 
-void PeakSearch::take_flight(const Flights& flights, std::size_t halvings, const State& from,
-                             const std::vector<GroundInput>& inputs, const State& to,
-                             const std::vector<GroundInput>& end_inputs, const Flight::Bounds& bounds) {
+/// Takes in what is open of a flight; keeps it where bounds do not settle it.
+void PeakSearch::take(std::size_t b, const Flown& flown, PeakWatch::Open open, const double* before,
+                      const OpenFlight& flight) {
+  const auto& block = system_->blocks[b];
+  const Index quantities = watch_.quantities(b);
+  const Index at = claim(quantities + 2 * block.room);
+  if (settled(b, flown, open, before, kept_.data() + at)) {
+    kept_count_ = at;
+    return;
+  }
+  keep(at + quantities, flown.q + block.begin, flown.v + block.begin, block.room);
+  flights_.push_back(flight);
+  flights_.back().at = at;
+}
+
+void PeakSearch::take_course(const Course& course) {
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
+    watch_.raise(b, course);
+    before_.resize(watch_.quantities(b));
+    for (Index n = 0; n < course.legs(); ++n) {
+      const PeakWatch::Open open = watch_.open(b, course, n, before_.data());
+      if (open.none()) continue;
+      const kernels::FlightInput& input = course.input(n, b);
+      take(b,
+           {course.q(n), course.v(n), course.q(n + 1), course.v(n + 1), course.rise(n), course.acceleration_rise(n),
+            input.value, input.end},
+           open, before_.data(), {b, &course.flights(n), 0, {input.value, input.slope}, 0});
+    }
+  }
+}
+
+void PeakSearch::take_flight(const Flights& flights, std::size_t halvings, const Interval& interval,
+                             const kernels::Rises& rises, const std::vector<kernels::Sums>& sums) {
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    const PeakWatch::Open open = watch_.open(b, sums[b]);
+    if (open.none()) continue;
+    take(b,
+         {interval.from.q.data(), interval.from.v.data(), interval.to.q.data(), interval.to.v.data(),
+          rises.position.data(), rises.acceleration.data(), interval.inputs[b].value, interval.end_inputs[b].value},
+         open, watch_.unknown(), {b, &flights, halvings, interval.inputs[b], 0});
+  }
+}
+
+void PeakSearch::take_step(const Expansion& motion, double cut, const Interval& interval, const ContactForces& forces,
+                           long changes) {
+  const double chord = cut * cut / 8.0;
+  const double rate = 1.0 / (motion.h() * motion.h());
+  bool first = true;
+  Index start = 0;
   for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
     const auto& block = system_->blocks[b];
-    const double* q = from.q.data() + block.begin;
-    const double* v = from.v.data() + block.begin;
-    watch_.forget(b, reach_);
-    if (settled(b, q, v, to.q.data() + block.begin, to.v.data() + block.begin, inputs[b], end_inputs[b], bounds)) {
+    const auto at = [&block](const VectorXd& x) { return x.data() + block.begin; };
+    const auto part = [&block](VectorXd& x) { return x.segment(block.begin, block.room); };
+    const double* curved = motion.coefficients().col(2).data() + block.begin;
+    const kernels::Stretch stretch{interval.from.q.data(),
+                                   interval.to.q.data(),
+                                   motion.coefficients().col(2).data(),
+                                   motion.curved().data(),
+                                   motion.curvature().data(),
+                                   motion.fourth_derivative().data(),
+                                   cut,
+                                   motion.h()};
+    const PeakWatch::Open open = watch_.open(b, kernels::sum_up({block.begin, block.room}, stretch, *lumped_));
+    if (open.none()) continue;
+    part(start_acceleration_) = 2.0 * rate * Eigen::Map<const VectorXd>(curved, block.room);
+    part(end_acceleration_) = rate * Eigen::Map<const VectorXd>(at(motion.curved()), block.room);
+    part(rises_.position) = chord * Eigen::Map<const VectorXd>(at(motion.curvature()), block.room);
+    part(rises_.acceleration) = chord * rate * Eigen::Map<const VectorXd>(at(motion.fourth_derivative()), block.room);
+    const Index reach = claim(watch_.quantities(b));
+    if (watch_.settled_by_bound(b,
+                                {at(interval.from.q), at(interval.to.q), at(start_acceleration_), at(end_acceleration_),
+                                 at(rises_.position), at(rises_.acceleration)},
+                                open, watch_.unknown(), kept_.data() + reach) ||
+        watch_.settled_by_samples(b, motion, cut, few_parts, kept_.data() + reach, kept_.data() + reach)) {
+      kept_count_ = reach;
       continue;
     }
-    const std::size_t start = keep(q, v, block.room);
-    flights_.push_back({b, &flights, halvings, inputs[b], start, keep_reach()});
-  }
-}
-
-void PeakSearch::take_step(const Expansion& motion, double cut, const State& from,
-                           const std::vector<GroundInput>& inputs, const ContactForces& forces, long changes) {
-  bool first = true;
-  std::size_t start = 0;
-  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
-    watch_.forget(b, reach_);
-    if (watch_.settled_by_samples(b, motion, cut, few_parts, reach_)) continue;
     if (first) {
-      start = keep(from.q.data(), from.v.data(), system_->size);
-      kept_inputs_.insert(kept_inputs_.end(), inputs.begin(), inputs.end());
-      if (kept_forces_.empty() || kept_changes_ != changes) kept_forces_.push_back(forces);
-      kept_changes_ = changes;
+      start = claim(2 * system_->size);
+      keep(start, interval.from.q.data(), interval.from.v.data(), system_->size);
+      kept_inputs_.insert(kept_inputs_.end(), interval.inputs.begin(), interval.inputs.end());
+      keep_forces(forces, changes);
     }
     first = false;
-    steps_.push_back(
-        {b, cut * motion.h(), start, kept_inputs_.size() - inputs.size(), kept_forces_.size() - 1, keep_reach()});
+    steps_.push_back({b, cut * motion.h(), start, reach, kept_inputs_.size() - interval.inputs.size(), last_forces_,
+                      kept_forces_.size()});
   }
 }
 
-void PeakSearch::take_approximate_step(const Expansion& motion, double cut, const State& from, const State& to,
+void PeakSearch::take_approximate_step(const Expansion& motion, double cut, const Interval& interval,
                                        const VectorXd& start_acceleration, const VectorXd& end_acceleration) {
-  const PeakWatch::Open everything{true, watch_.scope() == PeakWatch::Scope::everything};
   const double chord = cut * cut / 8.0;
-  rise_ = chord * motion.curvature();
-  acceleration_rise_ = chord / (motion.h() * motion.h()) * motion.fourth_derivative();
+  rises_.position = chord * motion.curvature();
+  rises_.acceleration = chord / (motion.h() * motion.h()) * motion.fourth_derivative();
   for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
     const auto at = [begin = system_->blocks[b].begin](const VectorXd& x) { return x.data() + begin; };
-    const PeakWatch::Interval interval{at(from.q),           at(to.q),  at(start_acceleration),
-                                       at(end_acceleration), at(rise_), at(acceleration_rise_)};
-    watch_.forget(b, reach_);
-    if (!watch_.settled_by_bound(b, interval, everything, reach_)) watch_.scan(b, motion, reach_);
+    const PeakWatch::Interval ends{at(interval.from.q),  at(interval.to.q),   at(start_acceleration),
+                                   at(end_acceleration), at(rises_.position), at(rises_.acceleration)};
+    const Index reach = claim(watch_.quantities(b));
+    if (!watch_.settled_by_bound(b, ends, {}, watch_.unknown(), kept_.data() + reach)) {
+      watch_.scan(b, motion, kept_.data() + reach);
+    }
+    kept_count_ = reach;
   }
 }
 
 bool PeakSearch::much_is_open() const { return flights_.size() + steps_.size() >= most_open; }
 
 /// Halves a flight, whose reach is known, until bounds settle its parts, or it cannot be halved any more.
-void PeakSearch::halve(const OpenFlight& flight, const double* q, const double* v) {
+void PeakSearch::halve(const OpenFlight& flight, const State& from, const double* before) {
   const std::size_t n = flight.halvings + 1;
   const std::size_t b = flight.block;
+  const auto& block = system_->blocks[b];
   const Flight& half = (*flight.flights)[n];
-  const Index room = system_->blocks[b].room;
-  if (at_.size() < 4 * (n + 1)) at_.resize(4 * (n + 1));
-  if (whole_.size() <= n) whole_.resize(n + 1);
-  whole_[n] = reach_;
-  GroundInput input = flight.input;
-  for (std::size_t part = 0; part < 2; ++part) {
-    VectorXd& q_end = at_[4 * n + 2 * part];
-    VectorXd& v_end = at_[4 * n + 2 * part + 1];
-    q_end.resize(room);
-    v_end.resize(room);
-    reach_ = whole_[n];
-    half.advance_block(b, q, v, input, q_end.data(), v_end.data(), bounds_);
-    GroundInput end_input = input;
+  Halving& at = halvings_[n];
+  OpenFlight part{b, flight.flights, n, flight.input, 0};
+  const State* start = &from;
+  for (State* to : {&at.middle, &at.end}) {
+    const kernels::Sums sums = half.advance_block(b, *start, part.input, *lumped_, *to, rises_);
+    GroundInput end_input = part.input;
     system_->advance(end_input, half.length());
-    if (!settled(b, q, v, q_end.data(), v_end.data(), input, end_input, bounds_)) {
-      OpenFlight open{b, flight.flights, n, input, 0, 0};
+    const PeakWatch::Open open = watch_.open(b, sums);
+    const Flown flown{start->q.data(),  start->v.data(),        to->q.data(),
+                      to->v.data(),     rises_.position.data(), rises_.acceleration.data(),
+                      part.input.value, end_input.value};
+    if (!open.none() && !settled(b, flown, open, before, at.reach.data())) {
       if (n + 1 < flight.flights->size()) {
-        halve(open, q, v);
+        halve(part, *start, at.reach.data());
       } else {
-        open.start = keep(q, v, room);
-        open.reach = keep_reach();
-        parts_.push_back(open);
+        const Index quantities = watch_.quantities(b);
+        part.at = claim(quantities + 2 * block.room);
+        std::copy_n(at.reach.data(), quantities, kept_.data() + part.at);
+        keep(part.at + quantities, start->q.data() + block.begin, start->v.data() + block.begin, block.room);
+        parts_.push_back(part);
       }
     }
-    q = at_[4 * n + 2 * part].data();  // where they are after at_ has grown
-    v = at_[4 * n + 2 * part + 1].data();
-    input = end_input;
+    start = to;
+    part.input = end_input;
   }
 }
 
 void PeakSearch::expand(const OpenFlight& flight, Series& series, Expansion& motion) {
   const auto& block = system_->blocks[flight.block];
-  const double* start = kept_.data() + flight.start;
-  std::copy_n(start, block.room, state_.q.data() + block.begin);
-  std::copy_n(start + block.room, block.room, state_.v.data() + block.begin);
+  recall(flight.at + watch_.quantities(flight.block), block.begin, block.room);
   series.expand_block(flight.block, state_, flight.input, (*flight.flights)[flight.halvings].length(), motion);
 }
 
 void PeakSearch::expand(const OpenStep& step, Series& series, Expansion& motion) {
-  const auto all = static_cast<std::size_t>(system_->size);
+  recall(step.start, 0, system_->size);
   const auto inputs = kept_inputs_.begin() + static_cast<std::ptrdiff_t>(step.inputs);
-  std::copy_n(kept_.data() + step.start, all, state_.q.data());
-  std::copy_n(kept_.data() + step.start + all, all, state_.v.data());
   inputs_.assign(inputs, inputs + static_cast<std::ptrdiff_t>(system_->blocks.size()));
-  if (kept_forces_[step.forces].none()) {
+  if (step.forces == step.forces_end) {
     series.expand_block(step.block, state_, inputs_[step.block], step.length, motion);
   } else {
-    series.expand(state_, inputs_, step.length, kept_forces_[step.forces], motion);
+    recall_forces(step);
+    series.expand(state_, inputs_, step.length, forces_, motion);
+  }
+}
+
+void PeakSearch::keep_forces(const ContactForces& forces, long changes) {
+  if (kept_changes_ == changes) return;
+  kept_changes_ = changes;
+  last_forces_ = kept_forces_.size();
+  for (const std::size_t i : forces.pressing) kept_forces_.push_back({i, false, forces.linear[i]});
+  for (const std::size_t i : forces.resting) kept_forces_.push_back({i, true, {}});
+}
+
+void PeakSearch::recall_forces(const OpenStep& step) {
+  forces_.pressing.clear();
+  forces_.resting.clear();
+  forces_.linear.resize(system_->points.size());
+  for (std::size_t n = step.forces; n < step.forces_end; ++n) {
+    const KeptForce& force = kept_forces_[n];
+    (force.rests ? forces_.resting : forces_.pressing).push_back(force.point);
+    forces_.linear[force.point] = force.linear;
   }
 }
 
 /// By bounds and samples first, which raise all peaks nearly to where they belong; what is then still open is searched.
 void PeakSearch::settle(Series& series, Expansion& motion) {
   const auto look = [&](auto& open, bool search) {
-    std::erase_if(open, [&](auto& interval) {
-      if (recall(interval.block, interval.reach)) return true;
+    std::erase_if(open, [&](const auto& interval) {
+      const std::size_t b = interval.block;
+      const auto reach = [&] { return kept_.data() + interval.at; };
+      const Index open_quantities = watch_.open(b, reach());
+      if (open_quantities == 0) return true;
       expand(interval, series, motion);
+      if (open_quantities <= few_quantities) {
+        watch_.scan(b, motion, reach());
+        return true;
+      }
       (void)motion.bound();
-      if (watch_.settled_by_samples(interval.block, motion, 1.0, many_parts, reach_)) return true;
-      interval.reach = keep_reach();
-      if (search) watch_.scan(interval.block, motion, reach_);
+      if (watch_.settled_by_samples(b, motion, 1.0, many_parts, reach(), reach())) return true;
+      if (search) watch_.scan(b, motion, reach());
       return false;
     });
   };
   look(steps_, false);
   for (const OpenFlight& flight : flights_) {
-    if (recall(flight.block, flight.reach)) continue;
+    const Index quantities = watch_.quantities(flight.block);
+    const auto& block = system_->blocks[flight.block];
+    if (watch_.open(flight.block, kept_.data() + flight.at) == 0) continue;
     if (flight.halvings + 1 == flight.flights->size()) {
       parts_.push_back(flight);
       continue;
     }
-    const auto room = static_cast<std::size_t>(system_->blocks[flight.block].room);
-    const auto start = kept_.begin() + static_cast<std::ptrdiff_t>(flight.start);
-    start_.assign(start, start + static_cast<std::ptrdiff_t>(2 * room));
-    halve(flight, start_.data(), start_.data() + room);
+    while (halvings_.size() < flight.flights->size()) {
+      halvings_.push_back({state_of(system_->size), state_of(system_->size), {}});
+    }
+    for (Halving& halving : halvings_) halving.reach.resize(std::max(halving.reach.size(), quantities));
+    // The whole is halving 0: its state and reach are out of the way of kept_, which may grow.
+    Halving& whole = halvings_.front();
+    std::copy_n(kept_.data() + flight.at, quantities, whole.reach.data());
+    std::copy_n(kept_.data() + flight.at + quantities, block.room, whole.end.q.data() + block.begin);
+    std::copy_n(kept_.data() + flight.at + quantities + block.room, block.room, whole.end.v.data() + block.begin);
+    halve(flight, whole.end, whole.reach.data());
   }
   look(parts_, false);
   look(steps_, true);
@@ -202,9 +286,10 @@ void PeakSearch::settle(Series& series, Expansion& motion) {
   flights_.clear();
   parts_.clear();
   steps_.clear();
-  kept_.clear();
+  kept_count_ = 0;
   kept_inputs_.clear();
   kept_forces_.clear();
+  kept_changes_ = -1;
 }
 
 }  // namespace bentur::engine

@@ -1,149 +1,196 @@
 #include "bentur/solve/walk/peak_watch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace bentur::engine {
 namespace {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr int misses_before_lump = 8;  // lumping costs about as much as a look at all rows
 
 }  // namespace
 
-PeakWatch::Rows::Rows(const MatrixXd& quantities, Index room)
-    : weights(quantities, room), peak(ArrayXd::Zero(weights.rows())), lumped(Eigen::VectorXd::Zero(room)) {
+PeakWatch::Rows::Rows(const Eigen::MatrixXd& quantities, Index room, double* lumped_weights)
+    : weights(quantities, room), peak(VectorXd::Zero(weights.rows())), lumped(lumped_weights) {
   lump();
 }
 
 void PeakWatch::Rows::lump() {
   misses = 0;
-  lumped.setZero();
-  for (Index r = 0; r < weights.rows(); ++r) {
-    const double rate = 1.0 / peak(r);
-    for (Index j = 0; j < weights.columns(); ++j) {
-      if (weights(r, j) != 0.0) lumped(j) = std::max(lumped(j), std::abs(weights(r, j)) * rate);
+  kernels::lump(weights, 0, weights.columns(), peak.data(), lumped);
+}
+
+bool PeakWatch::Rows::open(double sum) {
+  if (sum <= 1.0) return false;
+  if (++misses >= misses_before_lump) lump();
+  return true;
+}
+
+PeakWatch::PeakWatch(const ModalSystem& system, kernels::Lumped& lumped) : system_(&system) {
+  Index most = 0;
+  Index most_quantities = 0;
+  for (const auto& block : system.blocks) {
+    positions_.emplace_back(block.outputs, block.room, lumped.positions.data() + block.begin);
+    accelerations_.emplace_back(block.acceleration, block.room, lumped.accelerations.data() + block.begin);
+    most = std::max(most, block.room);
+    most_quantities = std::max(most_quantities, quantities(positions_.size() - 1));
+  }
+  samples_.resize(most * (most_parts + 1));
+  seconds_.resize(most * (most_parts + 1));
+  rise_.setZero(most);
+  course_.accelerations.resize(most, Course::most + 1);
+  for (Ends* ends : {&course_.first, &course_.second}) {
+    ends->values.resize(most_quantities * (Course::most + 1));
+    ends->shares.resize(Course::most + 1);
+  }
+  unknown_.assign(static_cast<std::size_t>(most_quantities), std::numeric_limits<double>::infinity());
+}
+
+Index PeakWatch::quantities(std::size_t b) const { return positions_[b].peak.size() + accelerations_[b].peak.size(); }
+
+void PeakWatch::start(const State& state) {
+  std::vector<double> reach(unknown_.size());
+  for (std::size_t b = 0; b < positions_.size(); ++b) {
+    const double* q = state.q.data() + system_->blocks[b].begin;
+    (void)kernels::reach_of_rows(positions_[b].weights, q, q, rise_.data(), positions_[b].peak.data(), unknown(),
+                                 reach.data());
+    positions_[b].lump();
+  }
+}
+
+VectorXd PeakWatch::peaks() const {
+  Index size = 0;
+  for (std::size_t b = 0; b < positions_.size(); ++b) size += quantities(b);
+  VectorXd all(size);
+  Index at = 0;
+  for (std::size_t b = 0; b < positions_.size(); ++b) {
+    for (const Rows* rows : {&positions_[b], &accelerations_[b]}) {
+      all.segment(at, rows->peak.size()) = rows->peak;
+      at += rows->peak.size();
+    }
+  }
+  return all;
+}
+
+void PeakWatch::resume(const VectorXd& peaks) {
+  Index at = 0;
+  for (std::size_t b = 0; b < positions_.size(); ++b) {
+    for (Rows* rows : {&positions_[b], &accelerations_[b]}) {
+      rows->peak = peaks.segment(at, rows->peak.size());
+      rows->lump();
+      at += rows->peak.size();
     }
   }
 }
 
-bool PeakWatch::Rows::below(const double* bounds) {
-  if (misses >= misses_before_lump) lump();
-  if (kernels::dot(lumped.size(), lumped.data(), bounds) <= 1.0) return true;
-  ++misses;
-  return false;
+PeakWatch::Open PeakWatch::open(std::size_t b, const kernels::Sums& sums) {
+  return {positions_[b].open(sums.positions), accelerations_[b].open(sums.accelerations)};
 }
 
-bool PeakWatch::Rows::take(const double* start, const double* end, const double* rise, ArrayXd& reach) {
-  return kernels::reach_of_rows(weights, start, end, rise, peak.data(), reach.data());
-}
-
-/// Takes count + 1 samples in; the reach is what is left between them.
-bool PeakWatch::Rows::take_samples(int count, const double* samples, const double* rise, ArrayXd& reach) {
-  return kernels::reach_of_samples(weights, count + 1, samples, rise, peak.data(), reach.data());
-}
-
-PeakWatch::PeakWatch(const ModalSystem& system, Scope scope) : system_(&system), scope_(scope) {
-  Index most = 0;
-  for (const auto& block : system.blocks) {
-    const bool everything = scope == Scope::everything;
-    positions_.emplace_back(block.outputs.topRows(everything ? block.outputs.rows() : block.floors), block.room);
-    accelerations_.emplace_back(block.acceleration.topRows(everything ? block.floors : 0), block.room);
-    most = std::max(most, block.room);
+void PeakWatch::raise(std::size_t b, const Course& course) {
+  const auto& block = system_->blocks[b];
+  const Index legs = course.legs();
+  const auto at = [&block](const VectorXd& x) { return x.data() + block.begin; };
+  for (Index n = 0; n <= legs; ++n) {
+    const double value = n < legs ? course.input(n, b).value : course.input(n - 1, b).end;
+    kernels::accelerate(block.room, at(system_->omega_squared), at(system_->two_sigma), at(system_->gamma), value,
+                        course.q(n) + block.begin, course.v(n) + block.begin, course_.accelerations.col(n).data());
   }
-  samples_.resize(most * (most_parts + 1));
-  seconds_.resize(most * (most_parts + 1));
-  rise_.resize(most);
+  kernels::raise_peaks(positions_[b].weights, legs + 1, course.q(0) + block.begin, system_->size,
+                       positions_[b].peak.data(), course_.first.shares.data(), course_.first.values.data());
+  kernels::raise_peaks(accelerations_[b].weights, legs + 1, course_.accelerations.data(), course_.accelerations.rows(),
+                       accelerations_[b].peak.data(), course_.second.shares.data(), course_.second.values.data());
+  positions_[b].lump();
+  accelerations_[b].lump();
 }
 
-void PeakWatch::forget(std::size_t b, Reach& reach) const {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  reach.positions.setConstant(positions_[b].weights.rows(), unknown);
-  reach.accelerations.setConstant(accelerations_[b].weights.rows(), unknown);
-}
-
-void PeakWatch::append(const Reach& reach, std::vector<double>& to) {
-  to.insert(to.end(), reach.positions.begin(), reach.positions.end());
-  to.insert(to.end(), reach.accelerations.begin(), reach.accelerations.end());
-}
-
-void PeakWatch::read(std::size_t b, const double* from, Reach& reach) const {
-  const Index positions = positions_[b].weights.rows();
-  reach.positions = Eigen::Map<const ArrayXd>(from, positions);
-  reach.accelerations = Eigen::Map<const ArrayXd>(from + positions, accelerations_[b].weights.rows());
-}
-
-void PeakWatch::start(const State& state) {
-  Reach reach;
-  rise_.setZero();
-  for (std::size_t b = 0; b < positions_.size(); ++b) {
-    forget(b, reach);
-    const double* q = state.q.data() + system_->blocks[b].begin;
-    (void)positions_[b].take(q, q, rise_.data(), reach.positions);
-  }
-}
-
-PeakWatch::Open PeakWatch::open_at_once(std::size_t b, const Flight::Bounds& bounds) {
-  const Index begin = system_->blocks[b].begin;
-  return {!positions_[b].below(bounds.position.data() + begin),
-          scope_ == Scope::everything && !accelerations_[b].below(bounds.acceleration.data() + begin)};
-}
-
-bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, Open open, Reach& reach) {
-  const auto look = [](Rows& rows, bool is_open, const double* start, const double* end, const double* rise,
-                       ArrayXd& rows_reach) {
-    if (is_open) return rows.take(start, end, rise, rows_reach);
-    rows_reach.setZero(rows.weights.rows());
+PeakWatch::Open PeakWatch::open(std::size_t b, const Course& course, Index leg, double* before) {
+  const auto& block = system_->blocks[b];
+  const auto look = [&](const Rows& rows, const Ends& ends, const double* rise, double* rows_before) {
+    const double between = kernels::dot(block.room, rows.lumped, rise + block.begin);
+    if (std::max(ends.shares(leg), ends.shares(leg + 1)) + between <= 1.0) return false;
+    const double* at = ends.values.data() + 4 * leg;
+    kernels::open_groups(rows.peak.size(), at, at + 4, course.legs() + 1, rows.peak.data(), 1.0 - between, rows_before);
     return true;
   };
-  const bool positions = look(positions_[b], open.positions, at.start, at.end, at.rise, reach.positions);
+  return {look(positions_[b], course_.first, course.rise(leg), before),
+          look(accelerations_[b], course_.second, course.acceleration_rise(leg), before + positions_[b].peak.size())};
+}
+
+bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, Open open, const double* before, double* reach) {
+  const auto look = [](Rows& rows, bool is_open, const double* start, const double* end, const double* rise,
+                       const double* rows_before, double* rows_reach) {
+    if (is_open) {
+      return kernels::reach_of_rows(rows.weights, start, end, rise, rows.peak.data(), rows_before, rows_reach);
+    }
+    std::fill_n(rows_reach, rows.peak.size(), 0.0);
+    return true;
+  };
+  const Index first = positions_[b].peak.size();
+  const bool positions = look(positions_[b], open.positions, at.start, at.end, at.rise, before, reach);
   const bool accelerations = look(accelerations_[b], open.accelerations, at.start_acceleration, at.end_acceleration,
-                                  at.acceleration_rise, reach.accelerations);
+                                  at.acceleration_rise, before + first, reach + first);
   return positions && accelerations;
 }
 
-bool PeakWatch::settled_by_samples(std::size_t b, const Expansion& motion, double end, int parts, Reach& reach) {
+bool PeakWatch::settled_by_samples(std::size_t b, const Expansion& motion, double end, int parts, const double* before,
+                                   double* reach) {
   const auto& block = system_->blocks[b];
   const Index n = block.room;
-  const MatrixXd& c = motion.coefficients();
+  const Eigen::MatrixXd& c = motion.coefficients();
   kernels::sample(n, c.data() + block.begin, c.rows(), motion.degree(), parts, end, samples_.data(), seconds_.data());
+  const auto look = [&](Rows& rows, const VectorXd& samples, const double* rows_before, double* rows_reach) {
+    return kernels::reach_of_samples(rows.weights, parts + 1, samples.data(), rise_.data(), rows.peak.data(),
+                                     rows_before, rows_reach);
+  };
+  const Index first = positions_[b].peak.size();
   const double chord = end * end / (8.0 * parts * parts);
   rise_.head(n) = chord * motion.curvature().segment(block.begin, n);
-  const bool positions = positions_[b].take_samples(parts, samples_.data(), rise_.data(), reach.positions);
-  if (scope_ == Scope::displacement) return positions;
+  const bool positions = look(positions_[b], samples_, before, reach);
   const double rate = 1.0 / (motion.h() * motion.h());
   seconds_.head(n * (parts + 1)) *= rate;
   rise_.head(n) = chord * rate * motion.fourth_derivative().segment(block.begin, n);
-  const bool accelerations = accelerations_[b].take_samples(parts, seconds_.data(), rise_.data(), reach.accelerations);
+  const bool accelerations = look(accelerations_[b], seconds_, before + first, reach + first);
   return positions && accelerations;
 }
 
-bool PeakWatch::settled(std::size_t b, const Reach& reach) const {
-  return (reach.positions <= positions_[b].peak).all() && (reach.accelerations <= accelerations_[b].peak).all();
+Index PeakWatch::open(std::size_t b, const double* reach) const {
+  const auto above = [](const VectorXd& peak, const double* of) {
+    return (Eigen::Map<const Eigen::ArrayXd>(of, peak.size()) > peak.array()).count();
+  };
+  return above(positions_[b].peak, reach) + above(accelerations_[b].peak, reach + positions_[b].peak.size());
 }
 
-void PeakWatch::scan(std::size_t b, const Expansion& motion, const Reach& reach) {
-  for (Index r = 0; r < reach.positions.size(); ++r) {
-    double& peak = positions_[b].peak(r);
-    if (reach.positions(r) > peak) raise_to_largest(motion.output(b, r), peak);
+void PeakWatch::scan(std::size_t b, const Expansion& motion, const double* reach) {
+  const Eigen::MatrixXd& c = motion.coefficients();
+  const double* begin = c.data() + system_->blocks[b].begin;
+  Polynomial row;
+  const auto combine = [&](const Rows& rows, Index r) {
+    row.degree = motion.degree();
+    kernels::combine(rows.weights, r, begin, c.rows(), row.degree, rise_.data(), row.coefficients.data());
+  };
+  Rows& positions = positions_[b];
+  for (Index r = 0; r < positions.peak.size(); ++r) {
+    if (!(reach[r] > positions.peak(r))) continue;
+    combine(positions, r);
+    raise_to_largest(row, positions.peak(r));
   }
-  for (Index f = 0; f < reach.accelerations.size(); ++f) {
-    double& peak = accelerations_[b].peak(f);
-    if (reach.accelerations(f) > peak) raise_to_largest(motion.acceleration(b, f), peak);
+  Rows& accelerations = accelerations_[b];
+  for (Index f = 0; f < accelerations.peak.size(); ++f) {
+    if (!(reach[positions.peak.size() + f] > accelerations.peak(f))) continue;
+    combine(accelerations, f);
+    row.degree -= 2;
+    for (int k = 0; k <= row.degree; ++k) row[k] = row[k + 2] * ((k + 2.0) * (k + 1.0)) / (motion.h() * motion.h());
+    raise_to_largest(row, accelerations.peak(f));
   }
 }
 
 void PeakWatch::report(std::size_t b, BuildingPeaks& peaks) const {
   const Index floors = system_->blocks[b].floors;
-  const ArrayXd& peak = positions_[b].peak;
-  if (scope_ == Scope::displacement) {
-    peaks.displacement_no_contact = peak.head(floors);
-    return;
-  }
+  const VectorXd& peak = positions_[b].peak;
   peaks.displacement = peak.head(floors);
   peaks.drift_ratio = peak.segment(floors, floors);
   peaks.storey_shear = peak.segment(2 * floors, floors);

@@ -2,18 +2,27 @@
 
 namespace bentur::engine {
 
-PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, const SolveOptions& options)
-    : Walk(ground, PeakWatch::Scope::everything),
-      openings_(system_),
+PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, long first_contact,
+                           const SolveOptions& options)
+    : Walk(ground),
+      first_contact_(first_contact),
+      openings_(system_, lumped_),
       contacts_(system_, problem_, std::move(tolerances), stepper_.accuracy()),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         contacts_.forces_at(state, inputs, forces);
       }),
       sampler_(system_, problem_, options.output_step) {
-  std::vector<double> widths;
-  for (const auto& point : system_.points) widths.push_back(point.width);
-  openings_.limit(widths);
+  openings_.limit(gap_widths(problem_));
   if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step);
+}
+
+bool PoundingWalk::quiet(const Flown& flown) {
+  if (segment() < first_contact_) return true;
+  openings_.look(flown.q, flown.q_end, flown.rise);
+  for (std::size_t i = 0; i < system_.points.size(); ++i) {
+    if (!openings_.below(i)) return false;
+  }
+  return true;
 }
 
 /// The first event of the step, which ends there if it is no power series.
@@ -71,6 +80,8 @@ void PoundingWalk::arrived(double time) {
   if (energy_) energy_->take_jumps(contacts_, state_);
   if (contacts_.began()) stepper_.contact_begins();
 }
+
+bool PoundingWalk::notes_flights() const { return sampler_.due(problem_.duration) || energy_; }
 
 void PoundingWalk::pass(double start, double length) {
   if (!sampler_.due(start + length) && !energy_) return;

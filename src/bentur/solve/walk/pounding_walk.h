@@ -14,7 +14,8 @@ namespace bentur::engine {
 /// The response with contact.
 class PoundingWalk final : public Walk {
  public:
-  PoundingWalk(const Ground& ground, std::vector<double> tolerances, const SolveOptions& options);
+  /// No gap closes before the segment `first_contact`.
+  PoundingWalk(const Ground& ground, std::vector<double> tolerances, long first_contact, const SolveOptions& options);
 
   Contacts& contacts() { return contacts_; }
   Sampler& sampler() { return sampler_; }
@@ -25,14 +26,15 @@ class PoundingWalk final : public Walk {
   [[nodiscard]] long changes() const override { return contacts_.changes(); }
   [[nodiscard]] const ForceFunction& force_at() const override { return force_at_; }
   [[nodiscard]] bool may_fly() const override { return contacts_.all_apart(); }
-  bool quiet(const Flights& /*flights*/, std::size_t /*halvings*/, const Flight::Bounds& bounds) override {
-    return openings_.stay_open(state_, next_, bounds);
-  }
+  bool quiet(const Flown& flown) override;
   double look(double time) override;
   void find_event(double time);
   void arrived(double time) override;
+  [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
+  [[nodiscard]] bool notes_flights() const override;
   void pass(double start, double length) override;
 
+  long first_contact_;
   Openings openings_;
   Contacts contacts_;
   const ForceFunction force_at_;

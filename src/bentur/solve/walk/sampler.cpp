@@ -49,7 +49,7 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
     for (std::size_t i = 0; i < system_->points.size(); ++i) {
-      const double opening = system_->points[i].width + system_->points[i].sense(state_.q);
+      const double opening = problem_->points[i].width + system_->points[i].sense(state_.q);
       const auto row = static_cast<Index>(i);
       histories_.opening(row, taken_) = opening;
       histories_.force(row, taken_) = forces_(row);

@@ -12,68 +12,121 @@ constexpr double end_slack = 1e-9;              // of a segment: a remainder sho
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
 constexpr long segments_between_reports = 256;
 constexpr const char* not_finite = "the response is no longer a finite number";
-constexpr int halvings_beyond_one_series = 2;  // by measurement: fewer leave more to series, more cost flights
 
 }  // namespace
 
-FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {
-  FlightTable table(grid.kinds());
-  if (!system.classical) return table;
-  const double rate = system.rate({});
-  for (std::size_t kind = 0; kind < table.size(); ++kind) {
-    const double length = grid.length(kind);
-    const double to_one_series = std::ceil(std::log2(std::max(1.0, length * rate / series_reach)));
-    const int halvings = static_cast<int>(to_one_series) + halvings_beyond_one_series;
-    table[kind] = Flight::make(system, length, halvings);
-  }
-  return table;
-}
-
-Walk::Walk(const Ground& ground, PeakWatch::Scope scope)
+Walk::Walk(const Ground& ground)
     : system_(ground.system),
       problem_(ground.problem),
       stepper_(ground.system, ground.problem, ground.solver),
-      motion_(ground.system),
+      motion_(ground.system, gap_widths(ground.problem)),
       state_{system_.initial_q, system_.initial_v},
       next_(state_),
+      inputs_(system_.blocks.size()),
+      lumped_{system_.initial_q * 0.0, system_.initial_q * 0.0, system_.initial_q * 0.0, system_.initial_q * 0.0},
+      rises_{system_.initial_q * 0.0, system_.initial_q * 0.0},
+      sums_(system_.blocks.size()),
       grid_(ground.grid),
-      flights_(ground.flights),
-      search_(system_, scope),
-      bounds_(Flight::make_bounds(system_.size)),
+      plan_(ground.plan),
+      course_(system_, plan_),
+      search_(system_, lumped_),
       largest_ground_(system_.blocks.size(), 0.0) {
   search_.start(state_);
 }
 
+void Walk::resume(const Checkpoint& checkpoint) {
+  segment_ = checkpoint.segment;
+  steps_ = checkpoint.steps;
+  state_ = checkpoint.state;
+  search_.watch().resume(checkpoint.peaks);
+}
+
 Status Walk::run(const std::function<bool(double)>& progress) {
-  for (long segment = 0;; ++segment) {
-    const double start = grid_.start(segment);
-    const std::size_t kind = static_cast<std::size_t>(segment) % grid_.kinds();
+  for (long reported = segment_ - segments_between_reports;;) {
+    const double start = grid_.start(segment_);
+    const std::size_t kind = static_cast<std::size_t>(segment_) % grid_.kinds();
     const double left = problem_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
-    grid_.input(segment, inputs_);
-    if (left >= length * (1.0 - end_slack)) {
-      advance(kind, 0, start, length);
-    } else {
-      walk(start, left);
+    if (segment_ >= plan_.segments) {
+      grid_.input(segment_, inputs_);
+      walk(start, left >= length * (1.0 - end_slack) ? length : left);
+      ++segment_;
+    } else if (!may_fly() || !cruise()) {
+      grid_.input(segment_, inputs_);
+      halve(kind, 0, start, length);
+      ++segment_;
     }
-    if (!state_.q.allFinite() || !state_.v.allFinite()) fail(not_finite, start);
+    if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
     if (!trouble_.empty()) return Status::failed;
     if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
-    if (progress && segment % segments_between_reports == 0 && !progress(start / problem_.duration))
-      return Status::stopped;
+    if (progress && segment_ - reported >= segments_between_reports) {
+      reported = segment_;
+      if (!progress(start / problem_.duration)) return Status::stopped;
+    }
   }
   search_.settle(stepper_.series(), motion_);
   settle();
   return Status::done;
 }
 
-/// A segment, or one of its parts after so many halvings.
+/// Flies over whole segments as long as nothing can happen; returns whether it came any further.
+bool Walk::cruise() {
+  const long first = segment_;
+  const long last = std::min<long>(plan_.segments, first + Course::most);
+  course_.begin(state_, first);
+  for (;;) {
+    segment_ += course_.fly_on(last - segment_, lumped_);
+    if (segment_ == last) break;
+    const Eigen::Index n = course_.legs();
+    for (std::size_t b = 0; b < inputs_.size(); ++b)
+      inputs_[b] = {course_.input(n, b).value, course_.input(n, b).slope};
+    if (!quiet({course_.flights(n).front(), course_.q(n), course_.v(n), course_.q(n + 1), course_.rise(n)})) break;
+    course_.accept();
+    ++segment_;
+    if (segment_ == last) break;
+  }
+  const Eigen::Index legs = course_.legs();
+  if (legs == 0) return false;
+  const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
+  if (!all(course_.q(legs)).allFinite() || !all(course_.v(legs)).allFinite()) {
+    Eigen::Index n = 0;
+    while (all(course_.q(n + 1)).allFinite() && all(course_.v(n + 1)).allFinite()) ++n;
+    fail(not_finite, grid_.start(course_.segment(n)));
+    return true;
+  }
+  search_.take_course(course_);
+  if (notes_flights()) pass_course();
+  for (Eigen::Index n = 1; n <= legs; ++n) note_ground(course_.q(n));
+  state_.q = all(course_.q(legs));
+  state_.v = all(course_.v(legs));
+  steps_ += legs;
+  if (legs == Course::most && settle_before(segment_)) {
+    search_.settle(stepper_.series(), motion_);
+    settled_before(segment_);
+  }
+  return true;
+}
+
+/// Tells of all legs.
+void Walk::pass_course() {
+  for (Eigen::Index n = 0; n < course_.legs(); ++n) {
+    std::copy_n(course_.q(n), system_.size, state_.q.data());
+    std::copy_n(course_.v(n), system_.size, state_.v.data());
+    grid_.input(course_.segment(n), inputs_);
+    pass(grid_.start(course_.segment(n)), course_.flights(n).front().length());
+  }
+}
+
+/// Part of a segment, after so many halvings.
 void Walk::advance(std::size_t kind, std::size_t halvings, double start, double length) {
   if (!trouble_.empty()) return;
-  const auto& flights = flights_[kind];
-  if (!flights.empty() && may_fly() && fly(flights, halvings, start, length)) return;
-  if (halvings + 1 >= flights.size()) {
+  if (may_fly() && fly(plan_.flights[kind], halvings, start, length)) return;
+  halve(kind, halvings, start, length);
+}
+
+void Walk::halve(std::size_t kind, std::size_t halvings, double start, double length) {
+  if (halvings + 1 >= plan_.flights[kind].size()) {
     walk(start, length);
     return;
   }
@@ -84,11 +137,19 @@ void Walk::advance(std::size_t kind, std::size_t halvings, double start, double 
 
 /// False, and nothing has changed, when something may happen.
 bool Walk::fly(const Flights& flights, std::size_t halvings, double start, double length) {
-  flights[halvings].advance(state_, inputs_, next_, bounds_);
-  if (!quiet(flights, halvings, bounds_)) return false;
+  flights[halvings].advance(state_, inputs_, lumped_, next_, rises_, sums_);
+  double left_sum = 0.0;
+  bool apart = true;
+  for (const kernels::Sums& sums : sums_) {
+    apart = apart && left_sum + sums.as_right < 1.0;
+    left_sum = sums.as_left;
+  }
+  if (!apart && !quiet({flights[halvings], state_.q.data(), state_.v.data(), next_.q.data(), rises_.position.data()})) {
+    return false;
+  }
   end_inputs_ = inputs_;
   system_.advance(end_inputs_, length);
-  search_.take_flight(flights, halvings, state_, inputs_, next_, end_inputs_, bounds_);
+  search_.take_flight(flights, halvings, {state_, next_, inputs_, end_inputs_}, rises_, sums_);
   pass(start, length);
   arrive();
   return true;
@@ -105,7 +166,7 @@ void Walk::walk(double start, double length) {
     const double whole = motion_.h();
     const double cut = look(time);
     const double h = motion_.h();
-    if (cut < 1.0) motion_.evaluate(cut, next_);
+    if (cut < 1.0 || (stepper_.is_series() && motion_.place() != cut)) motion_.evaluate(cut, next_);
     end_inputs_ = inputs_;
     system_.advance(end_inputs_, cut * h);
     watch_step(cut);
@@ -136,14 +197,15 @@ bool Walk::step(double time, double longest) {
 /// Takes [0, cut] of the expanded step into the peaks.
 void Walk::watch_step(double cut) {
   if (stepper_.is_series()) {
-    search_.take_step(motion_, cut, state_, inputs_, forces(), changes());
+    search_.take_step(motion_, cut, {state_, next_, inputs_, end_inputs_}, forces(), changes());
     return;
   }
   force_at()(state_, inputs_, forces_);
   system_.acceleration(state_, inputs_, forces_, start_acceleration_);
   force_at()(next_, end_inputs_, forces_);
   system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
-  search_.take_approximate_step(motion_, cut, state_, next_, start_acceleration_, end_acceleration_);
+  search_.take_approximate_step(motion_, cut, {state_, next_, inputs_, end_inputs_}, start_acceleration_,
+                                end_acceleration_);
 }
 
 void Walk::replay(State from, std::vector<GroundInput> inputs, double length, const EachStep& each) {
@@ -167,11 +229,14 @@ void Walk::arrive() {
   inputs_.swap(end_inputs_);
   state_.q.swap(next_.q);
   state_.v.swap(next_.v);
-  if (problem_.kinematics == Kinematics::absolute) {
-    for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
-      const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
-      largest_ground_[b] = std::max(largest_ground_[b], std::abs(state_.q(ground)));
-    }
+  note_ground(state_.q.data());
+}
+
+void Walk::note_ground(const double* q) {
+  if (problem_.kinematics != Kinematics::absolute) return;
+  for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+    const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
+    largest_ground_[b] = std::max(largest_ground_[b], std::abs(q[ground]));
   }
 }
 

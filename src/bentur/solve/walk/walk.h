@@ -4,17 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "bentur/solve/motion/flight.h"
+#include "bentur/solve/motion/course.h"
 #include "bentur/solve/motion/stepper.h"
 #include "bentur/solve/response.h"
 #include "bentur/solve/walk/peak_search.h"
 
 namespace bentur::engine {
-
-/// The flights of every segment length of the grid down to a part short enough for one power series and for a tight
-/// bound. Empty where a damping matrix is full.
-using FlightTable = std::vector<Flights>;  // [kind][halvings]
-[[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 
 /// What the free response and the response with contact have in common: walking the time grid. A segment is flown over
 /// where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be halved
@@ -27,12 +22,21 @@ class Walk {
     const Problem& problem;
     const Solver& solver;
     const TimeGrid& grid;
-    const FlightTable& flights;
+    const FlightPlan& plan;
   };
-  Walk(const Ground& ground, PeakWatch::Scope scope);
+  explicit Walk(const Ground& ground);
   virtual ~Walk() = default;
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
+
+  /// What there is to go on with from the start of a segment; no contact is under way.
+  struct Checkpoint {
+    long segment = 0, steps = 0;
+    State state;
+    Eigen::VectorXd peaks;  ///< so far
+  };
+  /// Goes on from there, before run().
+  void resume(const Checkpoint& checkpoint);
 
   /// Runs to the end of the analysis. `progress(fraction)`, where given, returning false stops.
   Status run(const std::function<bool(double)>& progress);
@@ -51,8 +55,20 @@ class Walk {
   [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
   /// Whether no contact is under way or remembered, so that every building is free.
   [[nodiscard]] virtual bool may_fly() const = 0;
-  /// Whether what the walk looks for cannot have happened between state_ and next_.
-  virtual bool quiet(const Flights& flights, std::size_t halvings, const Flight::Bounds& bounds) = 0;
+  /// A flight of all buildings, by all coordinates.
+  struct Flown {
+    const Flight& flight;
+    const double *q, *v, *q_end, *rise;
+  };
+  /// Whether what the walk looks for cannot have happened in a flight which (T-4) does not settle. inputs_ are those at
+  /// its start.
+  virtual bool quiet(const Flown& flown) = 0;
+  /// Whether all peaks so far are to be found before a segment, before which a whole course has been flown.
+  [[nodiscard]] virtual bool settle_before(long segment) = 0;
+  /// After that.
+  virtual void settled_before(long /*segment*/) {}
+  /// Whether pass() is to be told of every flight.
+  [[nodiscard]] virtual bool notes_flights() const { return false; }
   /// Looks at the step from state_ to next_ (motion_), which began at `time`; returns where it must be cut (1:
   /// nowhere).
   virtual double look(double time) = 0;
@@ -64,6 +80,8 @@ class Walk {
   virtual void pass(double /*start*/, double /*length*/) {}
 
   /// What the next step starts from.
+  [[nodiscard]] long segment() const { return segment_; }
+  [[nodiscard]] Checkpoint checkpoint() const { return {segment_, steps_, state_, search_.watch().peaks()}; }
   [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
 
   /// Expands a flight of `length` [s] from a state again, in steps (motion_); `each` is given where in it a step
@@ -77,24 +95,32 @@ class Walk {
   Expansion motion_;
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
+  kernels::Lumped lumped_;           ///< of what is watched
+  kernels::Rises rises_;             ///< between state_ and next_, of a flight
+  std::vector<kernels::Sums> sums_;  ///< of the flight
 
  private:
+  [[nodiscard]] bool cruise();
   void advance(std::size_t kind, std::size_t halvings, double start, double length);
+  void halve(std::size_t kind, std::size_t halvings, double start, double length);
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
   void walk(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
   void watch_step(double cut);
   void arrive();
+  void note_ground(const double* q);
+  void pass_course();
   void fail(const std::string& reason, double time);
 
   const TimeGrid& grid_;
-  const FlightTable& flights_;
+  const FlightPlan& plan_;
+  Course course_;
   PeakSearch search_;
-  Flight::Bounds bounds_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room
   std::vector<GroundInput> end_inputs_;                             ///< at next_
   std::vector<double> largest_ground_;
   std::string trouble_;
+  long segment_ = 0;  ///< under way
   long steps_ = 0;
 };
 

@@ -70,7 +70,7 @@ TEST(EmbeddedPair, IsOfOrderEight) {
 TEST(EmbeddedPair, InterpolatesSpeedsWithOrderSeven) {
   const Duffing duffing;
   EmbeddedPair pair(duffing.system, 1e-9);
-  Expansion motion(duffing.system);
+  Expansion motion(duffing.system, {0.0});
   // Of one step: an interpolant of order 7 errs by h⁸ in v, and its integral, q, by h⁹.
   std::vector<double> errors, errors_q;
   for (const double h : {0.16, 0.08, 0.04}) {
@@ -99,7 +99,7 @@ TEST(EmbeddedPair, InterpolatesSpeedsWithOrderSeven) {
 TEST(EmbeddedPair, ExpansionMeetsTheStepAtBothEnds) {
   const Duffing duffing;
   EmbeddedPair pair(duffing.system, 1e-9);
-  Expansion motion(duffing.system);
+  Expansion motion(duffing.system, {0.0});
   const double h = 0.2;
   const State from = duffing.at(0.3);
   State to = from, there = from;

@@ -54,7 +54,7 @@ TEST(FixedStep, ExpansionHasPositionSpeedAndAccelerationAtBothEnds) {
   const double h = 0.13;
   State to = from;
   scheme.step(from, inputs, h, force, to);
-  Expansion motion(system);
+  Expansion motion(system, {});
   motion.begin(0, system.size, h, FixedStep::degree);
   scheme.expand(force, motion);
   for (const double s : {0.0, 1.0}) {
