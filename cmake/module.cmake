@@ -1,7 +1,8 @@
 set(BENTUR_HEADER_ONLY Boost::headers nlohmann_json::nlohmann_json)
 
-# In a unity build (preset asan, clang-tidy) sources of a target are compiled many at a time. bentur_alone(file...): not
-# these, because helpers of theirs have the names of others', or they have compile options of their own.
+# bentur_alone(file...): not merged with others in a unity build, where sources of a target are compiled many at a time
+# (preset asan, tests of preset release, clang-tidy), because helpers of theirs have the names of others' or they have
+# compile options of their own.
 function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
@@ -46,6 +47,9 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  if(BENTUR_MERGE_TESTS)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif()
   bentur_compile_options(${name})
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
