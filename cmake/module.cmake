@@ -1,5 +1,12 @@
 set(BENTUR_HEADER_ONLY Boost::headers nlohmann_json::nlohmann_json)
 
+# bentur_alone(file...): not merged with others in a unity build, where sources of a target are compiled many at a time
+# (preset asan, tests of preset release, clang-tidy), because helpers of theirs have the names of others' or they have
+# compile options of their own.
+function(bentur_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # bentur_module(NAME [DEPENDS target...] [PRIVATE_DEPENDS target...] [PRIVATE_HEADERS file...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but the PRIVATE_HEADERS.
@@ -40,15 +47,20 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  if(BENTUR_MERGE_TESTS)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif()
   bentur_compile_options(${name})
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()
 
+# In a unity build names of one source shadow those of another; -Wshadow then has nothing to tell.
 # Contraction is off so that results do not depend on whether a processor has fused multiply-add.
 # g++ 12 sees overlapping copies in std::string that are none (GCC bug 105651).
 function(bentur_compile_options target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     -ffp-contract=off $<$<BOOL:${BENTUR_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

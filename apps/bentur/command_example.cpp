@@ -10,7 +10,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct ExampleArguments {
   std::string name;
   std::string directory = ".";
 };
@@ -26,7 +26,7 @@ void list_examples() {
   message("\nWrite one with its ground motion, ready to edit: bentur example NAME -o DIR");
 }
 
-void run(const Arguments& arguments) {
+void run(const ExampleArguments& arguments) {
   const std::vector<Example> all = examples();
   const auto example = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == arguments.name; });
   if (example == all.end()) {
@@ -40,7 +40,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_example_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExampleArguments>();
   CLI::App* command = app.add_subcommand("example", "List the built-in examples, or write one out ready to edit");
   CLI::Option* name = command->add_option("NAME", arguments->name, "the example to write; without it they are listed");
   command->add_option("-o,--output", arguments->directory, "folder to write into, made if missing")

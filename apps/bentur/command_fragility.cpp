@@ -15,7 +15,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct FragilityArguments {
   std::string file;
   FragilityRequest request;
   std::optional<double> at;
@@ -178,7 +178,7 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
   return result + "\n";
 }
 
-void run(const Arguments& arguments) {
+void run(const FragilityArguments& arguments) {
   FragilityRequest request = arguments.request;
   request.at = arguments.at;
   for (const double p : request.probabilities) {
@@ -200,7 +200,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_fragility_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FragilityArguments>();
   FragilityRequest& request = arguments->request;
   CLI::App* command = app.add_subcommand("fragility", "Fragility curves from an incremental dynamic analysis");
   command->add_option("FILE", arguments->file, "results of bentur ida (NetCDF-4)")->required();

@@ -20,7 +20,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct GapArguments {
   std::string file;
   std::optional<double> at;
   bool json = false;
@@ -167,7 +167,7 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
   return text;
 }
 
-void run_study(const Arguments& arguments) {
+void run_study(const GapArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<GapStudy> study;
   try {
@@ -181,7 +181,7 @@ void run_study(const Arguments& arguments) {
   print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : gap_study_text(*study));
 }
 
-void run(const Arguments& arguments) {
+void run(const GapArguments& arguments) {
   if (is_study(arguments.file)) return run_study(arguments);
   if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
   const Loaded loaded = load(arguments.file);
@@ -206,7 +206,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_gap_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GapArguments>();
   CLI::App* command = app.add_subcommand("gap", "The gap that keeps the buildings apart, simulated and by the rules");
   command->add_option("FILE", arguments->file, "the case file (TOML), or a study: then over all of its records")
       ->required();

@@ -63,13 +63,13 @@ std::string modes_text(const Building& building, const Units& units) {
   return text + "\n  Shapes, largest sway 1\n\n" + shape_table(building, units.length).text();
 }
 
-struct Arguments {
+struct ModesArguments {
   std::string file;
   std::string method = "library";
   bool json = false;
 };
 
-void run(const Arguments& arguments) {
+void run(const ModesArguments& arguments) {
   Loaded loaded = load(arguments.file);
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {
@@ -90,7 +90,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_modes_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ModesArguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, participation and shapes of each building");
   command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
   command->add_flag("--json", arguments->json, "JSON instead of tables; shapes mass-normalised");

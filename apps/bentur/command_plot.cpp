@@ -19,7 +19,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct PlotArguments {
   std::string results, kind, output;
   std::vector<std::string> at;
   FigureOptions options;
@@ -30,7 +30,7 @@ struct Arguments {
 
 std::optional<double> given(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
 
-FigureOptions options_of(const Arguments& arguments) {
+FigureOptions options_of(const PlotArguments& arguments) {
   FigureOptions options = arguments.options;
   options.from = given(arguments.from);
   options.to = given(arguments.to);
@@ -52,7 +52,7 @@ void list_kinds(const NetcdfReader& results) {
   print(text);
 }
 
-void run(const Arguments& arguments) {
+void run(const PlotArguments& arguments) {
   std::error_code ignored;
   if (!std::filesystem::exists(arguments.results, ignored)) {
     throw Failure(exit_bad_input, arguments.results + ": error: there is no such file");
@@ -90,7 +90,7 @@ void write_picture(const std::filesystem::path& file, const Figure& figure) {
 }
 
 void add_plot_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "Draw a figure from results");
   command->add_option("RESULTS", arguments->results, "histories.nc of a run, or the results of a sweep")->required();
   command->add_option("KIND", arguments->kind, "what to draw; --list shows the kinds");

@@ -15,7 +15,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::string input;
   std::string output;
   std::string language = "en";
@@ -53,7 +53,7 @@ std::string from_case(const std::filesystem::path& file, ReportOptions options) 
   return report_html(loaded.c, loaded.problem, response, options);
 }
 
-void run(const Arguments& arguments) {
+void run(const ReportArguments& arguments) {
   const std::filesystem::path input = arguments.input;
   const std::filesystem::path output = arguments.output;
   AtomicFiles files(output.parent_path());  // before the work, so that a folder that cannot be written costs none
@@ -69,7 +69,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_report_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", "Write a report of a case, or of results, to read, print and send");
   command
       ->add_option("CASE", arguments->input,

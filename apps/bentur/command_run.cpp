@@ -20,7 +20,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::string file;
   std::string directory;
   std::vector<std::string> figures;  // their formats
@@ -221,7 +221,7 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
 }
 
 /// Draws what the run has to show into the folder "figures" beside its results.
-void write_pictures(const Arguments& arguments, const std::string& histories) {
+void write_pictures(const RunArguments& arguments, const std::string& histories) {
   const std::filesystem::path folder = std::filesystem::path(arguments.directory) / "figures";
   try {
     const std::vector<std::string> names = write_run_figures(folder, histories, arguments.figures);
@@ -234,7 +234,7 @@ void write_pictures(const Arguments& arguments, const std::string& histories) {
   }
 }
 
-void run(const Arguments& arguments) {
+void run(const RunArguments& arguments) {
   if (!arguments.figures.empty() && arguments.directory.empty()) {
     throw Failure(exit_bad_input, "bentur run: --figures needs --output, the folder for them");
   }
@@ -272,7 +272,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Simulate a case and print what happens");
   command->add_option("CASE", arguments->file, "the case file (TOML); without it the example m12-el-centro is run");
   command->add_option("-o,--output", arguments->directory, "folder for summary.json, impacts.csv and histories.nc")

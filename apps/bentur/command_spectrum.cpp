@@ -19,7 +19,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct SpectrumArguments {
   std::string file, unit, periods = "0.05:5:41", length = "m", output;
   RecordOptions options;
   double damping = 0.05;
@@ -50,7 +50,7 @@ std::vector<double> read_periods(const std::string& text) {
 }
 
 /// The unit of the file's numbers: stated in the file, by the user, or both alike.
-std::string settle_unit(const Arguments& arguments, const Record& record) {
+std::string settle_unit(const SpectrumArguments& arguments, const Record& record) {
   if (record.unit.empty() && arguments.unit.empty()) {
     std::string known;
     for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
@@ -64,7 +64,7 @@ std::string settle_unit(const Arguments& arguments, const Record& record) {
   return record.unit.empty() ? arguments.unit : record.unit;
 }
 
-SampledMotion read_motion(const Arguments& arguments, const Units& units) {
+SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units) {
   Diagnostics diagnostics;
   std::optional<Record> record;
   std::error_code ignored;
@@ -117,7 +117,7 @@ Figure spectrum_picture(const RecordSpectrum& spectrum) {
   return spectrum_figure(curves);
 }
 
-void run(const Arguments& arguments) {
+void run(const SpectrumArguments& arguments) {
   const std::vector<double> periods = read_periods(arguments.periods);
   if (!(arguments.damping >= 0 && arguments.damping < 1)) {
     throw Failure(exit_bad_input, fmt::format("bentur: --damping {}: must be in [0, 1)", arguments.damping));
@@ -155,7 +155,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_spectrum_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SpectrumArguments>();
   arguments->options.time_step_name = "--time-step";
   arguments->options.column_name = "--column";
   CLI::App* command = app.add_subcommand("spectrum", "The response spectrum of a record");

@@ -18,7 +18,7 @@
 namespace bentur::cli {
 namespace {
 
-struct Arguments {
+struct SweepArguments {
   StudyKind kind = StudyKind::sweep;
   std::string study, output;
   bool resume = false;
@@ -69,7 +69,7 @@ class Line {
   bool visible_ = false;
 };
 
-void outline(const Arguments& arguments) {
+void outline(const SweepArguments& arguments) {
   Diagnostics diagnostics;
   const auto found = outline_sweep(arguments.study, arguments.kind, diagnostics);
   if (!found) throw Failure(diagnostics);
@@ -82,7 +82,7 @@ void outline(const Arguments& arguments) {
                     found->is_grid ? "" : " sampled", text, found->values));
 }
 
-void report_end(const Arguments& arguments, const SweepReport& report) {
+void report_end(const SweepArguments& arguments, const SweepReport& report) {
   if (!report.finished) {
     throw Failure(exit_other, fmt::format("Stopped: {} of {} runs are done and kept in {}.part; the same command with "
                                           "--resume goes on",
@@ -95,7 +95,7 @@ void report_end(const Arguments& arguments, const SweepReport& report) {
                     report.impacts, report.failed, number(rate), report.solved, report.seconds, arguments.output));
 }
 
-void run(const Arguments& arguments) {
+void run(const SweepArguments& arguments) {
   if (arguments.check) return outline(arguments);
   if (arguments.output.empty())
     throw Failure(exit_bad_input, fmt::format("bentur {}: --output is required", name(arguments.kind)));
@@ -135,7 +135,7 @@ void run(const Arguments& arguments) {
   }
 }
 
-void add_options(CLI::App& command, const std::shared_ptr<Arguments>& arguments) {
+void add_options(CLI::App& command, const std::shared_ptr<SweepArguments>& arguments) {
   command.add_option("STUDY", arguments->study, "the study file (TOML): a case and what varies in it")->required();
   command.add_option("-o,--output", arguments->output, "file for the results (NetCDF-4)")->type_name("FILE");
   command.add_flag("--resume", arguments->resume, "go on with unfinished work");
@@ -150,14 +150,14 @@ void add_options(CLI::App& command, const std::shared_ptr<Arguments>& arguments)
 
 void add_sweep_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("sweep", "Run a case many times with varied values");
-  add_options(*command, std::make_shared<Arguments>());
+  add_options(*command, std::make_shared<SweepArguments>());
   command->footer(
       "Example: bentur sweep study.toml -o results.nc\n"
       "On a cluster: mpirun -n 64 bentur sweep study.toml -o results.nc --resume");
 }
 
 void add_ida_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SweepArguments>();
   arguments->kind = StudyKind::ida;
   CLI::App* command = app.add_subcommand("ida", "Incremental dynamic analysis: a sweep with every record scaled");
   add_options(*command, arguments);

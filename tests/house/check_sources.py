@@ -45,6 +45,8 @@ def includes(root):
                 yield f"{path}:{number}: {module} must not include {name}"
             if match[0].rstrip().endswith('"') and parts[0] not in ("bentur", "tests"):
                 yield f'{path}:{number}: write "bentur/<module>/<file>.h", not "{name}"'
+            if name.endswith(".cpp"):
+                yield f"{path}:{number}: {name} is no header"
             if parts[0] == "tests" and not is_test:
                 yield f"{path}:{number}: only tests include {name}"
             if module not in ("io", "report") and not is_test and FILE_HEADERS.fullmatch(name):

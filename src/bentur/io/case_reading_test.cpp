@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path bad_input = fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input";  // some good records lie there too
+const fs::path record_folder = fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input";
 
 Case read(const std::string& text) {
   Diagnostics diagnostics;
-  auto c = read_case_text(text, bad_input / "reading.toml", diagnostics);
+  auto c = read_case_text(text, record_folder / "reading.toml", diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   return c ? *c : Case{};
 }

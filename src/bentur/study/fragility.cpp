@@ -1,7 +1,6 @@
 #include "bentur/study/fragility.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -13,6 +12,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/study/sweep/distribution.h"
 
 namespace bentur {
 namespace {
@@ -21,11 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double far_tail = -25.0;  // Φ is 3e-138 there, and five terms of its expansion are exact to 1e-11
 
-double normal(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
-/// Φ⁻¹(p), 0 < p < 1.
-double normal_quantile(double p) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * p); }
-
 /// φ(z)/Φ(z) and ln Φ(z), also where Φ is not a number of the machine any more.
 struct Tail {
   double ratio = 0, logarithm = 0;
@@ -33,9 +28,9 @@ struct Tail {
   explicit Tail(double z) {
     const double log_density = -0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi);
     if (z > far_tail) {
-      const double p = normal(z);
+      const double p = normal_probability(z);
       ratio = std::exp(log_density) / p;
-      logarithm = z > 1 ? std::log1p(-normal(-z)) : std::log(p);
+      logarithm = z > 1 ? std::log1p(-normal_probability(-z)) : std::log(p);
     } else {
       const double s = 1 / (z * z);
       const double series = 1 - s * (1 - 3 * s * (1 - 5 * s * (1 - 7 * s)));
@@ -152,7 +147,7 @@ double Fragility::probability(double intensity) const {
   if (kind == Kind::no_event) return 0;
   if (kind == Kind::all_events) return 1;
   if (kind == Kind::separated) return intensity < median ? 0 : (intensity > median ? 1 : 0.5);
-  return normal(std::log(intensity / median) / dispersion);
+  return normal_probability(std::log(intensity / median) / dispersion);
 }
 
 double Fragility::intensity_of(double p) const {

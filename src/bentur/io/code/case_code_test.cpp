@@ -44,7 +44,7 @@ displacement_amplitude = 5
 duration = 3.0
 )";
 
-Case read(const std::string& code) {
+Case read_with(const std::string& code) {
   Diagnostics diagnostics;
   const std::optional<Case> c = read_case_text(three_buildings + code, "case.toml", diagnostics);
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
@@ -52,13 +52,13 @@ Case read(const std::string& code) {
 }
 
 TEST(CaseCode, WithoutTheTableThereAreNoRules) {
-  const Case c = read("");
+  const Case c = read_with("");
   EXPECT_TRUE(c.code.rules.empty());
   EXPECT_FALSE(c.code.floors_aligned.has_value());
 }
 
 TEST(CaseCode, EveryRuleAndKey) {
-  const Case c = read(R"(
+  const Case c = read_with(R"(
 [code]
 floors_aligned = [true, false]
 same_owner = false
@@ -83,7 +83,7 @@ asce-7-16 = { deflection_amplification = 5.5, importance_factor = [1, 1.25, 1.5]
 }
 
 TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {
-  const Case c = read("\n[code]\nis-1893-1 = { response_reduction = 1 }\n");
+  const Case c = read_with("\n[code]\nis-1893-1 = { response_reduction = 1 }\n");
   const Problem problem = make_problem(c);
   const auto points = separations(problem, solve(problem), c.code, c.units);
   ASSERT_EQ(points.size(), 3U);  // two between A and B, the roofs of B and C
@@ -93,7 +93,7 @@ TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {
 }
 
 TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {
-  const Case c = read(
+  const Case c = read_with(
       "\n[code]\nnbcc = { ductility_factor = 4, overstrength_factor = 1.7, importance_factor = 1 }\n"
       "ntc-2004 = { behaviour_factor = 2, zone = \"I\" }\n");
   const Problem problem = make_problem(c);

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "bentur/study/sweep/sweep_row.h"
+
 namespace bentur {
 namespace {
 
@@ -99,9 +101,6 @@ class NetcdfFile {
   int id_ = 0;
   bool open_ = true;
 };
-
-/// The unit as UDUNITS knows it: tf would be unknown, since its ton_force is the short one.
-std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
 
 void write_building(const NetcdfFile& file, int time, std::size_t b, const Problem& problem, const Response& response,
                     const std::string& length) {

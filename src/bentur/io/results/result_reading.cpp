@@ -19,7 +19,7 @@ namespace bentur {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using UnorderedJson = nlohmann::json;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
   throw std::runtime_error(file.string() + ": " + what);
@@ -31,12 +31,12 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-Eigen::VectorXd vector(const Json& json) {
+Eigen::VectorXd vector(const UnorderedJson& json) {
   const auto values = json.get<std::vector<double>>();
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-ExcitationSpec excitation(const Json& json) {
+ExcitationSpec excitation(const UnorderedJson& json) {
   ExcitationSpec spec;
   if (json.at("kind") == "record") {
     spec.record = RecordEcho{.file = json.at("file"),
@@ -58,13 +58,13 @@ ExcitationSpec excitation(const Json& json) {
   return spec;
 }
 
-Solver solver(const Json& json) {
+Solver solver(const UnorderedJson& json) {
   if (json.at("name") == "adaptive") return AdaptiveSolver{.tolerance = json.at("tolerance")};
   if (json.at("name") == "runge-kutta") return RungeKuttaSolver{.step = json.at("step")};
   return ExactSolver{};
 }
 
-BuildingPeaks peaks(const Json& json) {
+BuildingPeaks peaks(const UnorderedJson& json) {
   return {.displacement = vector(json.at("peak_displacement")),
           .displacement_no_contact = vector(json.at("peak_displacement_no_contact")),
           .drift_ratio = vector(json.at("peak_drift_ratio")),
@@ -73,7 +73,7 @@ BuildingPeaks peaks(const Json& json) {
 }
 
 /// Names, elevations and periods are in the summary, bases and shapes in the histories.
-Building building(const Json& json, std::size_t number, const NetcdfReader& histories) {
+Building building(const UnorderedJson& json, std::size_t number, const NetcdfReader& histories) {
   Building building;
   building.name = json.at("name");
   StructuralModel& model = building.model;
@@ -100,7 +100,7 @@ int floor_at(const Building& building, double elevation) {
   return static_cast<int>(near - floors.begin());
 }
 
-PointSummary point_summary(const Json& json) {
+PointSummary point_summary(const UnorderedJson& json) {
   PointSummary point;
   point.minimum_gap_no_contact = json.at("minimum_gap_no_contact");
   point.impacts = json.at("impacts");
@@ -115,9 +115,9 @@ PointSummary point_summary(const Json& json) {
   return point;
 }
 
-void read_gap(const Json& json, std::size_t gap, RunResults& results) {
+void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
   GapSpec spec;
-  for (const Json& entry : json.at("points")) {
+  for (const UnorderedJson& entry : json.at("points")) {
     const Building& left = results.problem.buildings.at(gap);
     const Building& right = results.problem.buildings.at(gap + 1);
     ContactPoint point;
@@ -143,13 +143,13 @@ void read_gap(const Json& json, std::size_t gap, RunResults& results) {
   results.c.gaps.push_back(spec);
 }
 
-void read_summary(const Json& json, const NetcdfReader& histories, RunResults& results) {
+void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
   results.c.units.force = json.at("units").at("force");
   results.c.units.gravity = standard_gravity(results.c.units.length);
   results.c.excitation = excitation(json.at("excitation"));
-  const Json& solved = json.at("solver");
+  const UnorderedJson& solved = json.at("solver");
   results.c.analysis.solver = solver(solved);
   results.response.steps = solved.at("steps");
   results.response.events = solved.at("events");
@@ -159,11 +159,11 @@ void read_summary(const Json& json, const NetcdfReader& histories, RunResults& r
     audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
     results.response.energy = audit;
   }
-  for (const Json& entry : json.at("buildings")) {
+  for (const UnorderedJson& entry : json.at("buildings")) {
     results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
     results.response.buildings.push_back(peaks(entry));
   }
-  for (const Json& entry : json.at("gaps")) read_gap(entry, results.c.gaps.size(), results);
+  for (const UnorderedJson& entry : json.at("gaps")) read_gap(entry, results.c.gaps.size(), results);
 }
 
 /// Cells of one line of RFC 4180 text, from `at` on; `at` goes behind it.
@@ -242,8 +242,8 @@ RunResults read_results(const fs::path& folder) {
   const std::string text = contents(summary);
   const NetcdfReader histories(folder / "histories.nc");
   try {
-    read_summary(Json::parse(text), histories, results);
-  } catch (const Json::exception& error) {
+    read_summary(UnorderedJson::parse(text), histories, results);
+  } catch (const UnorderedJson::exception& error) {
     fail(summary, std::string("is not a summary of bentur run: ") + error.what());
   }
   results.response.impacts = read_impacts(folder / "impacts.csv", results.problem);

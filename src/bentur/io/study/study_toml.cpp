@@ -14,11 +14,11 @@
 namespace bentur {
 namespace {
 
-constexpr std::uintmax_t largest_file = 16U << 20;  // bytes
+constexpr std::uintmax_t largest_study = 16U << 20;  // bytes
 
 std::optional<std::string> file_text(const std::filesystem::path& file) {
   std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed) || std::filesystem::file_size(file, failed) > largest_file) {
+  if (!std::filesystem::is_regular_file(file, failed) || std::filesystem::file_size(file, failed) > largest_study) {
     return std::nullopt;
   }
   std::ifstream stream(file, std::ios::binary);

@@ -18,16 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string tests = (fs::path(BENTUR_SOURCE_DIR) / "tests").string();
-const std::string records = "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['" + tests +
-                            "/bad_input/good.AT2', {file = '" + tests +
+const std::string tests_folder = (fs::path(BENTUR_SOURCE_DIR) / "tests").string();
+const std::string records = "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['" + tests_folder +
+                            "/bad_input/good.AT2', {file = '" + tests_folder +
                             "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
 const std::string two_widths = "[[vary]]\nparameter = 'gap[0].width'\nvalues = [0.0, 0.0001]\n";
 
 StudyRuns runs_of(const std::string& text) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "ida.toml";
-  std::ofstream(file) << "case = '" << tests << "/bad_study/plain-case.toml'\n" << text;
+  std::ofstream(file) << "case = '" << tests_folder << "/bad_study/plain-case.toml'\n" << text;
   Diagnostics diagnostics;
   auto study = read_study(file, diagnostics);
   const auto memo = std::make_shared<CaseMemo>();

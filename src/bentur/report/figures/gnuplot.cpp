@@ -22,7 +22,7 @@ namespace {
 }
 
 /// What a program has printed, and its exit status.
-struct Outcome {
+struct GnuplotRun {
   int status = 0;
   std::string output;
 };
@@ -45,7 +45,7 @@ class FileActions {
 
 /// Runs gnuplot in a folder, standard input empty, standard output and error kept; nothing where there is no such
 /// program.
-std::optional<Outcome> run_gnuplot(std::vector<std::string> arguments, const std::string& folder) {
+std::optional<GnuplotRun> run_gnuplot(std::vector<std::string> arguments, const std::string& folder) {
   arguments.insert(arguments.begin(), "gnuplot");
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -63,7 +63,7 @@ std::optional<Outcome> run_gnuplot(std::vector<std::string> arguments, const std
     error = posix_spawnp(&child, "gnuplot", actions.get(), nullptr, argv.data(), environ);
   }
   ::close(pipe[1]);
-  Outcome outcome;
+  GnuplotRun outcome;
   std::array<char, 4096> buffer{};
   for (ssize_t got = 0; error == 0 && (got = ::read(pipe[0], buffer.data(), buffer.size())) != 0;) {
     if (got > 0) {
@@ -94,7 +94,7 @@ NoGnuplot::NoGnuplot()
           "gnuplot is not installed, so that figures cannot be drawn (Debian: apt install gnuplot-nox)") {}
 
 std::optional<std::string> gnuplot_version() {
-  const std::optional<Outcome> outcome = run_gnuplot({"--version"}, "/");
+  const std::optional<GnuplotRun> outcome = run_gnuplot({"--version"}, "/");
   if (!outcome || outcome->status != 0) return std::nullopt;
   return trimmed(outcome->output);
 }

@@ -152,7 +152,7 @@ class Writer {
         "set border 31 lw 0.7\n"
         "set tics in scale 0.5,0.3 front\n"
         "set xtics offset 0,0.3\nset ytics offset 0.4,0\n",
-        quoted(name_), layout_.width * pixels, layout_.height * pixels, layout_.width, layout_.height,
+        gnuplot_string(name_), layout_.width * pixels, layout_.height * pixels, layout_.width, layout_.height,
         layout_.width * dense, layout_.height * dense);
   }
 
@@ -161,14 +161,14 @@ class Writer {
     script_ += fmt::format("set {}range [{}:{}]\nset {}tics (", name, ticks.from, ticks.to, name);
     std::string list;
     for (const auto& [at, text] : ticks.labels) {
-      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", quoted(text), at);
+      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", gnuplot_string(text), at);
     }
     for (const double at : ticks.minor) list += fmt::format("{}'' {} 1", list.empty() ? "" : ", ", at);
     script_ += list + ")\n";
   }
 
   void label(const std::string& text, double x_cm, double y_cm, const char* how) {
-    if (!text.empty()) script_ += fmt::format("set label {} at {} {}\n", quoted(text), screen(x_cm, y_cm), how);
+    if (!text.empty()) script_ += fmt::format("set label {} at {} {}\n", gnuplot_string(text), screen(x_cm, y_cm), how);
   }
 
   void legend(const PlacedPanel& placed) {

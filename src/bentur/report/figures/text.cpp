@@ -28,7 +28,7 @@ std::string plain_text(std::string_view text) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : plain_text(text)) {
     if (c == '\'') {

@@ -11,7 +11,7 @@ namespace bentur {
 /// The same as a gnuplot string. Between single quotes gnuplot substitutes nothing: no commands, macros or escapes. A
 /// single quote is set between two such strings, as its number: doubled, gnuplot takes it for an end where a text
 /// begins with it.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string gnuplot_string(std::string_view text);
 
 /// At most `most` characters (of UTF-8), the last one an ellipsis where something had to go.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);

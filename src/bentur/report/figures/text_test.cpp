@@ -18,10 +18,10 @@ TEST(Text, OneLineThatXmlAllows) {
 }
 
 TEST(Text, QuotesStandApartAndNothingElseChanges) {
-  EXPECT_EQ(quoted("it's"), R"('it'."\047".'s')");
-  EXPECT_EQ(quoted("'; x"), R"(''."\047".'; x')");
-  EXPECT_EQ(quoted("`x` $(y) \\n \" @a ^b _c {d}"), "'`x` $(y) \\n \" @a ^b _c {d}'");
-  EXPECT_EQ(quoted("a\nb"), "'a b'");
+  EXPECT_EQ(gnuplot_string("it's"), R"('it'."\047".'s')");
+  EXPECT_EQ(gnuplot_string("'; x"), R"(''."\047".'; x')");
+  EXPECT_EQ(gnuplot_string("`x` $(y) \\n \" @a ^b _c {d}"), "'`x` $(y) \\n \" @a ^b _c {d}'");
+  EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
 }
 
 TEST(Text, CutCountsCharacters) {

@@ -8,20 +8,20 @@
 namespace bentur {
 namespace {
 
-using Kind = Fragility::Kind;
+using FragilityKind = Fragility::Kind;
 
 /// By a fit alone; see CaseFragility::probability.
 std::optional<double> probability_of(const Fragility& fit, double intensity) {
   switch (fit.kind) {
-    case Kind::fitted:
-    case Kind::no_event:
-    case Kind::all_events:
+    case FragilityKind::fitted:
+    case FragilityKind::no_event:
+    case FragilityKind::all_events:
       return fit.probability(intensity);
-    case Kind::separated:
+    case FragilityKind::separated:
       return intensity < fit.lower || (intensity == fit.lower && fit.lower < fit.upper) ? 0.0 : 1.0;
-    case Kind::one_intensity:
-    case Kind::falling:
-    case Kind::no_data:
+    case FragilityKind::one_intensity:
+    case FragilityKind::falling:
+    case FragilityKind::no_data:
       break;
   }
   return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<double> probability_of(const Fragility& fit, double intensity) {
 /// The fit of resample `i`: of a case without bounds that of all data where every resample gives the same one.
 const Fragility* resampled_fit(const CaseFragility& fragility, std::size_t i) {
   if (fragility.bounds) return &fragility.bounds->fits[i];
-  const bool same = fragility.fit.kind == Kind::no_event || fragility.fit.kind == Kind::all_events;
+  const bool same = fragility.fit.kind == FragilityKind::no_event || fragility.fit.kind == FragilityKind::all_events;
   return same ? &fragility.fit : nullptr;
 }
 
@@ -59,7 +59,7 @@ std::optional<Interval> gap_bounds(const std::vector<double>& widths, const std:
 }  // namespace
 
 std::optional<double> CaseFragility::probability(double intensity) const {
-  if (fit.kind == Kind::one_intensity) return static_cast<double>(events) / static_cast<double>(runs);
+  if (fit.kind == FragilityKind::one_intensity) return static_cast<double>(events) / static_cast<double>(runs);
   return probability_of(fit, intensity);
 }
 
@@ -84,8 +84,9 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
     }
   }
   result.fit = fit_fragility(result.counts);
-  const Kind kind = result.fit.kind;
-  if (table.records > 1 && (kind == Kind::fitted || kind == Kind::separated || kind == Kind::falling)) {
+  const FragilityKind kind = result.fit.kind;
+  if (table.records > 1 &&
+      (kind == FragilityKind::fitted || kind == FragilityKind::separated || kind == FragilityKind::falling)) {
     result.bounds = bootstrap_fragility(units, options);
   }
   return result;

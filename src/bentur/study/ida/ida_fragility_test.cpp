@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Fragility::Kind;
 
-double normal(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double phi(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 /// Each record has a capacity per case, lognormal about the case's θ, the same standard normal in all cases.
 OutcomeTable synthetic(const std::vector<double>& medians, double dispersion, std::size_t records) {
@@ -116,7 +116,7 @@ TEST(GapEstimate, IsThatOfTheFitsWithBoundsAroundIt) {
   const GapEstimate found = gap_estimate(widths, all, at, p, 0.9);
   std::vector<double> probabilities;
   for (const CaseFragility& one : cases) {
-    probabilities.push_back(normal(std::log(at / one.fit.median) / one.fit.dispersion));
+    probabilities.push_back(phi(std::log(at / one.fit.median) / one.fit.dispersion));
   }
   ASSERT_TRUE(found.gap.has_value());
   EXPECT_EQ(found.gap->kind, GapForProbability::Kind::between);

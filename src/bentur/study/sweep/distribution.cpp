@@ -12,10 +12,6 @@ constexpr double smallest_probability = 0x1p-54;     // of any sample
 constexpr double largest_probability = 1 - 0x1p-53;  // and the largest
 constexpr double far = 40;                           // standard deviations that no sample is away
 
-double normal_quantile(double u) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u); }
-
-double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
 /// The standard normal z of probability u in what lies between z_low and z_high. Reckoned from the nearer tail, where
 /// probabilities keep their digits.
 double truncated(double u, double z_low, double z_high) {
@@ -25,6 +21,10 @@ double truncated(double u, double z_low, double z_high) {
 }
 
 }  // namespace
+
+double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+
+double normal_quantile(double p) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * p); }
 
 double Distribution::quantile(double u) const {
   switch (kind) {

@@ -4,6 +4,10 @@
 
 namespace bentur {
 
+/// Φ(z) and Φ⁻¹(p), 0 < p < 1, of the standard normal distribution.
+[[nodiscard]] double normal_probability(double z);
+[[nodiscard]] double normal_quantile(double p);
+
 /// How a quantity x of a study is distributed, in that quantity's own units. A normal or lognormal distribution may be
 /// cut off at `low` and `high`; what remains is scaled up to one.
 ///   uniform      x = low + (high − low) u,

@@ -7,53 +7,53 @@
 namespace bentur {
 namespace {
 
-using Kind = Distribution::Kind;
+using DistributionKind = Distribution::Kind;
 
 constexpr double phi_of_one = 0.84134474606854293;  // Φ(1)
 
 TEST(Distribution, QuantilesOfEachKind) {
-  const Distribution uniform{.kind = Kind::uniform, .low = 2, .high = 6};
+  const Distribution uniform{.kind = DistributionKind::uniform, .low = 2, .high = 6};
   EXPECT_DOUBLE_EQ(uniform.quantile(0.25), 3);
-  const Distribution log_uniform{.kind = Kind::log_uniform, .low = 0.01, .high = 100};
+  const Distribution log_uniform{.kind = DistributionKind::log_uniform, .low = 0.01, .high = 100};
   EXPECT_NEAR(log_uniform.quantile(0.5), 1, 1e-15);
-  const Distribution normal{.kind = Kind::normal, .centre = 10, .spread = 2};
+  const Distribution normal{.kind = DistributionKind::normal, .centre = 10, .spread = 2};
   EXPECT_NEAR(normal.quantile(phi_of_one), 12, 1e-13);
   EXPECT_DOUBLE_EQ(normal.quantile(0.5), 10);
-  const Distribution lognormal{.kind = Kind::lognormal, .centre = 5, .spread = lognormal_spread(0.3)};
+  const Distribution lognormal{.kind = DistributionKind::lognormal, .centre = 5, .spread = lognormal_spread(0.3)};
   EXPECT_DOUBLE_EQ(lognormal.quantile(0.5), 5);
   EXPECT_NEAR(std::log(lognormal.quantile(phi_of_one) / 5), std::sqrt(std::log(1.09)), 1e-13);
 }
 
 TEST(Distribution, WhatIsCutOffIsNeverDrawnAndTheRestIsScaled) {
   // The half normal above the mean: P(x ≤ μ + σ) = (Φ(1) − 1/2) / (1/2).
-  const Distribution half{.kind = Kind::normal, .centre = 1, .spread = 0.5, .low = 1};
+  const Distribution half{.kind = DistributionKind::normal, .centre = 1, .spread = 0.5, .low = 1};
   EXPECT_NEAR(half.quantile(2 * phi_of_one - 1), 1.5, 1e-12);
   EXPECT_GE(half.quantile(0x1p-54), 1);
   // Far in a tail the digits remain: between 9 and 10 standard deviations above the mean.
-  const Distribution tail{.kind = Kind::normal, .centre = 0, .spread = 1, .low = 9, .high = 10};
+  const Distribution tail{.kind = DistributionKind::normal, .centre = 0, .spread = 1, .low = 9, .high = 10};
   double before = 9;
   for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     EXPECT_GT(tail.quantile(u), before);
     before = tail.quantile(u);
   }
   EXPECT_LT(before, 9.4);  // P(x > z) falls like exp(−9 (z − 9)): nine tenths lie below 9.26
-  const Distribution lognormal{.kind = Kind::lognormal, .centre = 5, .spread = 1, .low = 4, .high = 6};
+  const Distribution lognormal{.kind = DistributionKind::lognormal, .centre = 5, .spread = 1, .low = 4, .high = 6};
   EXPECT_GE(lognormal.quantile(0x1p-54), 4);
   EXPECT_LE(lognormal.quantile(1 - 0x1p-53), 6);
 }
 
 TEST(Distribution, ExtremesTellWhatTheSupportForbids) {
   // A normal distribution however narrow reaches below zero and above one.
-  const Distribution narrow{.kind = Kind::normal, .centre = 0.5, .spread = 1e-3};
+  const Distribution narrow{.kind = DistributionKind::normal, .centre = 0.5, .spread = 1e-3};
   EXPECT_LT(extremes(narrow).low, 0);
   EXPECT_GT(extremes(narrow).high, 1);
-  const Distribution lognormal{.kind = Kind::lognormal, .centre = 0.5, .spread = 0.1};
+  const Distribution lognormal{.kind = DistributionKind::lognormal, .centre = 0.5, .spread = 0.1};
   EXPECT_GT(extremes(lognormal).low, 0);
   EXPECT_GT(extremes(lognormal).high, 1);
-  const Distribution cut{.kind = Kind::normal, .centre = 0.5, .spread = 1, .low = 0.1, .high = 0.9};
+  const Distribution cut{.kind = DistributionKind::normal, .centre = 0.5, .spread = 1, .low = 0.1, .high = 0.9};
   EXPECT_DOUBLE_EQ(extremes(cut).low, 0.1);
   EXPECT_DOUBLE_EQ(extremes(cut).high, 0.9);
-  const Distribution uniform{.kind = Kind::uniform, .low = -1, .high = 1};
+  const Distribution uniform{.kind = DistributionKind::uniform, .low = -1, .high = 1};
   EXPECT_DOUBLE_EQ(extremes(uniform).low, -1);
 }
 

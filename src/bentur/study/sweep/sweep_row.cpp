@@ -106,7 +106,7 @@ std::size_t gap_count(const Problem& problem) { return problem.buildings.size() 
 
 }  // namespace
 
-// UDUNITS takes tf for the short ton-force.
+// tf would be unknown to UDUNITS, since its ton_force is the short one.
 std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
 
 std::vector<Quantity> sweep_quantities(const Problem& problem, const Units& units, bool energy_audit) {
