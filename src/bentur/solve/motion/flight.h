@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bentur/solve/motion/kernels/flights.h"
 #include "bentur/solve/motion/modal_system.h"
 
 namespace bentur::engine {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/solve/motion/kernels/series.h"
+
 namespace bentur::engine {
 namespace {
 

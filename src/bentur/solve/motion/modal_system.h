@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/motion/kernels.h"
+#include "bentur/solve/motion/kernels/rows.h"
 #include "bentur/solve/motion/time_grid.h"
 #include "bentur/solve/problem.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "bentur/solve/motion/kernels/series.h"
+
 namespace bentur::engine {
 namespace {
 
@@ -24,38 +26,29 @@ double bracketed_root(const Function& f, double a, double b, double fa, double f
   return 0.5 * (low + high);
 }
 
-/// What decides an interval that ends at b: bounds of |p''| and |p'''| on [0, b], and p', p'' in its middle. One loop,
-/// so that the four sums run side by side.
-struct Inspection {
-  double second = 0.0;
-  double third = 0.0;
-  double slope = 0.0;
-  double curvature = 0.0;
-
-  Inspection(const Polynomial& p, double mid, double b) {
-    for (int k = p.degree; k >= 3; --k) {
-      const double one = k * p[k];
-      const double two = (k - 1.0) * one;
-      slope = slope * mid + one;
-      curvature = curvature * mid + two;
-      second = second * b + std::abs(two);
-      third = third * b + (k - 2.0) * std::abs(two);
-    }
-    curvature = curvature * mid + 2.0 * p[2];
-    second = second * b + 2.0 * std::abs(p[2]);
-    slope = (slope * mid + 2.0 * p[2]) * mid + p[1];
-  }
-};
+kernels::Inspection inspect(const Polynomial& p, double mid, double b) {
+  return kernels::inspect(p.coefficients.data(), p.degree, mid, b);
+}
 
 class CrossingSearch {
  public:
   explicit CrossingSearch(const Polynomial& p) : p_(p) {}
 
+  /// First crossing in (0, 1], given p(0) ≥ 0.
+  std::optional<double> search() const {
+    const kernels::Inspection at = inspect(p_, 0.5, 1.0);
+    return search(0.0, 1.0, p_[0], at.end, at);
+  }
+
+ private:
   /// First crossing in (a, b], given p(a) = pa ≥ 0 and p(b) = pb.
   std::optional<double> search(double a, double b, double pa, double pb) const {
+    return search(a, b, pa, pb, inspect(p_, 0.5 * (a + b), b));
+  }
+
+  std::optional<double> search(double a, double b, double pa, double pb, const kernels::Inspection& at) const {
     const double width = b - a;
     const double mid = 0.5 * (a + b);
-    const Inspection at(p_, mid, b);
     if (!std::isfinite(at.second)) return std::nullopt;  // numbers have overflowed: nothing can be proven
     if (std::min(pa, pb) >= at.second * width * width / 8.0) return std::nullopt;
     const bool monotone = std::abs(at.slope) > at.second * width / 2.0;
@@ -72,7 +65,6 @@ class CrossingSearch {
     return search(mid, b, pm, pb);
   }
 
- private:
   double crossing(double a, double b, double pa, double pb) const {
     return bracketed_root([this](double s) { return value(p_, s); }, a, b, pa, pb);
   }
@@ -96,13 +88,24 @@ class MaximumSearch {
  public:
   MaximumSearch(const Polynomial& p, double& best, double& where) : p_(p), best_(best), where_(where) {}
 
+  /// On [0, end].
+  void search(double end) {
+    if (end != 1.0) return search(0.0, end, p_[0], value(p_, end));
+    const kernels::Inspection at = inspect(p_, 0.5, 1.0);
+    search(0.0, 1.0, p_[0], at.end, at);
+  }
+
+  [[nodiscard]] bool raised() const { return raised_; }
+
+ private:
   /// On [a, b], given p(a) = pa and p(b) = pb.
-  void search(double a, double b, double pa, double pb) {
+  void search(double a, double b, double pa, double pb) { search(a, b, pa, pb, inspect(p_, 0.5 * (a + b), b)); }
+
+  void search(double a, double b, double pa, double pb, const kernels::Inspection& at) {
     take(pa, a);
     take(pb, b);
     const double width = b - a;
     const double mid = 0.5 * (a + b);
-    const Inspection at(p_, mid, b);
     const double rise = at.second * width * width / 8.0;
     if (!std::isfinite(rise)) return;  // numbers have overflowed
     if (std::max(measure(pa), measure(pb)) + rise <= best_ || rise <= round_off * best_ || width < smallest_width * b) {
@@ -123,9 +126,6 @@ class MaximumSearch {
     search(mid, b, pm, pb);
   }
 
-  [[nodiscard]] bool raised() const { return raised_; }
-
- private:
   static double measure(double x) { return absolute ? std::abs(x) : x; }
 
   void take(double candidate, double s) {
@@ -195,18 +195,18 @@ double root(const Polynomial& p, double a, double b) {
 
 std::optional<double> first_negative(const Polynomial& p) {
   if (p[0] < 0.0) return 0.0;
-  return CrossingSearch(p).search(0.0, 1.0, p[0], value(p, 1.0));
+  return CrossingSearch(p).search();
 }
 
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where) {
   MaximumSearch<false> search(p, best, where);
-  search.search(0.0, end, p[0], value(p, end));
+  search.search(end);
   return search.raised();
 }
 
 void raise_to_largest(const Polynomial& p, double& best) {
   double where = 0.0;
-  MaximumSearch<true>(p, best, where).search(0.0, 1.0, p[0], value(p, 1.0));
+  MaximumSearch<true>(p, best, where).search(1.0);
 }
 
 }  // namespace bentur::engine

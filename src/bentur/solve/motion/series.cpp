@@ -93,7 +93,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                          linear.damping * h, motion.fill_opening(i).coefficients.data()});
   }
   kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, pressing_, motion.degree(),
-                  system_->size, c_->data(), force_.data());
+                  system_->size, c_->data());
 }
 
 /// The same with full damping matrices and resting points.
@@ -129,7 +129,7 @@ void Series::expand_block(std::size_t b, const State& state, const GroundInput& 
     return;
   }
   kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, {}, motion.degree(), system_->size,
-                  c_->data(), force_.data());
+                  c_->data());
 }
 
 }  // namespace bentur::engine

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bentur/solve/motion/expansion.h"
+#include "bentur/solve/motion/kernels/series.h"
 
 namespace bentur::engine {
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bentur/solve/motion/kernels/flights.h"
 #include "bentur/solve/motion/modal_system.h"
 
 namespace bentur::engine {

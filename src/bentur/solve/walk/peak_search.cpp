@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bentur/solve/motion/kernels/series.h"
+
 namespace bentur::engine {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "bentur/solve/motion/kernels/series.h"
+
 namespace bentur::engine {
 namespace {
 

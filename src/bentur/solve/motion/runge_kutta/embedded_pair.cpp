@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "bentur/solve/motion/kernels/series.h"
+
 namespace bentur::engine {
 namespace {
 

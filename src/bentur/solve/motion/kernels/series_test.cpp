@@ -1,25 +1,20 @@
-#include "bentur/solve/motion/kernels.h"
+#include "bentur/solve/motion/kernels/series.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+#include <utility>
 #include <vector>
+
+#include "bentur/solve/motion/kernels/rows.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur::engine::kernels {
 namespace {
 
+using test::random_numbers;
 using Numbers = std::vector<double>;
-
-Numbers random_numbers(std::size_t count, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> number(-2.0, 2.0);
-  Numbers list(count);
-  for (double& x : list) x = number(engine);
-  return list;
-}
 
 // Whichever version the processor has picked gives what plain loops in the same order give, to the bit.
 
@@ -28,13 +23,13 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   constexpr int degree = 26;
   const Numbers stiff = random_numbers(n, 1), damp = random_numbers(n, 2), gamma = random_numbers(n, 3);
   Numbers sense = random_numbers(n, 4), push = random_numbers(n, 5);
-  Numbers c = random_numbers(n * (degree + 1), 6), room(n), opening(degree + 1);
+  Numbers c = random_numbers(n * (degree + 1), 6), opening(degree + 1);
   Numbers expected = c;
   std::vector<Ground> grounds = {{0, 4, 0.3, -0.2, 0.09}, {4, 4, -0.5, 0.7, 0.09}};
   std::vector<Ground> again = grounds;
   const Pressing pressing{0,   4,   4,   4,   sense.data(),  sense.data() + 4, push.data(), push.data() + 4,
                           0.2, 0.1, 1.3, 0.4, opening.data()};
-  expand(stiff.data(), damp.data(), gamma.data(), grounds, {&pressing, 1}, degree, n, c.data(), room.data());
+  expand(stiff.data(), damp.data(), gamma.data(), grounds, {&pressing, 1}, degree, n, c.data());
 
   const auto open = [&](int k) {
     const double* x = expected.data() + k * n;
@@ -48,10 +43,9 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
     for (Index j = 0; j < n; ++j) {
       const auto at = static_cast<std::size_t>(j);
       double& to = expected[static_cast<std::size_t>((k + 2) * n + j)];
-      const double driven = gamma[at] * input[j / 4] + force * push[at];
-      to = (driven - stiff[at] * expected[static_cast<std::size_t>(k * n + j)] -
-            (k + 1.0) * damp[at] * expected[static_cast<std::size_t>((k + 1) * n + j)]) *
-           scale;
+      const double own = stiff[at] * expected[static_cast<std::size_t>(k * n + j)] +
+                         (k + 1.0) * damp[at] * expected[static_cast<std::size_t>((k + 1) * n + j)];
+      to = ((gamma[at] * input[j / 4] - own) + force * push[at]) * scale;
     }
   }
   EXPECT_EQ(c, expected);
@@ -85,60 +79,6 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
   }
 }
 
-TEST(Kernels, RowsAreMatrixProductsToTheBit) {
-  constexpr Index rows = 12, columns = 8;
-  constexpr int count = 7;
-  const Numbers w = random_numbers(rows * columns, 8), x = random_numbers(count * columns, 9);
-  Numbers rise = random_numbers(columns, 10);
-  for (double& r : rise) r = std::abs(r);
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  Numbers peak(rows, 5.0), reach(rows, unknown), ends_peak(rows, 5.0), ends_reach(rows, unknown), lowest(rows),
-      beyond(rows);
-  bool settled = true, ends_settled = true;
-  const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
-  const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
-  const bool ends_found = reach_of_rows(packed, x.data(), x.data() + columns, rise.data(), ends_peak.data(),
-                                        ends_reach.data(), ends_reach.data());
-  lowest_of_rows(packed, x.data(), x.data() + columns, rise.data(), lowest.data(), beyond.data());
-  for (Index r = 0; r < rows; ++r) {
-    const auto at = static_cast<std::size_t>(r);
-    double largest = 0.0, further = 0.0;
-    Numbers values;
-    for (Index j = 0; j < columns; ++j) {
-      further += std::abs(w[static_cast<std::size_t>(j * rows + r)]) * rise[static_cast<std::size_t>(j)];
-    }
-    for (int i = 0; i < count; ++i) {
-      double sum = 0.0;
-      for (Index j = 0; j < columns; ++j) {
-        sum += w[static_cast<std::size_t>(j * rows + r)] * x[static_cast<std::size_t>(i * columns + j)];
-      }
-      values.push_back(sum);
-      largest = std::max(largest, std::abs(sum));
-    }
-    EXPECT_EQ(reach[at], largest + further);
-    EXPECT_EQ(peak[at], std::max(5.0, largest));
-    settled = settled && largest + further <= std::max(5.0, largest);
-    const double ends = std::max(std::abs(values[0]), std::abs(values[1]));
-    EXPECT_EQ(ends_reach[at], ends + further);
-    EXPECT_EQ(ends_peak[at], std::max(5.0, ends));
-    ends_settled = ends_settled && ends + further <= std::max(5.0, ends);
-    EXPECT_EQ(lowest[at], std::min(values[0], values[1]));
-    EXPECT_EQ(beyond[at], further);
-  }
-  EXPECT_EQ(found, settled);
-  EXPECT_EQ(ends_found, ends_settled);
-}
-
-TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, 3);
-  const PackedRows packed(matrix, 4);
-  ASSERT_EQ(packed.rows(), 8);
-  ASSERT_EQ(packed.columns(), 4);
-  for (Index r = 0; r < 8; ++r) {
-    for (Index j = 0; j < 4; ++j) EXPECT_EQ(packed(r, j), r < 6 && j < 3 ? matrix(r, j) : 0.0);
-  }
-}
-
 TEST(Kernels, BoundsSumAllTerms) {
   constexpr Index n = 4;
   constexpr int degree = 6;
@@ -156,6 +96,43 @@ TEST(Kernels, BoundsSumAllTerms) {
   }
   c.back() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(std::isfinite(bound(n, c.data(), n, degree, second.data(), fourth.data())));
+}
+
+TEST(Kernels, OpeningsAreSummedAsTwoProducts) {
+  constexpr Index stride = 16;
+  const Numbers right = random_numbers(4, 1), left = random_numbers(8, 2), c = random_numbers(stride * 27, 3);
+  for (const int degree : {6, 7, 8, 9, 26}) {
+    Numbers polynomial(27, 0.0);
+    open({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
+    for (int k = 0; k < 27; ++k) {
+      const double* x = c.data() + k * stride;
+      EXPECT_EQ(polynomial[static_cast<std::size_t>(k)],
+                k <= degree ? dot(4, right.data(), x + 8) + dot(8, left.data(), x) : 0.0);
+    }
+  }
+}
+
+TEST(Kernels, InspectionIsOfDerivativesInTheMiddleAndBoundsToTheEnd) {
+  for (const int degree : {6, 9, 12, 26}) {
+    const Numbers p = random_numbers(27, static_cast<unsigned>(degree));
+    for (const auto& [mid, b] : {std::pair(0.5, 1.0), std::pair(0.3, 0.4), std::pair(1e-7, 2e-7)}) {
+      const Inspection at = inspect(p.data(), degree, mid, b);
+      Inspection expected;
+      for (int k = 0; k <= degree; ++k) {
+        const double c = p[static_cast<std::size_t>(k)];
+        expected.end += c * std::pow(b, k);
+        if (k >= 1) expected.slope += k * c * std::pow(mid, k - 1);
+        if (k >= 2) expected.curvature += k * (k - 1.0) * c * std::pow(mid, k - 2);
+        if (k >= 2) expected.second += k * (k - 1.0) * std::abs(c) * std::pow(b, k - 2);
+        if (k >= 3) expected.third += k * (k - 1.0) * (k - 2.0) * std::abs(c) * std::pow(b, k - 3);
+      }
+      EXPECT_NEAR(at.end, expected.end, 1e-13);
+      EXPECT_NEAR(at.slope, expected.slope, 1e-12);
+      EXPECT_NEAR(at.curvature, expected.curvature, 1e-11);
+      EXPECT_NEAR(at.second, expected.second, 1e-13 * expected.second);
+      EXPECT_NEAR(at.third, expected.third, 1e-13 * expected.third);
+    }
+  }
 }
 
 }  // namespace

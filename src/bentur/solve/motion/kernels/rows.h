@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// Inner loops of the exact solver: sums over coordinates, many at a time. Each runs over coordinates in fours
+/// (ModalSystem pads every building to a multiple of four) and is compiled for processors with wider vectors too; which
+/// version runs is picked when the program starts. All versions add and multiply in the same order and never contract,
+/// so that they give the same numbers to the bit.
+namespace bentur::engine::kernels {
+
+using Eigen::Index;
+
+/// Σ a_j b_j, n a multiple of four: four sums side by side, added in one fixed order.
+[[nodiscard]] inline double dot(Index n, const double* a, const double* b) {
+  std::array<double, 4> sum{};
+  for (Index j = 0; j < n; j += 4) {
+    for (Index l = 0; l < 4; ++l) sum[static_cast<std::size_t>(l)] += a[j + l] * b[j + l];
+  }
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// Σ |a_j| |b_j|, likewise.
+[[nodiscard]] inline double dot_of_sizes(Index n, const double* a, const double* b) {
+  std::array<double, 4> sum{};
+  for (Index j = 0; j < n; j += 4) {
+    for (Index l = 0; l < 4; ++l) sum[static_cast<std::size_t>(l)] += std::abs(a[j + l] * b[j + l]);
+  }
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// A matrix for the functions below that go over its rows: four rows at a time, one column of these after the other, so
+/// that memory is read as it lies. Rows of zeros fill the last four up.
+class PackedRows {
+ public:
+  PackedRows() = default;
+  /// `matrix` with columns of zeros up to `columns`.
+  PackedRows(const Eigen::MatrixXd& matrix, Index columns);
+  [[nodiscard]] Index rows() const { return rows_; }  ///< a multiple of four
+  [[nodiscard]] Index columns() const { return columns_; }
+  [[nodiscard]] double operator()(Index row, Index column) const {
+    return weights_[static_cast<std::size_t>(row / 4 * 4 * columns_ + 4 * column + row % 4)];
+  }
+  /// Four rows from row r on.
+  [[nodiscard]] const double* from(Index r) const { return weights_.data() + r * columns_; }
+
+ private:
+  Index rows_ = 0, columns_ = 0;
+  std::vector<double> weights_;
+};
+
+/// How far each row can be from zero between two vectors when entry j rises at most `rise` above its chord; raises
+/// `peak` by the ends. Four rows whose reaches were not above their peaks `before` are left alone. Returns whether no
+/// reach exceeds its peak.
+bool reach_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise, double* peak,
+                   const double* before, double* reach);
+
+/// For every row r: the largest |Σ_j w_rj x_j| over `count` vectors x, one after the other, raises `peak`; and `reach`
+/// is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four rows whose
+/// reaches were not above their peaks `before` are left alone. Returns whether no reach exceeds its peak.
+bool reach_of_samples(const PackedRows& weights, int count, const double* x, const double* rise, double* peak,
+                      const double* before, double* reach);
+
+/// For every row r of a matrix of `rows` (a multiple of four) × columns: the lower of Σ_j w_rj x_j at two vectors, and
+/// how far below that it can be between them when entry j falls at most `rise` below its chord.
+void lowest_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise,
+                    double* lowest, double* beyond);
+
+/// Raises `peak` by |Σ_j w_rj x_j| for every row r and `count` vectors x, `apart` apart. `share` of a vector is then
+/// the largest of |Σ_j w_rj x_j|/peak_r over the rows. `room` has rows × count entries.
+void raise_peaks(const PackedRows& weights, Index count, const double* x, Index apart, double* peak, double* share,
+                 double* room);
+
+/// Where |x|, |y| ≤ rest · peak for four numbers each, `open` becomes 0, elsewhere infinite; n is a multiple of four.
+void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest, double* open);
+
+/// The largest |w_rj|/limit_r of `count` columns from `first` on; rows of zeros have no say.
+void lump(const PackedRows& weights, Index first, Index count, const double* limits, double* largest);
+
+/// The polynomial of row r of coordinates whose coefficients begin at `c`. `room` has as many entries as columns.
+void combine(const PackedRows& weights, Index r, const double* c, Index stride, int degree, double* room,
+             double* polynomial);
+
+}  // namespace bentur::engine::kernels

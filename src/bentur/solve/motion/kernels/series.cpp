@@ -1,0 +1,224 @@
+#include "bentur/solve/motion/kernels/series.h"
+
+#include "bentur/solve/motion/kernels/four.h"
+
+namespace bentur::engine::kernels {
+namespace {
+
+/// (T-2); `pressing` is a span, or an array of its one point, whose fields then stay in registers.
+template <class Points>
+BENTUR_INLINE void expand_with(const Points& pressing, const double* stiff, const double* damp, const double* gamma,
+                               std::span<Ground> grounds, int degree, Index stride, double* c) {
+  const bool driven = grounds.front().nu_squared > 0.0;
+  const Index begin = grounds.front().begin;
+  const Index end = grounds.back().begin + grounds.back().size;
+  // Summed as ModalSystem::Point::sense does.
+  const auto open = [](const Pressing& p, const double* x) __attribute__((always_inline)) {
+    return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
+           sum(product(p.left_size, p.sense_left, x + p.left_begin));
+  };
+  for (const Pressing& p : pressing) p.opening[0] = open(p, c) + p.width;
+  for (int k = 0; k + 2 <= degree; ++k) {
+    const Four scale = factor(power_factors.scale, k);
+    const Four step = factor(power_factors.next, k);
+    const double* c0 = c + k * stride;
+    const double* c1 = c0 + stride;
+    double* c2 = c + (k + 2) * stride;
+    const auto own = [&](Index j) __attribute__((always_inline)) {
+      return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
+    };
+    if (k < 2 || driven) {
+      for (Ground& ground : grounds) {
+        const Four a = all(ground.next(k));
+        for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
+          store(c2 + j, load(gamma + j) * a - own(j));
+        }
+      }
+    } else {
+      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
+    }
+    for (const Pressing& p : pressing) {
+      const double opening = open(p, c1);
+      p.opening[k + 1] = opening;
+      double force = -p.stiffness * p.opening[k] - p.damping * step[0] * opening;
+      if (k == 0) force += p.base;
+      const auto push = [&](Index first, Index n, const double* by) __attribute__((always_inline)) {
+        for (Index j = 0; j < n; j += four) store(c2 + first + j, load(c2 + first + j) + all(force) * load(by + j));
+      };
+      push(p.left_begin, p.left_size, p.push_left);
+      push(p.right_begin, p.right_size, p.push_right);
+    }
+    for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
+  }
+  for (const Pressing& p : pressing) p.opening[degree] = open(p, c + degree * stride);
+}
+
+}  // namespace
+
+BENTUR_FOR_ALL_PROCESSORS
+void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
+            std::span<const Pressing> pressing, int degree, Index stride, double* c) {
+  if (pressing.size() == 1) {
+    const std::array<Pressing, 1> one{pressing[0]};
+    expand_with(one, stiff, damp, gamma, grounds, degree, stride, c);
+  } else {
+    expand_with(pressing, stiff, damp, gamma, grounds, degree, stride, c);
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void evaluate(Index n, const double* c, Index stride, int degree, double at, double* q, double* first, double* second) {
+  const Four s = all(at);
+  for (Index j = 0; j < n; j += four) {
+    Four x = all(0.0);
+    Four y = all(0.0);
+    Four z = all(0.0);
+    for (int k = degree; k >= 2; --k) {
+      const Four term = load(c + k * stride + j);
+      x = x * s + term;
+      y = y * s + factor(power_factors.first, k) * term;
+      z = z * s + factor(power_factors.second, k) * term;
+    }
+    const Four linear = load(c + stride + j);
+    store(q + j, (x * s + linear) * s + load(c + j));
+    store(first + j, y * s + linear);
+    store(second + j, z);
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+double bound(Index n, const double* c, Index stride, int degree, double* second, double* fourth) {
+  Four total = all(0.0);
+  for (Index j = 0; j < n; j += four) {
+    Four x = all(0.0);
+    Four y = all(0.0);
+    for (int k = 2; k <= degree; ++k) {
+      const Four term = factor(power_factors.second, k) * size(load(c + k * stride + j));
+      x += term;
+      y += factor(power_factors.fourth, k) * term;
+    }
+    store(second + j, x);
+    store(fourth + j, y);
+    total += x + y;
+  }
+  return sum(total);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void sample(Index n, const double* c, Index stride, int degree, int count, double end, double* q, double* second) {
+  for (Index j = 0; j < n; j += four) {
+    store(q + j, load(c + j));
+    store(second + j, all(2.0) * load(c + 2 * stride + j));
+    // Four places side by side, so that none waits for another.
+    for (int first = 1; first <= count; first += four) {
+      Four s[four];       // NOLINT(modernize-avoid-c-arrays): registers
+      Four x[four] = {};  // NOLINT(modernize-avoid-c-arrays)
+      Four y[four] = {};  // NOLINT(modernize-avoid-c-arrays)
+      for (int i = 0; i < four; ++i) s[i] = all(first + i == count ? end : end * (first + i) / count);
+      for (int k = degree; k >= 2; --k) {
+        const Four term = load(c + k * stride + j);
+        const Four curved = factor(power_factors.second, k) * term;
+        for (int i = 0; i < four; ++i) {
+          x[i] = x[i] * s[i] + term;
+          y[i] = y[i] * s[i] + curved;
+        }
+      }
+      for (int i = 0; i < four && first + i <= count; ++i) {
+        const Index at = (first + i) * n + j;
+        store(q + at, (x[i] * s[i] + load(c + stride + j)) * s[i] + load(c + j));
+        store(second + at, y[i]);
+      }
+    }
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void accelerate(Index n, const double* omega_squared, const double* two_sigma, const double* gamma, double value,
+                const double* q, const double* v, double* acceleration) {
+  for (Index j = 0; j < n; j += four) {
+    store(acceleration + j,
+          all(value) * load(gamma + j) - load(omega_squared + j) * load(q + j) - load(two_sigma + j) * load(v + j));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void open(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial) {
+  const auto sums = [stride](SensedBy by, int k) __attribute__((always_inline)) {
+    Four total[four] = {};  // NOLINT(modernize-avoid-c-arrays): registers
+    for (Index j = 0; j < by.size; j += four) {
+      const Four sense = load(by.sense + j);
+      for (Index i = 0; i < four; ++i) total[i] += sense * load(by.c + (k + i) * stride + j);
+    }
+    return sums_of(total[0], total[1], total[2], total[3]);
+  };
+  int k = 0;
+  for (; k + 4 <= degree + 1; k += 4) store(polynomial + k, sums(right, k) + sums(left, k));
+  for (; k <= degree; ++k) {
+    polynomial[k] = sum(product(right.size, right.sense, right.c + k * stride)) +
+                    sum(product(left.size, left.sense, left.c + k * stride));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Inspection inspect(const double* p, int degree, double mid, double b) {
+  Four end = all(0.0);
+  Four slope = all(0.0);
+  Four curvature = all(0.0);
+  Four second = all(0.0);
+  Four third = all(0.0);
+  Four at_mid{1.0, mid, mid * mid, mid * mid * mid};
+  Four at_b{1.0, b, b * b, b * b * b};
+  const Four mid_four = all((mid * mid) * (mid * mid));
+  const Four b_four = all((b * b) * (b * b));
+  const auto add = [&](int k, Four term) __attribute__((always_inline)) {
+    const Four inside = term * at_mid;
+    const Four outside = term * at_b;
+    const Four most = size(outside);
+    end += outside;
+    slope += load(power_factors.first.data() + k) * inside;
+    curvature += load(power_factors.second.data() + k) * inside;
+    second += load(power_factors.second.data() + k) * most;
+    third += load(power_factors.third.data() + k) * most;
+    at_mid *= mid_four;
+    at_b *= b_four;
+  };
+  int k = 0;
+  for (; k + 4 <= degree + 1; k += 4) add(k, load(p + k));
+  if (k <= degree) {
+    Four rest = all(0.0);
+    for (int i = 0; k + i <= degree; ++i) rest[i] = p[k + i];
+    add(k, rest);
+  }
+  return {sum(end), sum(slope) / mid, sum(curvature) / (mid * mid), sum(second) / (b * b), sum(third) / (b * b * b)};
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void stage(Index n, const double* slopes, Index stride, int count, const double* positions, const double* speeds,
+           double after, double h, const double* q, const double* v, double* q_at, double* v_at) {
+  for (Index k = 0; k < n; k += four) {
+    Four position = all(0.0);
+    Four speed = all(0.0);
+    for (int j = 0; j < count; ++j) {
+      const Four slope = load(slopes + j * stride + k);
+      position += all(positions[j]) * slope;
+      speed += all(speeds[j]) * slope;
+    }
+    store(q_at + k, load(q + k) + all(after) * load(v + k) + all(h * h) * position);
+    store(v_at + k, load(v + k) + all(h) * speed);
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void interpolate(Index n, const double* slopes, Index stride, int count, const double* weights, const double* factors,
+                 double* to) {
+  for (Index k = 0; k < n; k += four) {
+    Four power[powers] = {};  // NOLINT(modernize-avoid-c-arrays): registers
+    for (int j = 0; j < count; ++j) {
+      const Four slope = load(slopes + j * stride + k);
+      for (int i = 0; i < powers; ++i) power[i] += all(weights[j * powers + i]) * slope;
+    }
+    for (int i = 0; i < powers; ++i) store(to + i * stride + k, all(factors[i]) * power[i]);
+  }
+}
+
+}  // namespace bentur::engine::kernels

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+/// Inner loops of power series and Runge-Kutta steps; see rows.h.
+namespace bentur::engine::kernels {
+
+using Eigen::Index;
+
+/// A contact point that presses with a linear force, as a power series over a step of h: F_k h² = −stiffness g_k −
+/// (k + 1) damping g_{k+1}, and `base` more for k = 0.
+struct Pressing {
+  Index left_begin, left_size, right_begin, right_size;
+  const double *sense_left, *sense_right, *push_left, *push_right;
+  double width;                     ///< w [length]
+  double base, stiffness, damping;  ///< times h², h², h
+  double* opening;                  ///< g_k, filled on the way: degree + 1 of them
+};
+
+/// The ground acceleration of one building as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
+struct Ground {
+  Index begin, size;
+  double even, odd;   ///< a_0 h², a_1 h²; then those last asked for
+  double nu_squared;  ///< ν² h²
+
+  /// a_k h², to be asked for k = 0, 1, 2, …
+  [[nodiscard]] double next(int k) {
+    double& a = k % 2 == 0 ? even : odd;
+    if (k >= 2) a *= -nu_squared / (k * (k - 1.0));
+    return a;
+  }
+};
+
+/// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled. `stiff` h²Ω²,
+/// `damp` h D, columns `stride` apart.
+void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
+            std::span<const Pressing> pressing, int degree, Index stride, double* c);
+
+/// Position, dq/ds and d²q/ds² at s, of n coordinates whose coefficients begin at `c`.
+void evaluate(Index n, const double* c, Index stride, int degree, double s, double* q, double* first, double* second);
+
+/// Σ k(k−1)|c_k| and Σ k(k−1)(k−2)(k−3)|c_k| of n coordinates; returns a sum that is finite only where all of them are.
+double bound(Index n, const double* c, Index stride, int degree, double* second, double* fourth);
+
+/// Position and d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `n` apart.
+void sample(Index n, const double* c, Index stride, int degree, int count, double end, double* q, double* second);
+
+/// q̈ = γ a − Ω² q − D q̇ of n coordinates.
+void accelerate(Index n, const double* omega_squared, const double* two_sigma, const double* gamma, double value,
+                const double* q, const double* v, double* acceleration);
+
+/// The polynomial sense · c of a point, summed as ModalSystem::Point::sense does: two rows of a size each, and the
+/// coefficients of their coordinates.
+struct SensedBy {
+  Index size;
+  const double *sense, *c;
+};
+void open(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial);
+
+/// What tells how a polynomial p of s behaves on an interval that ends at b > 0 and has its middle at mid > 0: p(b),
+/// the first two derivatives at mid, and bounds of the second and third ones on [0, b].
+struct Inspection {
+  double end = 0, slope = 0, curvature = 0, second = 0, third = 0;
+};
+[[nodiscard]] Inspection inspect(const double* p, int degree, double mid, double b);
+
+/// A stage of a Runge-Kutta step of n coordinates from the slopes of `count` stages before it, `stride` apart:
+///   q_at = q + after v + h² Σ positions_j slope_j,   v_at = v + h Σ speeds_j slope_j.
+void stage(Index n, const double* slopes, Index stride, int count, const double* positions, const double* speeds,
+           double after, double h, const double* q, const double* v, double* q_at, double* v_at);
+
+/// A polynomial of `powers` coefficients from all stages: to_k = factors_k Σ_j weights_j,k slope_j, columns of `to`
+/// being `stride` apart too; row j of the weights has `powers` entries.
+inline constexpr int powers = 8;
+void interpolate(Index n, const double* slopes, Index stride, int count, const double* weights, const double* factors,
+                 double* to);
+
+}  // namespace bentur::engine::kernels
