@@ -39,6 +39,20 @@ function(bentur_module name)
   endif()
 endfunction()
 
+# bentur_embed(MODULE FUNCTION HEADER file...): the files become part of the module, so that the program needs none of
+# them installed; HEADER declares std::span<const EmbeddedFile> FUNCTION().
+function(bentur_embed module function header)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${source} -DHEADER=${header} -DFUNCTION=${function} "-DFILES=${ARGN}" -P ${script}
+    DEPENDS ${ARGN} ${script}
+    COMMENT "Embedding files in ${module}" VERBATIM)
+  bentur_alone(${source})
+  target_sources(bentur_${module} PRIVATE ${source})
+endfunction()
+
 # bentur_test(NAME SOURCES file... [LIBRARIES target...]): a GoogleTest executable; CTest knows each of its cases.
 function(bentur_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})

@@ -12,6 +12,7 @@
 #include "bentur/io/case_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/solve/solver.h"
+#include "tests/support/same_response.h"
 
 namespace bentur {
 namespace {
@@ -95,26 +96,6 @@ TEST_P(Reference, AdaptiveAgreesWithTheIndependentProgramToTenTolerances) {
   judge(solve(problem_, AdaptiveSolver{}), "adaptive", 10);
 }
 
-void expect_same_impacts(const Response& one, const Response& other) {
-  ASSERT_EQ(one.impacts.size(), other.impacts.size());
-  for (std::size_t i = 0; i < one.impacts.size(); ++i) {
-    const Impact &a = one.impacts[i], &b = other.impacts[i];
-    EXPECT_EQ(a.point, b.point);
-    EXPECT_EQ(a.start, b.start);
-    EXPECT_EQ(a.end, b.end);
-    EXPECT_EQ(a.closing_speed, b.closing_speed);
-    EXPECT_EQ(a.separation_speed, b.separation_speed);
-    EXPECT_EQ(a.peak_force, b.peak_force);
-    EXPECT_EQ(a.peak_penetration, b.peak_penetration);
-    EXPECT_EQ(a.impulse, b.impulse);
-    EXPECT_EQ(a.energy_lost, b.energy_lost);
-  }
-  for (std::size_t b = 0; b < one.buildings.size(); ++b) {
-    EXPECT_EQ(one.buildings[b].displacement, other.buildings[b].displacement);
-    EXPECT_EQ(one.buildings[b].acceleration, other.buildings[b].acceleration);
-  }
-}
-
 /// The account closes, and what contact has lost is what the list of impacts says.
 void expect_account(const Response& response, double limit) {
   ASSERT_TRUE(response.energy);
@@ -132,13 +113,13 @@ void expect_account(const Response& response, double limit) {
 TEST_P(Reference, ExactAccountsForAllEnergy) {
   const Response response = audited(ExactSolver{});
   expect_account(response, piecewise_linear() ? 1e-9 : 1e-8);
-  expect_same_impacts(response, solve(problem_));
+  test::expect_same(response, solve(problem_));
 }
 
 TEST_P(Reference, AdaptiveAccountsForAllEnergy) {
   const Response response = audited(AdaptiveSolver{});
   expect_account(response, 1e-8);
-  expect_same_impacts(response, solve(problem_, AdaptiveSolver{}));
+  test::expect_same(response, solve(problem_, AdaptiveSolver{}));
 }
 
 INSTANTIATE_TEST_SUITE_P(, Reference, testing::ValuesIn(all_cases), [](const auto& test) {

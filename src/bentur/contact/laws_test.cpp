@@ -15,9 +15,13 @@
 
 #include "bentur/core/errors.h"
 #include "tests/support/free_impact.h"
+#include "tests/support/restitution_laws.h"
 
 namespace bentur {
 namespace {
+
+using test::Asked;
+using test::laws_with_a_restitution;
 
 struct Example {
   std::string label;
@@ -325,34 +329,6 @@ INSTANTIATE_TEST_SUITE_P(, EveryForce, testing::ValuesIn(laws_with_a_force()),
                          [](const auto& one) { return one.param.label; });
 
 // Every law that takes a restitution, in every way that it can be told to let go.
-struct Asked {
-  std::string label;
-  const LawEntry* law = nullptr;
-  std::map<std::string, std::string, std::less<>> words;
-};
-
-void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.label; }
-
-std::vector<Asked> laws_with_a_restitution() {
-  std::vector<Asked> list;
-  for (const LawEntry& law : contact_laws()) {
-    const auto is_restitution = [](const LawKey& key) { return key.name == "restitution"; };
-    if (std::none_of(law.keys.begin(), law.keys.end(), is_restitution)) continue;
-    std::vector<Asked> of_law = {{std::string(law.name), &law, {}}};
-    for (const LawChoice& choice : law.choices) {
-      if (choice.with == "restitution") continue;
-      of_law.clear();
-      for (const auto word : choice.words) {
-        const std::string text(word);
-        of_law.push_back({std::string(law.name) + "_" + text, &law, {{std::string(choice.name), text}}});
-      }
-    }
-    list.insert(list.end(), of_law.begin(), of_law.end());
-  }
-  for (Asked& asked : list) std::replace(asked.label.begin(), asked.label.end(), '-', '_');
-  return list;
-}
-
 class RestitutionAskedFor : public testing::TestWithParam<Asked> {};
 
 TEST_P(RestitutionAskedFor, IsTheOneObtained) {

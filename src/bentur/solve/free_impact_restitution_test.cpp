@@ -12,41 +12,14 @@
 #include "bentur/contact/laws.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/free_masses.h"
+#include "tests/support/restitution_laws.h"
 
 namespace bentur {
 namespace {
 
 using namespace bentur::test;
 
-/// A law that takes a restitution, in one of the ways that it can be told to let go.
-struct Asked {
-  std::string label;
-  const LawEntry* law = nullptr;
-  std::map<std::string, std::string, std::less<>> words;
-};
-
-void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.label; }
-
-std::vector<Asked> laws_with_a_restitution() {
-  std::vector<Asked> list;
-  for (const LawEntry& law : contact_laws()) {
-    const auto is_restitution = [](const LawKey& key) { return key.name == "restitution"; };
-    if (std::none_of(law.keys.begin(), law.keys.end(), is_restitution)) continue;
-    std::vector<Asked> of_law = {{std::string(law.name), &law, {}}};
-    for (const LawChoice& choice : law.choices) {
-      if (choice.with == "restitution") continue;
-      of_law.clear();
-      for (const auto word : choice.words) {
-        const std::string text(word);
-        of_law.push_back({std::string(law.name) + "_" + text, &law, {{std::string(choice.name), text}}});
-      }
-    }
-    list.insert(list.end(), of_law.begin(), of_law.end());
-  }
-  for (Asked& asked : list) std::replace(asked.label.begin(), asked.label.end(), '-', '_');
-  return list;
-}
-
+/// The law, with the stiffness where it takes one.
 std::shared_ptr<const ContactLaw> make(const Asked& asked, double stiffness, double restitution, double mass) {
   LawInput input{{{"restitution", restitution}}, asked.words, mass};
   const auto is_stiffness = [](const LawKey& key) { return key.name == "stiffness"; };

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "bentur/solve/solver.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/free_masses.h"
+#include "tests/support/same_response.h"
 
 namespace bentur {
 namespace {
@@ -38,24 +40,8 @@ TEST_P(Sampling, DoesNotChangeTheImpacts) {
         options.output_step = step;
         options.energy_audit = audit;
         const Response other = solve(problem, solver, options);
-        ASSERT_EQ(other.impacts.size(), plain.impacts.size()) << name(solver) << " " << step;
-        for (std::size_t i = 0; i < plain.impacts.size(); ++i) {
-          const Impact &a = plain.impacts[i], &b = other.impacts[i];
-          EXPECT_EQ(a.start, b.start);
-          EXPECT_EQ(a.end, b.end);
-          EXPECT_EQ(a.closing_speed, b.closing_speed);
-          EXPECT_EQ(a.separation_speed, b.separation_speed);
-          EXPECT_EQ(a.peak_force, b.peak_force);
-          EXPECT_EQ(a.peak_force_time, b.peak_force_time);
-          EXPECT_EQ(a.peak_penetration, b.peak_penetration);
-          EXPECT_EQ(a.impulse, b.impulse);
-          EXPECT_EQ(a.energy_lost, b.energy_lost);
-        }
-        for (std::size_t b = 0; b < 2; ++b) {
-          EXPECT_EQ(plain.buildings[b].displacement, other.buildings[b].displacement);
-          EXPECT_EQ(plain.buildings[b].acceleration, other.buildings[b].acceleration);
-        }
-        EXPECT_EQ(plain.steps, other.steps);
+        SCOPED_TRACE(std::string(name(solver)) + " " + std::to_string(step));
+        expect_same(plain, other);
         const std::size_t samples = step > 0 ? static_cast<std::size_t>(std::floor(3 / step + 1e-9)) + 1 : 0;
         EXPECT_EQ(other.histories.time.size(), samples);
         EXPECT_EQ(other.energy.has_value(), audit);
