@@ -77,5 +77,28 @@ TEST(FirstContact, IsFoundByOthersToo) {
   }
 }
 
+/// Where a load is not that of the masses alone, accelerations jump with the ground's: at the first value of a record
+/// that reaches a building late, and after the last one. Both are peaks here.
+TEST(Course, EndsWhereTheGroundAccelerationJumps) {
+  const auto building = [](double stiffness) {
+    Building result = oscillator(2e5, stiffness, 0.03);
+    result.model.load *= 0.4;
+    return result;
+  };
+  for (const bool at_the_end : {false, true}) {
+    Problem problem = pair(building(2e6), building(1.2e6), {contact(10, 1e8)}, 4);
+    SampledMotion motion{0.02, std::vector<double>(50, 0.0)};
+    for (std::size_t i = 0; i < 50; ++i)
+      motion.acceleration[at_the_end ? i : 49 - i] = 0.002 * static_cast<double>(i * i);
+    problem.motion = motion;
+    problem.delays = {0, 0.2};
+    const Response exact = solve(problem), other = solve(problem, AdaptiveSolver{1e-11});
+    for (std::size_t b = 0; b < 2; ++b) {
+      EXPECT_NEAR(exact.buildings[b].acceleration(0) / other.buildings[b].acceleration(0), 1, 1e-8) << b;
+      EXPECT_GE(exact.buildings[b].acceleration(0), 0.6 * 0.002 * 49 * 49);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bentur

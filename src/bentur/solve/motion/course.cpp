@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double end_slack = 1e-9;  // of a segment: one that ends so little after the analysis is whole
+constexpr double whole_slack = 1e-9;  // of a segment: one that ends so little after the analysis is whole
+constexpr double round_off = 1e-14;   // of ground accelerations
 
 }  // namespace
 
@@ -18,9 +19,16 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
   std::vector<GroundInput> ground;
   for (;; ++segments) {
     const std::size_t kind = static_cast<std::size_t>(segments) % flights.size();
-    if (duration - grid.start(segments) < grid.length(kind) * (1.0 - end_slack)) return;
+    if (duration - grid.start(segments) < grid.length(kind) * (1.0 - whole_slack)) return;
     grid.input(segments, ground);
-    for (const GroundInput& input : ground) inputs.push_back(flights[kind].front().input(input));
+    bool jumps_here = false;
+    for (const GroundInput& input : ground) {
+      inputs.push_back(flights[kind].front().input(input));
+      if (segments == 0) continue;
+      const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
+      jumps_here = jumps_here || std::abs(input.value - before.end) > round_off * before.largest;
+    }
+    if (jumps_here) jumps.push_back(segments);
   }
 }
 

@@ -11,12 +11,14 @@ struct FlightPlan {
   FlightTable flights;                       ///< [kind][halvings]
   std::vector<kernels::FlightInput> inputs;  ///< segments × buildings
   long segments = 0;                         ///< whole ones of the analysis; none where there are no flights
+  std::vector<long> jumps;                   ///< segments that begin with a jump of some ground acceleration
 
   /// `exact`: otherwise there are none.
   FlightPlan(const ModalSystem& system, const TimeGrid& grid, double duration, bool exact);
 };
 
-/// Whole segments flown one after the other, for those who look at many of them at a time.
+/// Whole segments flown one after the other, for those who look at many of them at a time. No ground acceleration jumps
+/// on the way, so that accelerations at the end of one leg are those at the start of the next.
 class Course {
  public:
   static constexpr Eigen::Index most = 128;  ///< legs

@@ -43,8 +43,8 @@ PeakWatch::PeakWatch(const ModalSystem& system, kernels::Lumped& lumped) : syste
   samples_.resize(most * (most_parts + 1));
   seconds_.resize(most * (most_parts + 1));
   rise_.setZero(most);
-  course_.accelerations.resize(most, Course::most + 1);
-  for (Ends* ends : {&course_.first, &course_.second}) {
+  course_.second_derivatives.resize(most, Course::most + 1);
+  for (Ends* ends : {&course_.positions, &course_.accelerations}) {
     ends->values.resize(most_quantities * (Course::most + 1));
     ends->shares.resize(Course::most + 1);
   }
@@ -99,12 +99,13 @@ void PeakWatch::raise(std::size_t b, const Course& course) {
   for (Index n = 0; n <= legs; ++n) {
     const double value = n < legs ? course.input(n, b).value : course.input(n - 1, b).end;
     kernels::accelerate(block.room, at(system_->omega_squared), at(system_->two_sigma), at(system_->gamma), value,
-                        course.q(n) + block.begin, course.v(n) + block.begin, course_.accelerations.col(n).data());
+                        course.q(n) + block.begin, course.v(n) + block.begin, course_.second_derivatives.col(n).data());
   }
   kernels::raise_peaks(positions_[b].weights, legs + 1, course.q(0) + block.begin, system_->size,
-                       positions_[b].peak.data(), course_.first.shares.data(), course_.first.values.data());
-  kernels::raise_peaks(accelerations_[b].weights, legs + 1, course_.accelerations.data(), course_.accelerations.rows(),
-                       accelerations_[b].peak.data(), course_.second.shares.data(), course_.second.values.data());
+                       positions_[b].peak.data(), course_.positions.shares.data(), course_.positions.values.data());
+  kernels::raise_peaks(accelerations_[b].weights, legs + 1, course_.second_derivatives.data(),
+                       course_.second_derivatives.rows(), accelerations_[b].peak.data(),
+                       course_.accelerations.shares.data(), course_.accelerations.values.data());
   positions_[b].lump();
   accelerations_[b].lump();
 }
@@ -118,8 +119,9 @@ PeakWatch::Open PeakWatch::open(std::size_t b, const Course& course, Index leg, 
     kernels::open_groups(rows.peak.size(), at, at + 4, course.legs() + 1, rows.peak.data(), 1.0 - between, rows_before);
     return true;
   };
-  return {look(positions_[b], course_.first, course.rise(leg), before),
-          look(accelerations_[b], course_.second, course.acceleration_rise(leg), before + positions_[b].peak.size())};
+  return {look(positions_[b], course_.positions, course.rise(leg), before),
+          look(accelerations_[b], course_.accelerations, course.acceleration_rise(leg),
+               before + positions_[b].peak.size())};
 }
 
 bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, Open open, const double* before, double* reach) {

@@ -97,9 +97,9 @@ class PeakWatch {
     Eigen::VectorXd values, shares;
   };
   struct {
-    Eigen::MatrixXd accelerations;  ///< q̈ at the ends, coordinates × ends
-    Ends first, second;             ///< of positions, of accelerations
-  } course_;                        ///< of one building
+    Eigen::MatrixXd second_derivatives;  ///< q̈ of the coordinates at the ends, one column each
+    Ends positions, accelerations;
+  } course_;  ///< of one building
 };
 
 }  // namespace bentur::engine

@@ -13,6 +13,8 @@ constexpr long events_per_walk_limit = 100000;  // more than this in one record 
 constexpr long segments_between_reports = 256;
 constexpr const char* not_finite = "the response is no longer a finite number";
 
+Eigen::VectorXd zeros(const ModalSystem& system) { return Eigen::VectorXd::Zero(system.size); }
+
 }  // namespace
 
 Walk::Walk(const Ground& ground)
@@ -23,13 +25,13 @@ Walk::Walk(const Ground& ground)
       state_{system_.initial_q, system_.initial_v},
       next_(state_),
       inputs_(system_.blocks.size()),
-      lumped_{system_.initial_q * 0.0, system_.initial_q * 0.0, system_.initial_q * 0.0, system_.initial_q * 0.0},
-      rises_{system_.initial_q * 0.0, system_.initial_q * 0.0},
-      sums_(system_.blocks.size()),
+      lumped_{zeros(system_), zeros(system_), zeros(system_), zeros(system_)},
       grid_(ground.grid),
       plan_(ground.plan),
       course_(system_, plan_),
       search_(system_, lumped_),
+      rises_{zeros(system_), zeros(system_)},
+      sums_(system_.blocks.size()),
       largest_ground_(system_.blocks.size(), 0.0) {
   search_.start(state_);
 }
@@ -73,7 +75,9 @@ Status Walk::run(const std::function<bool(double)>& progress) {
 /// Flies over whole segments as long as nothing can happen; returns whether it came any further.
 bool Walk::cruise() {
   const long first = segment_;
-  const long last = std::min<long>(plan_.segments, first + Course::most);
+  long last = std::min<long>(plan_.segments, first + Course::most);
+  const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), first);
+  if (jump != plan_.jumps.end()) last = std::min(last, *jump);
   course_.begin(state_, first);
   for (;;) {
     segment_ += course_.fly_on(last - segment_, lumped_);

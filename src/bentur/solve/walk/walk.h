@@ -79,9 +79,10 @@ class Walk {
   /// A stretch from state_ over which nothing happened, for those who want samples of it.
   virtual void pass(double /*start*/, double /*length*/) {}
 
-  /// What the next step starts from.
+  /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] Checkpoint checkpoint() const { return {segment_, steps_, state_, search_.watch().peaks()}; }
+  /// What the next step starts from.
   [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
 
   /// Expands a flight of `length` [s] from a state again, in steps (motion_); `each` is given where in it a step
@@ -96,8 +97,6 @@ class Walk {
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
   kernels::Lumped lumped_;           ///< of what is watched
-  kernels::Rises rises_;             ///< between state_ and next_, of a flight
-  std::vector<kernels::Sums> sums_;  ///< of the flight
 
  private:
   [[nodiscard]] bool cruise();
@@ -116,6 +115,8 @@ class Walk {
   const FlightPlan& plan_;
   Course course_;
   PeakSearch search_;
+  kernels::Rises rises_;                                            ///< between state_ and next_, of a flight
+  std::vector<kernels::Sums> sums_;                                 ///< of that
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room
   std::vector<GroundInput> end_inputs_;                             ///< at next_
   std::vector<double> largest_ground_;
