@@ -9,7 +9,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double whole_slack = 1e-9;  // of a segment: one that ends so little after the analysis is whole
-constexpr double round_off = 1e-14;   // of ground accelerations
+constexpr double jump_slack = 1e-14;  // of ground accelerations: less is round-off
 
 }  // namespace
 
@@ -26,7 +26,7 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
       inputs.push_back(flights[kind].front().input(input));
       if (segments == 0) continue;
       const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
-      jumps_here = jumps_here || std::abs(input.value - before.end) > round_off * before.largest;
+      jumps_here = jumps_here || std::abs(input.value - before.end) > jump_slack * before.largest;
     }
     if (jumps_here) jumps.push_back(segments);
   }
