@@ -13,8 +13,6 @@ namespace {
 using Eigen::Index;
 using Map = kernels::FlightMap;
 
-constexpr int halvings_beyond_one_series = 0;
-
 /// An error of a map would grow with the number of segments flown by it, so maps are made with more digits.
 using Long = long double;
 
@@ -158,8 +156,7 @@ FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {
   for (std::size_t kind = 0; kind < table.size(); ++kind) {
     const double length = grid.length(kind);
     const double to_one_series = std::ceil(std::log2(std::max(1.0, length * rate / series_reach)));
-    const int halvings = static_cast<int>(to_one_series) + halvings_beyond_one_series;
-    table[kind] = Flight::make(system, length, halvings);
+    table[kind] = Flight::make(system, length, static_cast<int>(to_one_series));
   }
   return table;
 }

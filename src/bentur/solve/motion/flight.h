@@ -48,8 +48,8 @@ class Flight {
 /// The flights of one segment length of the grid and of its halves, quarters, …: number n is of length/2ⁿ.
 using Flights = std::vector<Flight>;
 
-/// The flights of every segment length of the grid down to a part short enough for one power series and for a tight
-/// bound. Empty where a damping matrix is full.
+/// The flights of every segment length of the grid down to a part short enough for one power series: by measurement
+/// (docs/performance.md), no further. Empty where a damping matrix is full.
 using FlightTable = std::vector<Flights>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 

@@ -150,7 +150,8 @@ void open_groups(Index n, const double* x, const double* y, Index apart, const d
   constexpr double unknown = std::numeric_limits<double>::infinity();
   for (Index r = 0; r < n; r += four) {
     const Four most = larger(load(x + r * apart), load(y + r * apart));
-    store(open + r, all(any(most > all(rest) * load(peak + r)) ? unknown : 0.0));
+    const Bits near = ~(most <= all(rest) * load(peak + r));  // so is what cannot be compared
+    store(open + r, all(any(near) ? unknown : 0.0));
   }
 }
 

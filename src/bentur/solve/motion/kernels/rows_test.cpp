@@ -109,6 +109,16 @@ TEST(Kernels, GroupsAreOpenWhereOneOfFourComesNear) {
   for (std::size_t r = 4; r < 8; ++r) EXPECT_EQ(open[r], std::numeric_limits<double>::infinity());
 }
 
+TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
+  const Numbers x(4, 0.0), peak(4, 0.0);  // nothing has moved at the ends, and the sum over what rises is infinite
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double rest : {-infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    Numbers open(4, -1.0);
+    open_groups(4, x.data(), x.data(), 1, peak.data(), rest, open.data());
+    EXPECT_EQ(open, Numbers(4, infinity));
+  }
+}
+
 TEST(Kernels, LumpIsTheLargestPartOfALimit) {
   Eigen::MatrixXd matrix(5, 3);
   matrix << 1, -2, 0, 0.5, 4, 0, -3, 1, 0, 0, 0, 0, 2, 2, 0;
