@@ -92,8 +92,8 @@ class Step {
         std::max(std::abs(o_.absolute(from)), std::abs(o_.absolute(to))) + bend * std::hypot(u3, w * u2);
     if (highest_x <= displacement && highest_a <= acceleration) return;
     const engine::Polynomial x = series(o_, h_, from, g);
-    engine::raise_to_largest(x, displacement);
-    engine::raise_to_largest(absolute_series(o_, h_, x), acceleration);
+    engine::raise_to_largest(x, 1.0, displacement);
+    engine::raise_to_largest(absolute_series(o_, h_, x), 1.0, acceleration);
   }
 
  private:

@@ -14,8 +14,8 @@ Expansion::Expansion(const ModalSystem& system, std::vector<double> widths)
     : system_(&system),
       widths_(std::move(widths)),
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
-      curvature_(Eigen::VectorXd::Zero(system.size)),
-      fourth_(Eigen::VectorXd::Zero(system.size)),
+      rise_(Eigen::VectorXd::Zero(system.size)),
+      acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
       curved_(Eigen::VectorXd::Zero(system.size)),
       resting_force_(system.points.size()),
       openings_(system.points.size()),
@@ -42,10 +42,14 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
 
 void Expansion::set_resting_force(std::size_t point, const Polynomial& force) { resting_force_[point] = force; }
 
-bool Expansion::bound() {
-  const double all = kernels::bound(count_, c_.data() + first_, c_.rows(), degree_, curvature_.data() + first_,
-                                    fourth_.data() + first_);
-  return std::isfinite(all);
+bool Expansion::find_rises() {
+  return std::isfinite(kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, 1.0, 1.0 / (h_ * h_),
+                                             rise_.data() + first_, acceleration_rise_.data() + first_));
+}
+
+void Expansion::find_rises(double end, double* rise, double* acceleration_rise) const {
+  (void)kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, end, 1.0 / (h_ * h_), rise + first_,
+                              acceleration_rise + first_);
 }
 
 void Expansion::evaluate(double s, State& state) const {

@@ -99,8 +99,10 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
     const double omega = std::sqrt(w2);
     const double kappa = std::sqrt(w2 + d * d);
     const double push = std::abs(gamma);
+    map_(j, Map::gamma) = gamma;
+    map_(j, Map::omega_squared) = w2;
+    map_(j, Map::two_sigma) = d;
     map_(j, Map::omega) = omega;
-    map_(j, Map::kappa) = kappa;
     map_(j, Map::second) = chord * kappa;
     map_(j, Map::fourth) = chord * (d * (d * kappa + w2) + w2 * kappa);
     if (nu == 0.0 && omega * length_ > 1.0) {
@@ -110,16 +112,11 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
       // u and ü stay within ±S/Ω and ±κ S: twice that is as far as a chord can be.
       map_(j, Map::second) = std::min(map_(j, Map::second), 2.0 / omega);
       map_(j, Map::fourth) = std::min(map_(j, Map::fourth), 2.0 * kappa);
-      map_(j, Map::orbit) = 1.0 / omega;
-      map_(j, Map::orbit_value) = std::abs(map_(j, Map::p_value));
-      map_(j, Map::orbit_slope) = std::abs(map_(j, Map::p_slope));
     } else {
       map_(j, Map::slow) = length_ * push;
       map_(j, Map::second_force) = chord * push;
-      map_(j, Map::force) = push;
       map_(j, Map::fourth_force) = chord * (d * d + w2 + nu * nu) * push;
       map_(j, Map::fourth_slope) = chord * d * push;
-      map_(j, Map::orbit_floor) = std::numeric_limits<double>::max();  // the chord decides
     }
   }
 }
@@ -136,17 +133,9 @@ kernels::FlightInput Flight::input(const GroundInput& ground) const {
   return in;
 }
 
-void Flight::advance(const State& from, const std::vector<GroundInput>& inputs, const kernels::Lumped& lumped,
-                     State& to, kernels::Rises& rises, std::vector<kernels::Sums>& sums) const {
-  for (std::size_t b = 0; b < inputs.size(); ++b) sums[b] = advance_block(b, from, inputs[b], lumped, to, rises);
-}
-
-kernels::Sums Flight::advance_block(std::size_t b, const State& from, const GroundInput& ground,
-                                    const kernels::Lumped& lumped, State& to, kernels::Rises& rises) const {
-  const kernels::FlightInput in = input(ground);
+void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::Leg& leg) const {
   const auto& block = system_->blocks[b];
-  return kernels::fly(map_, {block.begin, block.room}, in, from.q.data(), from.v.data(), to.q.data(), to.v.data(),
-                      lumped, rises);
+  kernels::fly(map_, {block.begin, block.room}, input(ground), leg);
 }
 
 FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {

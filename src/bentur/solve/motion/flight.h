@@ -23,16 +23,10 @@ class Flight {
   /// The same acceleration with its bounds over the flight.
   [[nodiscard]] kernels::FlightInput input(const GroundInput& ground) const;
 
-  /// The end state, which must be another than `from`, and what is known of the way:
-  ///   rises.position      how far q can leave its chord: |q̈| length²/8,
-  ///   rises.acceleration  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
-  ///   sums                (T-4), per building.
-  void advance(const State& from, const std::vector<GroundInput>& inputs, const kernels::Lumped& lumped, State& to,
-               kernels::Rises& rises, std::vector<kernels::Sums>& sums) const;
-
-  /// The same of one building; only its coordinates are looked at and written.
-  [[nodiscard]] kernels::Sums advance_block(std::size_t block, const State& from, const GroundInput& input,
-                                            const kernels::Lumped& lumped, State& to, kernels::Rises& rises) const;
+  /// One building; only its coordinates are looked at and written.
+  ///   rise               how far q can leave its chord: |q̈| length²/8,
+  ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
+  void advance(std::size_t block, const GroundInput& input, const kernels::Leg& leg) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
   [[nodiscard]] const kernels::FlightMap& map() const { return map_; }

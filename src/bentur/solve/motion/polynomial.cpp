@@ -15,6 +15,17 @@ constexpr double smallest_width = 1e-13;
 /// A maximum is not refined beyond this part of its value.
 constexpr double round_off = 1e-16;
 
+constexpr auto derivative_factors = [] {
+  std::array<double, highest_degree + 1> factors{};
+  for (int k = 0; k <= highest_degree; ++k) factors[static_cast<std::size_t>(k)] = k;
+  return factors;
+}();
+constexpr auto integral_factors = [] {
+  std::array<double, highest_degree + 1> factors{};
+  for (int k = 0; k <= highest_degree; ++k) factors[static_cast<std::size_t>(k)] = 1.0 / (k + 1.0);
+  return factors;
+}();
+
 /// Root of the continuous f between a and b, where fa and fb differ in sign (or are zero).
 template <class Function>
 double bracketed_root(const Function& f, double a, double b, double fa, double fb) {
@@ -90,9 +101,10 @@ class MaximumSearch {
 
   /// On [0, end].
   void search(double end) {
-    if (end != 1.0) return search(0.0, end, p_[0], value(p_, end));
-    const kernels::Inspection at = inspect(p_, 0.5, 1.0);
-    search(0.0, 1.0, p_[0], at.end, at);
+    const double at_end = value(p_, end);
+    const double rise = kernels::leave_chord(p_.coefficients.data(), p_.degree, end);
+    if (std::max(measure(p_[0]), measure(at_end)) + rise <= best_) return;
+    search(0.0, end, p_[0], at_end);
   }
 
   [[nodiscard]] bool raised() const { return raised_; }
@@ -116,6 +128,8 @@ class MaximumSearch {
       const double da = first_derivative(p_, a);
       const double db = first_derivative(p_, b);
       if ((da > 0.0 && db < 0.0) || (absolute && da < 0.0 && db > 0.0)) {
+        const double tangents_meet = (pb - pa - db * width) / (da - db);  // after a; p stays on one side of both
+        if (measure(pa + da * tangents_meet) <= best_) return;
         const double top = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
         take(value(p_, top), top);
       }
@@ -172,20 +186,21 @@ double value(const Polynomial& p, double s) {
 double first_derivative(const Polynomial& p, double s) {
   if (p.degree == 0) return 0.0;
   const double square = s * s;
-  double first = p.degree * p[p.degree];
-  double second = (p.degree - 1.0) * p[p.degree - 1];
+  const auto term = [&p](int k) { return derivative_factors[static_cast<std::size_t>(k)] * p[k]; };
+  double first = term(p.degree);
+  double second = term(p.degree - 1);
   int k = p.degree - 2;
   for (; k >= 2; k -= 2) {
-    first = first * square + k * p[k];
-    second = second * square + (k - 1.0) * p[k - 1];
+    first = first * square + term(k);
+    second = second * square + term(k - 1);
   }
   if (k == 1) return (first * s + second) * s + p[1];
   return p.degree > 1 ? first * s + second : first;
 }
 
 double integral(const Polynomial& p, double end) {
-  double sum = p[p.degree] / (p.degree + 1.0);
-  for (int k = p.degree - 1; k >= 0; --k) sum = sum * end + p[k] / (k + 1.0);
+  double sum = 0.0;
+  for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * integral_factors[static_cast<std::size_t>(k)];
   return sum * end;
 }
 
@@ -204,9 +219,9 @@ bool raise_to_maximum(const Polynomial& p, double end, double& best, double& whe
   return search.raised();
 }
 
-void raise_to_largest(const Polynomial& p, double& best) {
+void raise_to_largest(const Polynomial& p, double end, double& best) {
   double where = 0.0;
-  MaximumSearch<true>(p, best, where).search(1.0);
+  MaximumSearch<true>(p, best, where).search(end);
 }
 
 }  // namespace bentur::engine

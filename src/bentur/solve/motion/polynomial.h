@@ -44,7 +44,7 @@ struct Polynomial {
 /// it did. The maximum is that of the continuous function: a root of p', found by the same proof.
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where);
 
-/// The same for |p| on [0, 1].
-void raise_to_largest(const Polynomial& p, double& best);
+/// The same for |p|.
+void raise_to_largest(const Polynomial& p, double end, double& best);
 
 }  // namespace bentur::engine

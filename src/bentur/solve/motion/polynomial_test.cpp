@@ -112,7 +112,7 @@ TEST(RaiseToLargest, IsTheLargerOfBothMaxima) {
     double highest = 0.0, lowest = 0.0, where = 0.0, largest = 0.0;
     raise_to_maximum(p, 1.0, highest, where);
     raise_to_maximum(-p, 1.0, lowest, where);
-    raise_to_largest(p, largest);
+    raise_to_largest(p, 1.0, largest);
     ASSERT_NEAR(largest, std::max(highest, lowest), 1e-15 * largest) << "case " << n;
   }
 }
@@ -122,7 +122,7 @@ TEST(FirstNegative, OverflowEndsTheSearch) {
   const double huge = 1e307;
   EXPECT_FALSE(first_negative({huge, -huge, huge, -huge, huge, -huge, huge, huge, huge}));
   double best = 0.0;
-  raise_to_largest({huge, -huge, huge, -huge, huge, -huge, huge, huge, huge}, best);
+  raise_to_largest({huge, -huge, huge, -huge, huge, -huge, huge, huge, huge}, 1.0, best);
   EXPECT_GE(best, huge);  // the ends are still taken
 }
 

@@ -59,33 +59,34 @@ double TimeGrid::length(std::size_t kind) const {
 
 double TimeGrid::start(long segment) const {
   const auto count = static_cast<long>(offsets_.size());
-  const long step = segment / count;
-  return static_cast<double>(step) * period_ + offsets_[static_cast<std::size_t>(segment % count)];
+  return start(segment / count, static_cast<std::size_t>(segment % count));
 }
 
 void TimeGrid::input(long segment, std::vector<GroundInput>& inputs) const {
   const auto count = static_cast<long>(offsets_.size());
-  const long step = segment / count;
-  const auto kind = static_cast<std::size_t>(segment % count);
+  input(segment / count, static_cast<std::size_t>(segment % count), inputs);
+}
+
+void TimeGrid::input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const {
   inputs.resize(delays_.size());
   for (std::size_t b = 0; b < delays_.size(); ++b) {
     const bool before_phase = kind < delays_[b].offset;
     const double within = offsets_[kind] - offsets_[delays_[b].offset] + (before_phase ? period_ : 0.0);
-    inputs[b] = input_at(step - delays_[b].steps - (before_phase ? 1 : 0), within);
+    inputs[b] = input_at(period - delays_[b].steps - (before_phase ? 1 : 0), within);
   }
 }
 
-GroundInput TimeGrid::input_at(long step, double within) const {
-  if (step < 0) return {};
+GroundInput TimeGrid::input_at(long period, double within) const {
+  if (period < 0) return {};
   if (const auto* sampled = std::get_if<SampledMotion>(motion_)) {
-    const auto k = static_cast<std::size_t>(step);
+    const auto k = static_cast<std::size_t>(period);
     if (k + 1 >= sampled->acceleration.size()) return {};
     const double slope = (sampled->acceleration[k + 1] - sampled->acceleration[k]) / period_;
     return {sampled->acceleration[k] + slope * within, slope};
   }
   if (const auto* harmonic = std::get_if<HarmonicMotion>(motion_)) {
     const double nu = 2.0 * std::numbers::pi / harmonic->period;
-    const double angle = nu * (static_cast<double>(step) * period_ + within);
+    const double angle = nu * (static_cast<double>(period) * period_ + within);
     const double peak = harmonic->displacement_amplitude * nu * nu;
     if (harmonic->phase == HarmonicMotion::Phase::sine) {
       return {-peak * std::sin(angle), -peak * nu * std::cos(angle)};

@@ -15,7 +15,8 @@ struct GroundInput {
 };
 
 /// Times between which the ground acceleration of every building is smooth. The pattern of lengths repeats with the
-/// record's step, so there are at most as many lengths as buildings (plus one), whatever the delays.
+/// record's step, the period of the grid, so there are at most as many lengths as buildings (plus one), whatever the
+/// delays.
 class TimeGrid {
  public:
   /// A motion without samples is cut into segments short against it only where `fine`.
@@ -25,16 +26,21 @@ class TimeGrid {
   [[nodiscard]] std::size_t kinds() const { return offsets_.size(); }
   [[nodiscard]] double length(std::size_t kind) const;  ///< [s]
   [[nodiscard]] double start(long segment) const;       ///< [s]
+  /// Of the segment of a kind in a period.
+  [[nodiscard]] double start(long period, std::size_t kind) const {
+    return static_cast<double>(period) * period_ + offsets_[kind];
+  }
 
   /// Input of each building from the start of the segment on.
   void input(long segment, std::vector<GroundInput>& inputs) const;
+  void input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const;
 
  private:
   struct Delay {
     long steps = 0;          ///< whole grid periods
     std::size_t offset = 0;  ///< index into offsets_
   };
-  [[nodiscard]] GroundInput input_at(long step, double within) const;
+  [[nodiscard]] GroundInput input_at(long period, double within) const;
 
   const GroundMotion* motion_;
   double period_ = 0;            ///< [s] the record's step, or a fraction of the governing period

@@ -82,14 +82,13 @@ Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial
   return p;
 }
 
-std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, const State& from, const State& to,
-                                                    double time) const {
+std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, const State& from,
+                                                    const Openings& openings, double time) const {
   std::optional<Event> first;
   const auto take = [&first](std::size_t point, std::size_t guard, const std::optional<double>& s) {
     if (s && (!first || *s < first->s)) first = Event{point, guard, *s};
   };
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const auto& point = system_->points[i];
     if (resting(i)) {
       Polynomial force = motion.resting_force(i);
       double size = 0.0;
@@ -98,10 +97,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       take(i, 0, first_negative(force));
       continue;
     }
-    if (states_[i].branch == 0) {
-      const double lowest = problem_->points[i].width + std::min(point.sense(from.q), point.sense(to.q));
-      if (lowest > point.sense_abs(motion.curvature()) / 8.0) continue;
-    }
+    if (states_[i].branch == 0 && openings.stays_open(i)) continue;
     const Polynomial& opening = motion.opening(i);
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
@@ -180,10 +176,11 @@ void Contacts::accumulate(const Expansion& motion, double time, double end) {
   }
 }
 
-void Contacts::note_touches(const Expansion& motion, double time, double end, const State& state) {
+void Contacts::note_touches(const Expansion& motion, const Openings& openings, double time, double end,
+                            const State& state) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i].branch != 0) continue;
-    if (penetration(i, state) < 0.0) {
+    if (openings.stays_open(i) || penetration(i, state) < 0.0) {
       touches_[i] = {};
       continue;
     }
@@ -209,7 +206,6 @@ void Contacts::forget_faded(double time) {
 }
 
 void Contacts::set(std::size_t point, const ContactState& state) {
-  ++changes_;
   states_[point] = state;
   branches_[point] = law(point).branch(state);
   forces_.pressing.clear();

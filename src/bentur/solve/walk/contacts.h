@@ -5,6 +5,7 @@
 
 #include "bentur/solve/motion/expansion.h"
 #include "bentur/solve/walk/impact_log.h"
+#include "bentur/solve/walk/openings.h"
 
 namespace bentur::engine {
 
@@ -33,13 +34,11 @@ class Contacts {
   Contacts(const ModalSystem& system, const Problem& problem, std::vector<double> tolerances, double accuracy);
 
   [[nodiscard]] const ContactForces& forces() const { return forces_; }
-  /// How often forces() have changed.
-  [[nodiscard]] long changes() const { return changes_; }
   /// No contact remembers anything, so that a free flight need only watch openings.
   [[nodiscard]] bool all_apart() const { return all_apart_; }
 
-  /// The first change in the expanded step, which began at `time`; `from` and `to` are the states at its ends.
-  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
+  /// The first change in the expanded step, which began at `time` with the state `from`; `openings` has looked at it.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Openings& openings,
                                                 double time) const;
 
   /// A change that is due at a state, looking at nothing before it.
@@ -53,9 +52,9 @@ class Contacts {
   /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way.
   void accumulate(const Expansion& motion, double time, double end);
 
-  /// Notes which open points have come into the round-off band by `end` of the expanded step, which began at `time`;
-  /// `state` is that at `end`. To be called after every step, before change().
-  void note_touches(const Expansion& motion, double time, double end, const State& state);
+  /// Notes which open points have come into the round-off band by `end` of the expanded step, which began at `time` and
+  /// at which `openings` has looked; `state` is that at `end`. To be called after every step, before change().
+  void note_touches(const Expansion& motion, const Openings& openings, double time, double end, const State& state);
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, State& state);
@@ -102,7 +101,6 @@ class Contacts {
   double fastest_ = 0;  ///< speed that modes have added up to at any event [length/s]
   bool began_ = false;
   long events_ = 0;
-  long changes_ = 0;
 };
 
 }  // namespace bentur::engine

@@ -7,77 +7,136 @@
 namespace bentur::engine {
 namespace {
 
-constexpr std::size_t most_unsettled = 4096;  // flights kept at a time
+constexpr std::size_t most_unsettled = 4096;  // legs kept at a time
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 FreeWalk::FreeWalk(const Ground& ground)
     : Walk(ground),
-      no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }),
-      openings_(system_, lumped_),
-      needed_(system_.points.size(), 0.0) {
-  for (std::size_t i = 0; i < needed_.size(); ++i) needed_[i] = std::max(0.0, -system_.points[i].sense(state_.q));
-  openings_.limit(needed_);
+      no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }) {
+  for (Neighbours& points : neighbours(system_)) {
+    WatchedRows rows(-points.sense, points.sense.cols(), kernels::Peaks::of_values);
+    const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(rows.size());
+    gaps_.push_back({std::move(points), std::move(rows), zeros});
+  }
+  for (Gaps& gaps : gaps_) {
+    for (std::size_t n = 0; n < gaps.points.count; ++n) needed_.push_back(gaps.needed.peak.data() + n);
+  }
   run_.reaches.resize(needed_.size());
-  for (std::size_t i = 0; i < needed_.size(); ++i) run_.reaches[i].push_back({0, needed_[i]});
+  for (std::size_t i = 0; i < needed_.size(); ++i) {
+    *needed_[i] = std::max(0.0, -system_.points[i].sense(state_.q));
+    run_.reaches[i].push_back({0, *needed_[i]});
+  }
 }
 
-/// To be told of how far a point reaches in the segment under way.
-void FreeWalk::reach(std::size_t i, double reach) {
+std::vector<double> FreeWalk::needed() const {
+  std::vector<double> widths;
+  for (const double* needed : needed_) widths.push_back(*needed);
+  return widths;
+}
+
+/// How far a point reaches in a segment.
+void FreeWalk::note(std::size_t i, long segment, double reach) {
   auto& reaches = run_.reaches[i];
   if (reach <= reaches.back().reach) return;
-  if (reaches.back().segment == segment()) reaches.pop_back();
-  reaches.push_back({segment(), reach});
+  if (reaches.back().segment == segment) reaches.pop_back();
+  reaches.push_back({segment, reach});
 }
 
-/// Nothing has to be cut here, so what the bound leaves open is kept, and looked into when the run is over.
-bool FreeWalk::quiet(const Flown& flown) {
-  openings_.look(flown.q, flown.q_end, flown.rise);
-  reach_.resize(needed_.size());
-  bool settled = true;
-  bool raised = false;
+bool FreeWalk::below(const std::vector<double>& reach) const {
   for (std::size_t i = 0; i < needed_.size(); ++i) {
-    const double end = -openings_.lowest(i);
-    reach_[i] = end + openings_.beyond(i);
-    reach(i, reach_[i]);
-    raised = raised || end > needed_[i];
-    needed_[i] = std::max(needed_[i], end);
-    settled = settled && reach_[i] <= needed_[i];
+    if (!(reach[i] <= *needed_[i])) return false;
   }
-  if (raised) openings_.limit(needed_);
-  if (!settled) {
-    const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
-    unsettled_.push_back({flown.flight.length(), {all(flown.q), all(flown.v)}, inputs_, reach_});
-  }
-  if (unsettled_.size() >= most_unsettled) settle();
   return true;
 }
 
+/// Notes how far the points reach in all legs of a trail that has been taken in.
+void FreeWalk::note_reaches(const Gaps& gaps, const Trail& trail) {
+  for (std::size_t n = 0; n < gaps.points.count; ++n) {
+    const auto row = static_cast<Eigen::Index>(n);
+    const double needed = gaps.needed.peak(row);
+    auto& reaches = run_.reaches[gaps.points.first + n];
+    double most = reaches.back().reach;
+    for (Eigen::Index leg = 0; leg < trail.legs(); ++leg) {
+      // What rises in between as a part of the gap needed, which may be none.
+      const double beyond = needed > 0.0 ? gaps.needed.between(leg) * needed : unbounded;
+      const double reach = gaps.needed.larger_value(row, leg) + beyond;
+      if (reach <= most) continue;
+      most = reach;
+      note(gaps.points.first + n, trail.leg(leg).segment, reach);
+    }
+  }
+}
+
+/// Nothing has to be cut here, so what bounds leave open is kept, and looked into when the run is over.
+void FreeWalk::take_trail(const Trail& trail) {
+  Walk::take_trail(trail);
+  if (trail.legs() == 0) return;
+  for (Gaps& gaps : gaps_) {
+    const Eigen::Index begin = gaps.points.begin;
+    gaps.needed.raise(trail.legs(), trail.q(0) + begin, trail.rise(0) + begin, system_.size);
+    note_reaches(gaps, trail);
+  }
+  for (Eigen::Index leg = 0; leg < trail.legs(); ++leg) {
+    bool all_settled = true;
+    for (Gaps& gaps : gaps_) all_settled = settled(gaps, trail, leg) && all_settled;
+    if (all_settled) continue;
+    const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
+    unsettled_.push_back({trail.leg(leg).length,
+                          {all(trail.q(leg)), all(trail.v(leg))},
+                          {trail.inputs(leg), trail.inputs(leg) + system_.blocks.size()},
+                          {}});
+    for (const Gaps& gaps : gaps_) {
+      const double* reach = gaps.reach.data();
+      unsettled_.back().reach.insert(unsettled_.back().reach.end(), reach, reach + gaps.points.count);
+    }
+  }
+  if (unsettled_.size() >= most_unsettled) settle();
+}
+
+/// Whether the points reach no further in a leg than they do anyway.
+bool FreeWalk::settled(Gaps& gaps, const Trail& trail, Eigen::Index leg) {
+  if (!gaps.needed.open(leg)) {
+    gaps.reach.setZero();
+    return true;
+  }
+  const Eigen::Index begin = gaps.points.begin;
+  gaps.reach.setConstant(unbounded);
+  return gaps.needed.settled(trail.q(leg) + begin, trail.q(leg + 1) + begin, trail.rise(leg) + begin, gaps.reach.data(),
+                             gaps.reach.data());
+}
+
+/// Power series are looked at together, with the rest of the trail.
 double FreeWalk::look(double /*time*/) {
+  if (stepper_.is_series()) return 1.0;
   raise(state_, next_);
-  for (std::size_t i = 0; i < needed_.size(); ++i) reach(i, needed_[i]);
+  for (std::size_t i = 0; i < needed_.size(); ++i) note(i, segment(), *needed_[i]);
   return 1.0;
 }
 
 /// Takes the expanded step, from one state to the other, into the gaps needed. Points have no width here.
 void FreeWalk::raise(const State& from, const State& to) {
-  for (std::size_t i = 0; i < needed_.size(); ++i) {
-    const auto& point = system_.points[i];
-    const double largest = std::max(-point.sense(from.q), -point.sense(to.q));
-    if (largest + point.sense_abs(motion_.curvature()) / 8.0 <= needed_[i]) continue;
-    double where = 0.0;
-    raise_to_maximum(-motion_.opening(i), 1.0, needed_[i], where);
+  for (Gaps& gaps : gaps_) {
+    const auto at = [begin = gaps.points.begin](const Eigen::VectorXd& x) { return x.data() + begin; };
+    gaps.reach.setConstant(unbounded);
+    if (gaps.needed.settled(at(from.q), at(to.q), at(motion_.rise()), gaps.reach.data(), gaps.reach.data())) continue;
+    for (std::size_t n = 0; n < gaps.points.count; ++n) {
+      const std::size_t i = gaps.points.first + n;
+      double where = 0.0;
+      if (gaps.reach(static_cast<Eigen::Index>(n)) > *needed_[i]) {
+        raise_to_maximum(-motion_.opening(i), 1.0, *needed_[i], where);
+      }
+    }
   }
 }
 
 void FreeWalk::settle() {
   for (const Unsettled& interval : unsettled_) {
-    bool settled = true;
-    for (std::size_t i = 0; i < needed_.size(); ++i) settled = settled && interval.reach[i] <= needed_[i];
-    if (settled) continue;
+    if (below(interval.reach)) continue;
     replay(interval.start, interval.inputs, interval.length,
            [this](double, const State& from, const auto&, const State& to) {
-             (void)motion_.bound();
+             (void)motion_.find_rises();
              raise(from, to);
            });
   }
@@ -85,7 +144,7 @@ void FreeWalk::settle() {
 }
 
 FreeRun FreeWalk::take_run() {
-  run_.needed = needed_;
+  run_.needed = needed();
   return std::move(run_);
 }
 

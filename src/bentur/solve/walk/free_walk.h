@@ -28,37 +28,45 @@ class FreeWalk final : public Walk {
   explicit FreeWalk(const Ground& ground);
 
   /// Per point, max(0, x_left − x_right) [length].
-  [[nodiscard]] const std::vector<double>& needed() const { return needed_; }
+  [[nodiscard]] std::vector<double> needed() const;
 
   /// After run().
   [[nodiscard]] FreeRun take_run();
 
  private:
   [[nodiscard]] const ContactForces& forces() const override { return none_; }
-  [[nodiscard]] long changes() const override { return 0; }
   [[nodiscard]] const ForceFunction& force_at() const override { return no_force_; }
   [[nodiscard]] bool may_fly() const override { return true; }
-  bool quiet(const Flown& flown) override;
+  [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override { return count; }
+  void take_trail(const Trail& trail) override;
   double look(double time) override;
   [[nodiscard]] bool settle_before(long /*segment*/) override { return true; }
   void settled_before(long /*segment*/) override { run_.checkpoints.push_back(checkpoint()); }
   void settle() override;
-  void reach(std::size_t point, double reach);
+  void note(std::size_t point, long segment, double reach);
   void raise(const State& from, const State& to);
+  [[nodiscard]] bool below(const std::vector<double>& reach) const;
 
-  /// A flight in which a gap may have been exceeded.
+  /// A leg in which a gap may have been exceeded.
   struct Unsettled {
     double length;  ///< [s]
     State start;
     std::vector<GroundInput> inputs;
     std::vector<double> reach;  ///< per point
   };
+  /// The gaps between two neighbours: peaks of −(sense_i q).
+  struct Gaps {
+    Neighbours points;
+    WatchedRows needed;
+    Eigen::VectorXd reach;  ///< in a leg
+  };
+  void note_reaches(const Gaps& gaps, const Trail& trail);
+  [[nodiscard]] bool settled(Gaps& gaps, const Trail& trail, Eigen::Index leg);
 
   const ContactForces none_;
   const ForceFunction no_force_;
-  Openings openings_;
-  std::vector<double> needed_;
-  std::vector<double> reach_;
+  std::vector<Gaps> gaps_;
+  std::vector<double*> needed_;  ///< per point, where its peak is kept
   FreeRun run_;
   std::vector<Unsettled> unsettled_;
 };

@@ -1,62 +1,84 @@
 #include "bentur/solve/walk/openings.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace bentur::engine {
 
 using Eigen::Index;
 
-Openings::Openings(const ModalSystem& system, kernels::Lumped& lumped)
-    : system_(&system),
-      lumped_(&lumped),
-      limits_(system.points.size(), 0.0),
-      lowest_(system.points.size(), 0.0),
-      beyond_(system.points.size(), 0.0) {
-  std::size_t left = 0;
+std::vector<Neighbours> neighbours(const ModalSystem& system) {
+  std::vector<Neighbours> pairs;
   for (std::size_t i = 0; i < system.points.size(); ++i) {
     const auto& point = system.points[i];
-    while (system.blocks[left].begin != point.left_begin) ++left;
-    if (pairs_.empty() || pairs_.back().left != left) {
-      Pair pair;
-      pair.left = left;
-      pair.begin = point.left_begin;
-      pair.first = i;
-      pair.count = 0;
-      pairs_.push_back(std::move(pair));
-    }
-    ++pairs_.back().count;
+    if (pairs.empty() || pairs.back().begin != point.left_begin) pairs.push_back({point.left_begin, i, 0, {}});
+    ++pairs.back().count;
   }
-  for (Pair& pair : pairs_) {
+  for (Neighbours& pair : pairs) {
     const auto& first = system.points[pair.first];
-    Eigen::MatrixXd sense(static_cast<Index>(pair.count), first.left_size + first.right_size);
+    pair.sense.resize(static_cast<Index>(pair.count), first.left_size + first.right_size);
     for (std::size_t n = 0; n < pair.count; ++n) {
       const auto& point = system.points[pair.first + n];
-      sense.row(static_cast<Index>(n)) << point.sense_left.transpose(), point.sense_right.transpose();
+      pair.sense.row(static_cast<Index>(n)) << point.sense_left.transpose(), point.sense_right.transpose();
     }
-    pair.weights = kernels::PackedRows(sense, sense.cols());
-    for (auto* list : {&pair.limits, &pair.lowest, &pair.beyond}) list->setZero(pair.weights.rows());
+  }
+  return pairs;
+}
+
+Openings::Openings(const ModalSystem& system, const std::vector<double>& widths)
+    : stride_(system.size), open_(system.points.size(), 0) {
+  for (const Neighbours& points : neighbours(system)) {
+    Pair pair{points, kernels::PackedRows(-points.sense, points.sense.cols()), {}, {}, {}, {}, {}, {}, {}};
+    const Index rows = pair.weights.rows();
+    pair.widths.setZero(rows);
+    for (std::size_t n = 0; n < points.count; ++n) pair.widths(static_cast<Index>(n)) = widths[points.first + n];
+    pair.lumped.resize(pair.weights.columns());
+    kernels::lump(pair.weights, 0, pair.weights.columns(), pair.widths.data(), pair.lumped.data());
+    for (auto* list : {&pair.peak, &pair.inverse}) list->setZero(rows);
+    pair.values.resize(rows * (Trail::most + 1));
+    for (auto* list : {&pair.shares, &pair.betweens}) list->resize(Trail::most + 1);
+    pairs_.push_back(std::move(pair));
   }
 }
 
-void Openings::limit(const std::vector<double>& limits) {
-  limits_ = limits;
+Index Openings::stay_open(const Trail& trail, Index count) {
+  const Index first = trail.legs();
+  if (count == 1) return look(trail.q(first), trail.q(first + 1), trail.rise(first)) ? 1 : 0;
   for (Pair& pair : pairs_) {
-    for (std::size_t n = 0; n < pair.count; ++n) pair.limits(static_cast<Index>(n)) = limits[pair.first + n];
-    const Index left = system_->blocks[pair.left].room;
-    const Index right = system_->blocks[pair.left + 1].room;
-    kernels::lump(pair.weights, 0, left, pair.limits.data(), lumped_->as_left.data() + pair.begin);
-    kernels::lump(pair.weights, left, right, pair.limits.data(), lumped_->as_right.data() + pair.begin + left);
+    const Index begin = pair.points.begin;
+    kernels::raise_peaks(kernels::Peaks::of_values, pair.weights, count + 1, trail.q(first) + begin, stride_,
+                         pair.peak.data(), pair.values.data());
+    kernels::largest_shares(pair.weights.rows(), count + 1, pair.values.data(), pair.widths.data(), pair.inverse.data(),
+                            pair.shares.data());
+    kernels::sums(count, trail.rise(first) + begin, stride_, pair.weights.columns(), pair.lumped.data(),
+                  pair.betweens.data());
   }
+  for (Index n = 0; n < count; ++n) {
+    bool open = true;
+    for (const Pair& pair : pairs_) {
+      open = open && std::max(pair.shares(n), pair.shares(n + 1)) + pair.betweens(n) < 1.0;
+    }
+    if (!open && !look(trail.q(first + n), trail.q(first + n + 1), trail.rise(first + n))) return n;
+  }
+  return count;
 }
 
-void Openings::look(const double* q, const double* q_end, const double* rise) {
+bool Openings::look(const double* q, const double* q_end, const double* rise) {
+  bool all_open = true;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   for (Pair& pair : pairs_) {
-    const Index begin = pair.begin;
-    kernels::lowest_of_rows(pair.weights, q + begin, q_end + begin, rise + begin, pair.lowest.data(),
-                            pair.beyond.data());
-    std::copy_n(pair.lowest.data(), pair.count, lowest_.begin() + static_cast<std::ptrdiff_t>(pair.first));
-    std::copy_n(pair.beyond.data(), pair.count, beyond_.begin() + static_cast<std::ptrdiff_t>(pair.first));
+    const Index begin = pair.points.begin;
+    pair.values.head(pair.weights.rows()).setConstant(unknown);
+    (void)kernels::reach_of_rows(kernels::Peaks::of_values, pair.weights, q + begin, q_end + begin, rise + begin,
+                                 pair.peak.data(), pair.values.data(), pair.values.data());
+    for (std::size_t n = 0; n < pair.points.count; ++n) {
+      const auto row = static_cast<Index>(n);
+      const bool open = pair.values(row) < pair.widths(row);
+      open_[pair.points.first + n] = open ? 1 : 0;
+      all_open = all_open && open;
+    }
   }
+  return all_open;
 }
 
 }  // namespace bentur::engine

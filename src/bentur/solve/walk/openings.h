@@ -2,44 +2,46 @@
 
 #include <vector>
 
-#include "bentur/solve/motion/kernels/flights.h"
-#include "bentur/solve/motion/modal_system.h"
+#include "bentur/solve/motion/trail.h"
 
 namespace bentur::engine {
 
-/// How low the openings of all contact points can come in an interval: by weights for one sum for all points between
-/// two buildings (T-4), and point by point.
+/// The contact points between two neighbours.
+struct Neighbours {
+  Eigen::Index begin = 0;            ///< first coordinate of the left building; those of the right one follow
+  std::size_t first = 0, count = 0;  ///< points
+  Eigen::MatrixXd sense;             ///< points × coordinates of both
+};
+[[nodiscard]] std::vector<Neighbours> neighbours(const ModalSystem& system);
+
+/// Proves that gaps stay open: of many flights by one sum for all points between two buildings (T-4), or point by
+/// point.
 class Openings {
  public:
-  /// Keeps the weights of that sum in `lumped`, as_left and as_right.
-  Openings(const ModalSystem& system, kernels::Lumped& lumped);
+  /// `widths`: of the gap at each point [length].
+  Openings(const ModalSystem& system, const std::vector<double>& widths);
 
-  /// What is asked of the points: −(sense_i q) is to stay below `limits`. May be called again with higher ones.
-  void limit(const std::vector<double>& limits);
+  /// How many of `count` flights after the last leg of a trail come before the first in which a gap may close.
+  [[nodiscard]] Eigen::Index stay_open(const Trail& trail, Eigen::Index count);
 
   /// Looks at every point over an interval whose coordinates leave the chords between q and q_end by `rise` at most.
-  void look(const double* q, const double* q_end, const double* rise);
-  /// What was found: the lower of sense_i q at both ends, and how far below that it can be in between [length].
-  [[nodiscard]] double lowest(std::size_t point) const { return lowest_[point]; }
-  [[nodiscard]] double beyond(std::size_t point) const { return beyond_[point]; }
-  [[nodiscard]] bool below(std::size_t point) const {
-    const double left = limits_[point] + lowest_[point];
-    return left > 0.0 && left > beyond_[point];
-  }
+  /// Whether all gaps stay open.
+  bool look(const double* q, const double* q_end, const double* rise);
+  /// Whether one of them does, as was found then.
+  [[nodiscard]] bool stays_open(std::size_t point) const { return open_[point] != 0; }
 
  private:
-  /// The points between two neighbours.
   struct Pair {
-    std::size_t left = 0;          ///< building
-    Eigen::Index begin = 0;        ///< first coordinate of the left building; those of the right one follow
-    std::size_t first = 0, count;  ///< points
-    kernels::PackedRows weights;   ///< points × coordinates: sense
-    Eigen::VectorXd limits, lowest, beyond;
+    Neighbours points;
+    kernels::PackedRows weights;  ///< −sense
+    Eigen::VectorXd widths;
+    Eigen::VectorXd lumped;                 ///< c of (T-4)
+    Eigen::VectorXd peak, inverse, values;  ///< room
+    Eigen::VectorXd shares, betweens;       ///< of flights
   };
-  const ModalSystem* system_;
-  kernels::Lumped* lumped_;
   std::vector<Pair> pairs_;
-  std::vector<double> limits_, lowest_, beyond_;
+  Eigen::Index stride_;
+  std::vector<char> open_;
 };
 
 }  // namespace bentur::engine

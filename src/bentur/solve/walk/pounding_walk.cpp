@@ -1,37 +1,41 @@
 #include "bentur/solve/walk/pounding_walk.h"
 
+#include <algorithm>
+
 namespace bentur::engine {
 
 PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, long first_contact,
                            const SolveOptions& options)
     : Walk(ground),
       first_contact_(first_contact),
-      openings_(system_, lumped_),
+      openings_(system_, gap_widths(problem_)),
       contacts_(system_, problem_, std::move(tolerances), stepper_.accuracy()),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         contacts_.forces_at(state, inputs, forces);
       }),
       sampler_(system_, problem_, options.output_step) {
-  openings_.limit(gap_widths(problem_));
   if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step);
 }
 
-bool PoundingWalk::quiet(const Flown& flown) {
-  if (segment() < first_contact_) return true;
-  openings_.look(flown.q, flown.q_end, flown.rise);
-  for (std::size_t i = 0; i < system_.points.size(); ++i) {
-    if (!openings_.below(i)) return false;
-  }
-  return true;
+Eigen::Index PoundingWalk::quiet(Eigen::Index count) {
+  if (segment() + count <= first_contact_) return count;
+  const Eigen::Index before = std::max<Eigen::Index>(first_contact_ - segment(), 0);
+  return std::max(before, openings_.stay_open(trail_, count));
+}
+
+/// Takes the step again, but only `length` [s] of it.
+void PoundingWalk::retake(double length) {
+  stepper_.retake(here(), length, motion_, next_);
+  (void)motion_.find_rises();
+  (void)openings_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
 }
 
 /// The first event of the step, which ends there if it is no power series.
 void PoundingWalk::find_event(double time) {
   if (!stepper_.is_fixed()) {
-    event_ = contacts_.next_event(motion_, state_, next_, time);
+    event_ = contacts_.next_event(motion_, state_, openings_, time);
     if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {
-      stepper_.retake(here(), event_->s * motion_.h(), motion_, next_);
-      (void)motion_.bound();
+      retake(event_->s * motion_.h());
       event_->s = 1.0;
     }
     return;
@@ -59,12 +63,12 @@ void PoundingWalk::find_event(double time) {
       before = middle;
     }
   }
-  stepper_.retake(here(), after * whole, motion_, next_);
-  (void)motion_.bound();
+  retake(after * whole);
 }
 
 double PoundingWalk::look(double time) {
   time_ = time;
+  (void)openings_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
   find_event(time);
   const double cut = event_ ? event_->s : 1.0;
   contacts_.accumulate(motion_, time, cut);
@@ -74,8 +78,9 @@ double PoundingWalk::look(double time) {
 }
 
 void PoundingWalk::arrived(double time) {
-  contacts_.note_touches(motion_, time_, event_ ? event_->s : 1.0, state_);
+  contacts_.note_touches(motion_, openings_, time_, event_ ? event_->s : 1.0, state_);
   if (!event_) return;
+  trail_.break_off();
   contacts_.change(*event_, time, state_);
   if (energy_) energy_->take_jumps(contacts_, state_);
   if (contacts_.began()) stepper_.contact_begins();

@@ -23,12 +23,12 @@ class PoundingWalk final : public Walk {
 
  private:
   [[nodiscard]] const ContactForces& forces() const override { return contacts_.forces(); }
-  [[nodiscard]] long changes() const override { return contacts_.changes(); }
   [[nodiscard]] const ForceFunction& force_at() const override { return force_at_; }
   [[nodiscard]] bool may_fly() const override { return contacts_.all_apart(); }
-  bool quiet(const Flown& flown) override;
+  [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override;
   double look(double time) override;
   void find_event(double time);
+  void retake(double length);
   void arrived(double time) override;
   [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
   [[nodiscard]] bool notes_flights() const override;

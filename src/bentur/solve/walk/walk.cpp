@@ -11,9 +11,8 @@ namespace {
 constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
 constexpr long segments_between_reports = 256;
+constexpr Eigen::Index first_ahead = 1;  // flights that are looked at together, then twice as many, and so on
 constexpr const char* not_finite = "the response is no longer a finite number";
-
-Eigen::VectorXd zeros(const ModalSystem& system) { return Eigen::VectorXd::Zero(system.size); }
 
 }  // namespace
 
@@ -25,16 +24,11 @@ Walk::Walk(const Ground& ground)
       state_{system_.initial_q, system_.initial_v},
       next_(state_),
       inputs_(system_.blocks.size()),
-      lumped_{zeros(system_), zeros(system_), zeros(system_), zeros(system_)},
+      trail_(system_, ground.plan),
+      search_(system_),
       grid_(ground.grid),
       plan_(ground.plan),
-      course_(system_, plan_),
-      search_(system_, lumped_),
-      rises_{zeros(system_), zeros(system_)},
-      sums_(system_.blocks.size()),
-      largest_ground_(system_.blocks.size(), 0.0) {
-  search_.start(state_);
-}
+      largest_ground_(system_.blocks.size(), 0.0) {}
 
 void Walk::resume(const Checkpoint& checkpoint) {
   segment_ = checkpoint.segment;
@@ -50,6 +44,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     const double left = problem_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
+    trail_.break_off();  // the ground acceleration may jump
     if (segment_ >= plan_.segments) {
       grid_.input(segment_, inputs_);
       walk(start, left >= length * (1.0 - end_slack) ? length : left);
@@ -67,58 +62,71 @@ Status Walk::run(const std::function<bool(double)>& progress) {
       if (!progress(start / problem_.duration)) return Status::stopped;
     }
   }
+  end_trail();
   search_.settle(stepper_.series(), motion_);
   settle();
   return Status::done;
 }
 
+void Walk::end_trail() {
+  take_trail(trail_);
+  trail_.clear();
+}
+
+/// For a leg that starts at a state of its own.
+void Walk::make_room() {
+  if (trail_.room() < 2) end_trail();
+}
+
 /// Flies over whole segments as long as nothing can happen; returns whether it came any further.
 bool Walk::cruise() {
-  const long first = segment_;
-  long last = std::min<long>(plan_.segments, first + Course::most);
-  const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), first);
+  make_room();
+  grid_.input(segment_, inputs_);
+  trail_.begin(state_, inputs_);
+  const Eigen::Index first = trail_.legs();
+  long last = std::min<long>(plan_.segments, segment_ + trail_.room());
+  const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), segment_);
   if (jump != plan_.jumps.end()) last = std::min(last, *jump);
-  course_.begin(state_, first);
-  for (;;) {
-    segment_ += course_.fly_on(last - segment_, lumped_);
-    if (segment_ == last) break;
-    const Eigen::Index n = course_.legs();
-    for (std::size_t b = 0; b < inputs_.size(); ++b)
-      inputs_[b] = {course_.input(n, b).value, course_.input(n, b).slope};
-    if (!quiet({course_.flights(n).front(), course_.q(n), course_.v(n), course_.q(n + 1), course_.rise(n)})) break;
-    course_.accept();
-    ++segment_;
-    if (segment_ == last) break;
+  for (Eigen::Index ahead = first_ahead; segment_ < last; ahead *= 2) {
+    const Eigen::Index count = std::min<Eigen::Index>(ahead, last - segment_);
+    trail_.fly_on(segment_, count);
+    const Eigen::Index passed = quiet(count);
+    trail_.accept(segment_, passed);
+    segment_ += passed;
+    if (passed < count) break;
   }
-  const Eigen::Index legs = course_.legs();
-  if (legs == 0) return false;
+  const Eigen::Index legs = trail_.legs();
+  if (legs == first) return false;
   const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
-  if (!all(course_.q(legs)).allFinite() || !all(course_.v(legs)).allFinite()) {
-    Eigen::Index n = 0;
-    while (all(course_.q(n + 1)).allFinite() && all(course_.v(n + 1)).allFinite()) ++n;
-    fail(not_finite, grid_.start(course_.segment(n)));
+  const auto finite = [&](Eigen::Index n) { return all(trail_.q(n)).allFinite() && all(trail_.v(n)).allFinite(); };
+  if (!finite(legs)) {
+    Eigen::Index n = first;
+    while (finite(n + 1)) ++n;
+    fail(not_finite, grid_.start(trail_.leg(n).segment));
     return true;
   }
-  search_.take_course(course_);
-  if (notes_flights()) pass_course();
-  for (Eigen::Index n = 1; n <= legs; ++n) note_ground(course_.q(n));
-  state_.q = all(course_.q(legs));
-  state_.v = all(course_.v(legs));
-  steps_ += legs;
-  if (legs == Course::most && settle_before(segment_)) {
-    search_.settle(stepper_.series(), motion_);
-    settled_before(segment_);
+  if (notes_flights()) pass_legs(first);
+  for (Eigen::Index n = first + 1; n <= legs; ++n) note_ground(trail_.q(n));
+  state_.q = all(trail_.q(legs));
+  state_.v = all(trail_.v(legs));
+  steps_ += legs - first;
+  if (trail_.room() == 0) {
+    end_trail();
+    if (settle_before(segment_)) {
+      search_.settle(stepper_.series(), motion_);
+      settled_before(segment_);
+    }
   }
   return true;
 }
 
-/// Tells of all legs.
-void Walk::pass_course() {
-  for (Eigen::Index n = 0; n < course_.legs(); ++n) {
-    std::copy_n(course_.q(n), system_.size, state_.q.data());
-    std::copy_n(course_.v(n), system_.size, state_.v.data());
-    grid_.input(course_.segment(n), inputs_);
-    pass(grid_.start(course_.segment(n)), course_.flights(n).front().length());
+/// Tells of whole segments.
+void Walk::pass_legs(Eigen::Index first) {
+  for (Eigen::Index n = first; n < trail_.legs(); ++n) {
+    std::copy_n(trail_.q(n), system_.size, state_.q.data());
+    std::copy_n(trail_.v(n), system_.size, state_.v.data());
+    inputs_.assign(trail_.inputs(n), trail_.inputs(n) + system_.blocks.size());
+    pass(grid_.start(trail_.leg(n).segment), trail_.leg(n).length);
   }
 }
 
@@ -141,20 +149,17 @@ void Walk::halve(std::size_t kind, std::size_t halvings, double start, double le
 
 /// False, and nothing has changed, when something may happen.
 bool Walk::fly(const Flights& flights, std::size_t halvings, double start, double length) {
-  flights[halvings].advance(state_, inputs_, lumped_, next_, rises_, sums_);
-  double left_sum = 0.0;
-  bool apart = true;
-  for (const kernels::Sums& sums : sums_) {
-    apart = apart && left_sum + sums.as_right < 1.0;
-    left_sum = sums.as_left;
-  }
-  if (!apart && !quiet({flights[halvings], state_.q.data(), state_.v.data(), next_.q.data(), rises_.position.data()})) {
-    return false;
-  }
+  make_room();
+  trail_.begin(state_, inputs_);
+  const Eigen::Index n = trail_.legs();
+  trail_.fly(flights, halvings, inputs_);
+  if (quiet(1) == 0) return false;
+  trail_.accept(segment_, flights, halvings, inputs_);
+  pass(start, length);
+  std::copy_n(trail_.q(n + 1), system_.size, next_.q.data());
+  std::copy_n(trail_.v(n + 1), system_.size, next_.v.data());
   end_inputs_ = inputs_;
   system_.advance(end_inputs_, length);
-  search_.take_flight(flights, halvings, {state_, next_, inputs_, end_inputs_}, rises_, sums_);
-  pass(start, length);
   arrive();
   return true;
 }
@@ -191,7 +196,7 @@ bool Walk::step(double time, double longest) {
     fail("no step is short enough to follow the contact force", time);
     return false;
   }
-  if (!motion_.bound()) {
+  if (!motion_.find_rises()) {
     fail(not_finite, time);
     return false;
   }
@@ -201,15 +206,16 @@ bool Walk::step(double time, double longest) {
 /// Takes [0, cut] of the expanded step into the peaks.
 void Walk::watch_step(double cut) {
   if (stepper_.is_series()) {
-    search_.take_step(motion_, cut, {state_, next_, inputs_, end_inputs_}, forces(), changes());
+    make_room();
+    trail_.add(segment_, {motion_, cut, state_, next_, inputs_});
     return;
   }
   force_at()(state_, inputs_, forces_);
   system_.acceleration(state_, inputs_, forces_, start_acceleration_);
   force_at()(next_, end_inputs_, forces_);
   system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
-  search_.take_approximate_step(motion_, cut, {state_, next_, inputs_, end_inputs_}, start_acceleration_,
-                                end_acceleration_);
+  search_.take({motion_, cut, state_, next_, start_acceleration_, end_acceleration_});
+  trail_.break_off();
 }
 
 void Walk::replay(State from, std::vector<GroundInput> inputs, double length, const EachStep& each) {

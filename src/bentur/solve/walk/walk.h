@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bentur/solve/motion/course.h"
 #include "bentur/solve/motion/stepper.h"
+#include "bentur/solve/motion/trail.h"
 #include "bentur/solve/response.h"
 #include "bentur/solve/walk/peak_search.h"
 
@@ -50,20 +50,15 @@ class Walk {
  protected:
   /// What the contact points do.
   [[nodiscard]] virtual const ContactForces& forces() const = 0;
-  /// How often that has changed.
-  [[nodiscard]] virtual long changes() const = 0;
   [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
   /// Whether no contact is under way or remembered, so that every building is free.
   [[nodiscard]] virtual bool may_fly() const = 0;
-  /// A flight of all buildings, by all coordinates.
-  struct Flown {
-    const Flight& flight;
-    const double *q, *v, *q_end, *rise;
-  };
-  /// Whether what the walk looks for cannot have happened in a flight which (T-4) does not settle. inputs_ are those at
-  /// its start.
-  virtual bool quiet(const Flown& flown) = 0;
-  /// Whether all peaks so far are to be found before a segment, before which a whole course has been flown.
+  /// In how many of `count` flights from segment() on, which follow the last leg of trail_, what the walk looks for
+  /// cannot have happened.
+  [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) = 0;
+  /// Takes in where the run has been; trail_ begins anew after that.
+  virtual void take_trail(const Trail& trail) { search_.take(trail); }
+  /// Whether all peaks so far are to be found before a segment, before which there have been nothing but flights.
   [[nodiscard]] virtual bool settle_before(long segment) = 0;
   /// After that.
   virtual void settled_before(long /*segment*/) {}
@@ -96,9 +91,12 @@ class Walk {
   Expansion motion_;
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
-  kernels::Lumped lumped_;           ///< of what is watched
+  Trail trail_;
+  PeakSearch search_;
 
  private:
+  void make_room();
+  void end_trail();
   [[nodiscard]] bool cruise();
   void advance(std::size_t kind, std::size_t halvings, double start, double length);
   void halve(std::size_t kind, std::size_t halvings, double start, double length);
@@ -108,15 +106,11 @@ class Walk {
   void watch_step(double cut);
   void arrive();
   void note_ground(const double* q);
-  void pass_course();
+  void pass_legs(Eigen::Index first);
   void fail(const std::string& reason, double time);
 
   const TimeGrid& grid_;
   const FlightPlan& plan_;
-  Course course_;
-  PeakSearch search_;
-  kernels::Rises rises_;                                            ///< between state_ and next_, of a flight
-  std::vector<kernels::Sums> sums_;                                 ///< of that
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room
   std::vector<GroundInput> end_inputs_;                             ///< at next_
   std::vector<double> largest_ground_;

@@ -52,10 +52,19 @@ BENTUR_INLINE Four sums_of(Four a, Four b, Four c, Four d) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
+/// The largest entry of each of four.
+BENTUR_INLINE Four largest_of(Four a, Four b, Four c, Four d) {
+  const Four ab = larger(__builtin_shufflevector(a, b, 0, 4, 2, 6), __builtin_shufflevector(a, b, 1, 5, 3, 7));
+  const Four cd = larger(__builtin_shufflevector(c, d, 0, 4, 2, 6), __builtin_shufflevector(c, d, 1, 5, 3, 7));
+  return larger(__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+}
+
 /// What powers s^k are multiplied by when they are derived, so that no loop has to convert its index.
 struct PowerFactors {
   static constexpr int powers = 32;  // more than any expansion has
   std::array<double, powers> first{}, second{}, third{}, fourth{}, next{}, scale{};
+  std::array<double, powers> rise{};         ///< max x − x^k on [0, 1]: how far s^k leaves its chord
+  std::array<double, powers> second_rise{};  ///< the same of its second derivative
 
   constexpr PowerFactors() {
     for (int k = 0; k < powers; ++k) {
@@ -66,7 +75,26 @@ struct PowerFactors {
       fourth[at] = (k - 2.0) * (k - 3.0);  // on top of the second
       next[at] = k + 1.0;
       scale[at] = 1.0 / ((k + 2.0) * (k + 1.0));
+      rise[at] = k < 2 ? 0.0 : most_above_power(k);
+      second_rise[at] = k < 4 ? 0.0 : second[at] * rise[at - 2];
     }
+  }
+
+ private:
+  static constexpr double power(double x, int k) {
+    double result = 1.0;
+    for (; k > 0; --k) result *= x;
+    return result;
+  }
+  /// max x − x^k, where k x^(k−1) = 1.
+  static constexpr double most_above_power(int k) {
+    double low = 0.0;
+    double high = 1.0;
+    for (int n = 0; n < 60; ++n) {
+      const double middle = 0.5 * (low + high);
+      (k * power(middle, k - 1) < 1.0 ? low : high) = middle;
+    }
+    return low - power(low, k);
   }
 };
 constexpr PowerFactors power_factors;
@@ -75,5 +103,6 @@ BENTUR_INLINE Four factor(const std::array<double, PowerFactors::powers>& list, 
 }
 
 BENTUR_INLINE bool any(Bits x) { return (x[0] | x[1] | x[2] | x[3]) != 0; }
+BENTUR_INLINE bool every(Bits x) { return (x[0] & x[1] & x[2] & x[3]) != 0; }
 
 }  // namespace bentur::engine::kernels

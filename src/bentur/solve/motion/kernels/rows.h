@@ -51,11 +51,14 @@ class PackedRows {
   std::vector<double> weights_;
 };
 
-/// How far each row can be from zero between two vectors when entry j rises at most `rise` above its chord; raises
+/// Peaks are of sizes |Σ_j w_rj x_j|, or of the sums themselves.
+enum class Peaks { of_sizes, of_values };
+
+/// How far each row can come between two vectors when entry j rises at most `rise` above its chord; raises
 /// `peak` by the ends. Four rows whose reaches were not above their peaks `before` are left alone. Returns whether no
 /// reach exceeds its peak.
-bool reach_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise, double* peak,
-                   const double* before, double* reach);
+bool reach_of_rows(Peaks of, const PackedRows& weights, const double* start, const double* end, const double* rise,
+                   double* peak, const double* before, double* reach);
 
 /// For every row r: the largest |Σ_j w_rj x_j| over `count` vectors x, one after the other, raises `peak`; and `reach`
 /// is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four rows whose
@@ -63,15 +66,20 @@ bool reach_of_rows(const PackedRows& weights, const double* start, const double*
 bool reach_of_samples(const PackedRows& weights, int count, const double* x, const double* rise, double* peak,
                       const double* before, double* reach);
 
-/// For every row r of a matrix of `rows` (a multiple of four) × columns: the lower of Σ_j w_rj x_j at two vectors, and
-/// how far below that it can be between them when entry j falls at most `rise` below its chord.
-void lowest_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise,
-                    double* lowest, double* beyond);
+/// Raises `peak` for every row r by `count` vectors x, `apart` apart; `values` has what rows r to r + 3 (r a multiple
+/// of four) are at vector n from entry r count + 4 n on.
+void raise_peaks(Peaks of, const PackedRows& weights, Index count, const double* x, Index apart, double* peak,
+                 double* values);
 
-/// Raises `peak` by |Σ_j w_rj x_j| for every row r and `count` vectors x, `apart` apart. `share` of a vector is then
-/// the largest of |Σ_j w_rj x_j|/peak_r over the rows. `room` has rows × count entries.
-void raise_peaks(const PackedRows& weights, Index count, const double* x, Index apart, double* peak, double* share,
-                 double* room);
+/// For each of the vectors of such values of n rows, the largest value as a part of a limit; rows of zeros have no say.
+/// `inverse` is filled with those of the limits.
+void largest_shares(Index n, Index count, const double* values, const double* limits, double* inverse, double* share);
+
+/// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `apart` apart.
+void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result);
+
+/// How many of n numbers x, a multiple of four, are larger than y.
+[[nodiscard]] Index count_above(Index n, const double* x, const double* y);
 
 /// Where |x|, |y| ≤ rest · peak for four numbers each, `open` becomes 0, elsewhere infinite; n is a multiple of four.
 void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest, double* open);

@@ -24,14 +24,12 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
   Numbers rise = random_numbers(columns, 10);
   for (double& r : rise) r = std::abs(r);
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  Numbers peak(rows, 5.0), reach(rows, unknown), ends_peak(rows, 5.0), ends_reach(rows, unknown), lowest(rows),
-      beyond(rows);
+  Numbers peak(rows, 5.0), reach(rows, unknown), ends_peak(rows, 5.0), ends_reach(rows, unknown);
   bool settled = true, ends_settled = true;
   const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
   const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
-  const bool ends_found = reach_of_rows(packed, x.data(), x.data() + columns, rise.data(), ends_peak.data(),
-                                        ends_reach.data(), ends_reach.data());
-  lowest_of_rows(packed, x.data(), x.data() + columns, rise.data(), lowest.data(), beyond.data());
+  const bool ends_found = reach_of_rows(Peaks::of_sizes, packed, x.data(), x.data() + columns, rise.data(),
+                                        ends_peak.data(), ends_reach.data(), ends_reach.data());
   for (Index r = 0; r < rows; ++r) {
     const auto at = static_cast<std::size_t>(r);
     double largest = 0.0, further = 0.0;
@@ -54,8 +52,6 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
     EXPECT_EQ(ends_reach[at], ends + further);
     EXPECT_EQ(ends_peak[at], std::max(5.0, ends));
     ends_settled = ends_settled && ends + further <= std::max(5.0, ends);
-    EXPECT_EQ(lowest[at], std::min(values[0], values[1]));
-    EXPECT_EQ(beyond[at], further);
   }
   EXPECT_EQ(found, settled);
   EXPECT_EQ(ends_found, ends_settled);
@@ -71,21 +67,34 @@ TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
   }
 }
 
-TEST(Kernels, PeaksAndSharesAreThoseOfAllVectors) {
+TEST(Kernels, ReachOfValuesIsOneSided) {
+  const PackedRows packed(Eigen::MatrixXd::Identity(4, 4), 4);
+  const Numbers start{-3, 1, 0, 2}, end{-1, -5, 0, 4}, rise{1, 1, 0, 1};
+  Numbers peak{0, 2, 0, 9}, reach(4, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(reach_of_rows(Peaks::of_values, packed, start.data(), end.data(), rise.data(), peak.data(), reach.data(),
+                            reach.data()));
+  EXPECT_EQ(reach, (Numbers{0, 2, 0, 5}));
+  EXPECT_EQ(peak, (Numbers{0, 2, 0, 9}));
+}
+
+class PeaksOf : public testing::TestWithParam<Peaks> {};
+
+TEST_P(PeaksOf, AllVectorsAndTheirShares) {
   constexpr Index rows = 6, columns = 8, apart = 11;
   constexpr int count = 9;
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
   const PackedRows packed(matrix, columns);
   const Numbers x = random_numbers(count * apart, 1);
-  Numbers peak(8, 0.0), share(count), room(8 * count), expected(rows, 0.0);
+  Numbers peak(8, 0.0), inverse(8), share(count), room(8 * count), expected(rows, 0.0);
   peak[2] = expected[2] = 100.0;  // higher than any
-  raise_peaks(packed, count, x.data(), apart, peak.data(), share.data(), room.data());
+  raise_peaks(GetParam(), packed, count, x.data(), apart, peak.data(), room.data());
+  largest_shares(8, count, room.data(), peak.data(), inverse.data(), share.data());
   Eigen::MatrixXd values(rows, count);
   for (int i = 0; i < count; ++i) {
     for (Index r = 0; r < rows; ++r) {
       double sum = 0.0;
       for (Index j = 0; j < columns; ++j) sum += matrix(r, j) * x[static_cast<std::size_t>(i * apart + j)];
-      values(r, i) = std::abs(sum);
+      values(r, i) = GetParam() == Peaks::of_sizes ? std::abs(sum) : sum;
       double& most = expected[static_cast<std::size_t>(r)];
       most = std::max(most, values(r, i));
     }
@@ -93,10 +102,23 @@ TEST(Kernels, PeaksAndSharesAreThoseOfAllVectors) {
   for (std::size_t r = 0; r < 8; ++r) EXPECT_EQ(peak[r], r < rows ? expected[r] : 0.0);
   for (int i = 0; i < count; ++i) {
     double most = 0.0;
-    for (Index r = 0; r < rows; ++r) most = std::max(most, values(r, i) / expected[static_cast<std::size_t>(r)]);
+    for (Index r = 0; r < rows; ++r)
+      most = std::max(most, values(r, i) * (1.0 / expected[static_cast<std::size_t>(r)]));
     EXPECT_EQ(share[static_cast<std::size_t>(i)], most);
     for (Index r = 0; r < rows; ++r)
       EXPECT_EQ(room[static_cast<std::size_t>(r / 4 * 4 * count + 4 * i + r % 4)], values(r, i));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, PeaksOf, testing::Values(Peaks::of_sizes, Peaks::of_values));
+
+TEST(Kernels, SumsAreDotProducts) {
+  constexpr Index n = 8, apart = 12, count = 7;
+  const Numbers x = random_numbers(count * apart, 1), w = random_numbers(n, 2);
+  Numbers result(count);
+  sums(count, x.data(), apart, n, w.data(), result.data());
+  for (Index i = 0; i < count; ++i) {
+    EXPECT_EQ(result[static_cast<std::size_t>(i)], dot(n, w.data(), x.data() + i * apart));
   }
 }
 

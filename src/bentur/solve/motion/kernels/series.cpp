@@ -5,52 +5,101 @@
 namespace bentur::engine::kernels {
 namespace {
 
-/// (T-2); `pressing` is a span, or an array of its one point, whose fields then stay in registers.
-template <class Points>
-BENTUR_INLINE void expand_with(const Points& pressing, const double* stiff, const double* damp, const double* gamma,
-                               std::span<Ground> grounds, int degree, Index stride, double* c) {
+/// What the recurrence (T-2) does with the coordinates of one building at power k, without contact.
+struct Terms {
+  const double *stiff, *damp, *gamma;
+  const double *c0, *c1;
+  double* c2;
+  Four step, scale;
+
+  BENTUR_INLINE Terms(const double* stiff_row, const double* damp_row, const double* gamma_row, Index stride, int k,
+                      double* c)
+      : stiff(stiff_row),
+        damp(damp_row),
+        gamma(gamma_row),
+        c0(c + k * stride),
+        c1(c0 + stride),
+        c2(c + (k + 2) * stride),
+        step(factor(power_factors.next, k)),
+        scale(factor(power_factors.scale, k)) {}
+
+  [[nodiscard]] BENTUR_INLINE Four own(Index j) const {
+    return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
+  }
+};
+
+/// sense · x, summed as ModalSystem::Point::sense does.
+BENTUR_INLINE double open(const Pressing& p, const double* x) {
+  return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
+         sum(product(p.left_size, p.sense_left, x + p.left_begin));
+}
+
+/// Several points that press, or none.
+BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* stiff, const double* damp,
+                              const double* gamma, std::span<Ground> grounds, int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
   const Index begin = grounds.front().begin;
   const Index end = grounds.back().begin + grounds.back().size;
-  // Summed as ModalSystem::Point::sense does.
-  const auto open = [](const Pressing& p, const double* x) __attribute__((always_inline)) {
-    return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
-           sum(product(p.left_size, p.sense_left, x + p.left_begin));
-  };
   for (const Pressing& p : pressing) p.opening[0] = open(p, c) + p.width;
   for (int k = 0; k + 2 <= degree; ++k) {
-    const Four scale = factor(power_factors.scale, k);
-    const Four step = factor(power_factors.next, k);
-    const double* c0 = c + k * stride;
-    const double* c1 = c0 + stride;
-    double* c2 = c + (k + 2) * stride;
-    const auto own = [&](Index j) __attribute__((always_inline)) {
-      return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
-    };
+    const Terms terms(stiff, damp, gamma, stride, k, c);
     if (k < 2 || driven) {
       for (Ground& ground : grounds) {
         const Four a = all(ground.next(k));
         for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
-          store(c2 + j, load(gamma + j) * a - own(j));
+          store(terms.c2 + j, load(gamma + j) * a - terms.own(j));
         }
       }
     } else {
-      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
+      for (Index j = begin; j < end; j += four) store(terms.c2 + j, -terms.own(j));
     }
     for (const Pressing& p : pressing) {
-      const double opening = open(p, c1);
+      const double opening = open(p, terms.c1);
       p.opening[k + 1] = opening;
-      double force = -p.stiffness * p.opening[k] - p.damping * step[0] * opening;
+      double force = -p.stiffness * p.opening[k] - p.damping * terms.step[0] * opening;
       if (k == 0) force += p.base;
       const auto push = [&](Index first, Index n, const double* by) __attribute__((always_inline)) {
-        for (Index j = 0; j < n; j += four) store(c2 + first + j, load(c2 + first + j) + all(force) * load(by + j));
+        double* to = terms.c2 + first;
+        for (Index j = 0; j < n; j += four) store(to + j, load(to + j) + all(force) * load(by + j));
       };
       push(p.left_begin, p.left_size, p.push_left);
       push(p.right_begin, p.right_size, p.push_right);
     }
-    for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
+    for (Index j = begin; j < end; j += four) store(terms.c2 + j, load(terms.c2 + j) * terms.scale);
   }
   for (const Pressing& p : pressing) p.opening[degree] = open(p, c + degree * stride);
+}
+
+/// One point: its force is known before the coordinates are gone over, once.
+BENTUR_INLINE void expand_one(const Pressing p, const double* stiff, const double* damp, const double* gamma,
+                              std::span<Ground> grounds, int degree, Index stride, double* c) {
+  const bool driven = grounds.front().nu_squared > 0.0;
+  p.opening[0] = open(p, c) + p.width;
+  p.opening[1] = open(p, c + stride);
+  for (int k = 0; k + 2 <= degree; ++k) {
+    const Terms terms(stiff, damp, gamma, stride, k, c);
+    double force = -p.stiffness * p.opening[k];
+    if (p.damping != 0.0) force -= p.damping * terms.step[0] * p.opening[k + 1];  // or no power waits for the last one
+    if (k == 0) force += p.base;
+    for (Ground& ground : grounds) {
+      const Index first = ground.begin;
+      const Index end = first + ground.size;
+      const double* push = first == p.left_begin ? p.push_left : first == p.right_begin ? p.push_right : nullptr;
+      const Four a = all(k < 2 || driven ? ground.next(k) : 0.0);
+      if (push != nullptr) {
+        push -= first;
+        const Four f = all(force);
+        for (Index j = first; j < end; j += four) {
+          store(terms.c2 + j, ((load(gamma + j) * a - terms.own(j)) + f * load(push + j)) * terms.scale);
+        }
+      } else {
+        for (Index j = first; j < end; j += four) {
+          store(terms.c2 + j, (load(gamma + j) * a - terms.own(j)) * terms.scale);
+        }
+      }
+    }
+    p.opening[k + 2] = open(p, terms.c2);
+  }
 }
 
 }  // namespace
@@ -59,10 +108,9 @@ BENTUR_FOR_ALL_PROCESSORS
 void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c) {
   if (pressing.size() == 1) {
-    const std::array<Pressing, 1> one{pressing[0]};
-    expand_with(one, stiff, damp, gamma, grounds, degree, stride, c);
+    expand_one(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
   } else {
-    expand_with(pressing, stiff, damp, gamma, grounds, degree, stride, c);
+    expand_all(pressing, stiff, damp, gamma, grounds, degree, stride, c);
   }
 }
 
@@ -87,28 +135,52 @@ void evaluate(Index n, const double* c, Index stride, int degree, double at, dou
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-double bound(Index n, const double* c, Index stride, int degree, double* second, double* fourth) {
+void bound(Index n, const double* c, Index stride, int degree, double end, double chord, double fourth_chord,
+           double* second, double* fourth) {
+  for (Index j = 0; j < n; j += four) {
+    Four x = all(0.0);
+    Four y = all(0.0);
+    double power = 1.0;  // end^(k − 2)
+    for (int k = 2; k <= degree; ++k) {
+      const Four term = factor(power_factors.second, k) * (all(power) * size(load(c + k * stride + j)));
+      x += term;
+      y += factor(power_factors.fourth, k) * term;
+      power *= end;
+    }
+    store(second + j, x * all(chord));
+    store(fourth + j, y * all(fourth_chord / (end * end)));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
+                    double* second_rise) {
   Four total = all(0.0);
   for (Index j = 0; j < n; j += four) {
     Four x = all(0.0);
     Four y = all(0.0);
+    double power = 1.0;  // end^(k − 2)
     for (int k = 2; k <= degree; ++k) {
-      const Four term = factor(power_factors.second, k) * size(load(c + k * stride + j));
-      x += term;
-      y += factor(power_factors.fourth, k) * term;
+      const Four term = all(power) * size(load(c + k * stride + j));
+      x += factor(power_factors.rise, k) * term;
+      y += factor(power_factors.second_rise, k) * term;
+      power *= end;
     }
-    store(second + j, x);
-    store(fourth + j, y);
+    x *= all(end * end);
+    y *= all(rate);
+    store(rise + j, x);
+    store(second_rise + j, y);
     total += x + y;
   }
   return sum(total);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void sample(Index n, const double* c, Index stride, int degree, int count, double end, double* q, double* second) {
+void sample(Index n, const double* c, Index stride, int degree, const Places& places, double* q, double* second) {
+  const auto [count, end, rate, apart] = places;
   for (Index j = 0; j < n; j += four) {
     store(q + j, load(c + j));
-    store(second + j, all(2.0) * load(c + 2 * stride + j));
+    store(second + j, all(2.0 * rate) * load(c + 2 * stride + j));
     // Four places side by side, so that none waits for another.
     for (int first = 1; first <= count; first += four) {
       Four s[four];       // NOLINT(modernize-avoid-c-arrays): registers
@@ -124,9 +196,9 @@ void sample(Index n, const double* c, Index stride, int degree, int count, doubl
         }
       }
       for (int i = 0; i < four && first + i <= count; ++i) {
-        const Index at = (first + i) * n + j;
+        const Index at = (first + i) * apart + j;
         store(q + at, (x[i] * s[i] + load(c + stride + j)) * s[i] + load(c + j));
-        store(second + at, y[i]);
+        store(second + at, y[i] * all(rate));
       }
     }
   }
@@ -190,6 +262,23 @@ Inspection inspect(const double* p, int degree, double mid, double b) {
     add(k, rest);
   }
   return {sum(end), sum(slope) / mid, sum(curvature) / (mid * mid), sum(second) / (b * b), sum(third) / (b * b * b)};
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+double leave_chord(const double* p, int degree, double end) {
+  const Four next = all((end * end) * (end * end));
+  Four power{1.0, end, end * end, end * end * end};
+  Four total = all(0.0);
+  int k = 0;
+  for (; k + 4 <= degree + 1; k += 4) {
+    total += load(power_factors.rise.data() + k) * (power * size(load(p + k)));
+    power *= next;
+  }
+  double rest = 0.0;
+  for (int i = 0; k + i <= degree; ++i) {
+    rest += power_factors.rise[static_cast<std::size_t>(k + i)] * (power[i] * std::abs(p[k + i]));
+  }
+  return sum(total) + rest;
 }
 
 BENTUR_FOR_ALL_PROCESSORS

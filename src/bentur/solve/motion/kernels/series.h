@@ -40,11 +40,23 @@ void expand(const double* stiff, const double* damp, const double* gamma, std::s
 /// Position, dq/ds and d²q/ds² at s, of n coordinates whose coefficients begin at `c`.
 void evaluate(Index n, const double* c, Index stride, int degree, double s, double* q, double* first, double* second);
 
-/// Σ k(k−1)|c_k| and Σ k(k−1)(k−2)(k−3)|c_k| of n coordinates; returns a sum that is finite only where all of them are.
-double bound(Index n, const double* c, Index stride, int degree, double* second, double* fourth);
+/// `chord` times a bound of the second derivatives of n polynomials on [0, end], Σ k(k−1)|c_k| end^{k−2}, and
+/// `fourth_chord` times that of the fourth ones.
+void bound(Index n, const double* c, Index stride, int degree, double end, double chord, double fourth_chord,
+           double* second, double* fourth);
 
-/// Position and d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `n` apart.
-void sample(Index n, const double* c, Index stride, int degree, int count, double end, double* q, double* second);
+/// How far n polynomials, and `rate` times their second derivatives, leave the chords between 0 and `end` at most: a
+/// power s^k leaves its chord by max x − x^k of end^k. Returns a sum that is finite only where all of these are.
+double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
+                    double* second_rise);
+
+/// Position and `rate` times d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `apart` apart.
+struct Places {
+  int count;
+  double end, rate;
+  Index apart;
+};
+void sample(Index n, const double* c, Index stride, int degree, const Places& places, double* q, double* second);
 
 /// q̈ = γ a − Ω² q − D q̇ of n coordinates.
 void accelerate(Index n, const double* omega_squared, const double* two_sigma, const double* gamma, double value,
@@ -64,6 +76,9 @@ struct Inspection {
   double end = 0, slope = 0, curvature = 0, second = 0, third = 0;
 };
 [[nodiscard]] Inspection inspect(const double* p, int degree, double mid, double b);
+
+/// How far p leaves the chord between 0 and `end` at most; see leave_chords().
+[[nodiscard]] double leave_chord(const double* p, int degree, double end);
 
 /// A stage of a Runge-Kutta step of n coordinates from the slopes of `count` stages before it, `stride` apart:
 ///   q_at = q + after v + h² Σ positions_j slope_j,   v_at = v + h Σ speeds_j slope_j.

@@ -57,7 +57,7 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
   constexpr int degree = 20, parts = 5;
   const Numbers c = random_numbers(n * (degree + 1), 7);
   Numbers q(n), first(n), second(n), samples(n * (parts + 1)), seconds(n * (parts + 1));
-  sample(n, c.data(), n, degree, parts, 0.75, samples.data(), seconds.data());
+  sample(n, c.data(), n, degree, {parts, 0.75, 3.0, n}, samples.data(), seconds.data());
   for (int i = 0; i <= parts; ++i) {
     const double s = i == parts ? 0.75 : 0.75 * i / parts;
     evaluate(n, c.data(), n, degree, s, q.data(), first.data(), second.data());
@@ -74,28 +74,72 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
       EXPECT_EQ(first[static_cast<std::size_t>(j)], y);
       EXPECT_EQ(second[static_cast<std::size_t>(j)], z);
       EXPECT_EQ(samples[at], x);
-      EXPECT_EQ(seconds[at], z);
+      EXPECT_DOUBLE_EQ(seconds[at], 3.0 * z);
     }
   }
 }
 
 TEST(Kernels, BoundsSumAllTerms) {
+  constexpr double end = 0.7;
   constexpr Index n = 4;
   constexpr int degree = 6;
   Numbers c = random_numbers(n * (degree + 1), 11), second(n), fourth(n);
-  EXPECT_TRUE(std::isfinite(bound(n, c.data(), n, degree, second.data(), fourth.data())));
+  bound(n, c.data(), n, degree, end, 3.0, 5.0, second.data(), fourth.data());
   for (Index j = 0; j < n; ++j) {
     double two = 0.0, four = 0.0;
     for (int k = 2; k <= degree; ++k) {
       const double term = k * (k - 1.0) * std::abs(c[static_cast<std::size_t>(k * n + j)]);
-      two += term;
-      four += (k - 2.0) * (k - 3.0) * term;
+      two += term * std::pow(end, k - 2);
+      four += (k - 2.0) * (k - 3.0) * term * std::pow(end, k - 4);
     }
-    EXPECT_EQ(second[static_cast<std::size_t>(j)], two);
-    EXPECT_EQ(fourth[static_cast<std::size_t>(j)], four);
+    EXPECT_NEAR(second[static_cast<std::size_t>(j)], 3.0 * two, 1e-14 * two);
+    EXPECT_NEAR(fourth[static_cast<std::size_t>(j)], 5.0 * four, 1e-14 * four);
+  }
+}
+
+TEST(Kernels, PolynomialsStayWithinTheirRiseOfTheChord) {
+  constexpr Index n = 4;
+  constexpr double end = 0.8, rate = 3.0;
+  const auto leave = [&](const Numbers& c, int degree, Numbers& rise, Numbers& second_rise) {
+    return leave_chords(n, c.data(), n, degree, end, rate, rise.data(), second_rise.data());
+  };
+  Numbers rise(n), second_rise(n);
+  // A single power: the largest distance is reached, or the bound would be too wide.
+  for (int power = 2; power <= 26; ++power) {
+    Numbers c(n * 27, 0.0);
+    c[static_cast<std::size_t>(power * n)] = -2.0;
+    EXPECT_TRUE(std::isfinite(leave(c, 26, rise, second_rise)));
+    double farthest = 0.0, second_farthest = 0.0;
+    for (int i = 0; i <= 10000; ++i) {
+      const double s = end * i / 10000.0;
+      const auto from_chord = [&](double factor, int k) {
+        return std::abs(factor * (std::pow(s, k) - (k == 0 ? 1.0 : std::pow(end, k - 1) * s)));
+      };
+      farthest = std::max(farthest, from_chord(2.0, power));
+      second_farthest = std::max(second_farthest, from_chord(2.0 * rate * power * (power - 1.0), power - 2));
+    }
+    EXPECT_LE(farthest, rise[0] * (1.0 + 1e-12));
+    EXPECT_NEAR(farthest, rise[0], 1e-6 * rise[0]);
+    EXPECT_LE(second_farthest, second_rise[0] * (1.0 + 1e-12) + (power < 4 ? 1e-9 : 0.0));
+    EXPECT_NEAR(second_farthest, second_rise[0], 1e-6 * second_rise[0] + (power < 4 ? 1e-9 : 0.0));
+  }
+  // Many: none is farther.
+  constexpr int degree = 9;
+  Numbers c = random_numbers(n * (degree + 1), 11);
+  EXPECT_TRUE(std::isfinite(leave(c, degree, rise, second_rise)));
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto at = [&](double s) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k <= degree; ++k) sum += c[k * n + j] * std::pow(s, k);
+      return sum;
+    };
+    for (int i = 0; i <= 100; ++i) {
+      const double s = end * i / 100.0;
+      EXPECT_LE(std::abs(at(s) - at(0) - (at(end) - at(0)) * i / 100.0), rise[j]);
+    }
   }
   c.back() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(std::isfinite(bound(n, c.data(), n, degree, second.data(), fourth.data())));
+  EXPECT_FALSE(std::isfinite(leave(c, degree, rise, second_rise)));
 }
 
 TEST(Kernels, OpeningsAreSummedAsTwoProducts) {

@@ -1,0 +1,34 @@
+#include "bentur/solve/walk/watched_rows.h"
+
+#include "bentur/solve/motion/trail.h"
+
+namespace bentur::engine {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+WatchedRows::WatchedRows(const Eigen::MatrixXd& weights, Index columns, kernels::Peaks of)
+    : of_(of),
+      weights_(weights, columns),
+      lumped_(VectorXd::Zero(columns)),
+      shares_(Trail::most + 1),
+      betweens_(Trail::most) {
+  peak.setZero(weights_.rows());
+  inverse_.setZero(weights_.rows());
+  values_.resize(weights_.rows() * (Trail::most + 1));
+}
+
+void WatchedRows::raise(Index legs, const double* x, const double* rise, Index apart) {
+  ends_ = legs + 1;
+  kernels::raise_peaks(of_, weights_, ends_, x, apart, peak.data(), values_.data());
+  kernels::largest_shares(size(), ends_, values_.data(), peak.data(), inverse_.data(), shares_.data());
+  kernels::lump(weights_, 0, weights_.columns(), peak.data(), lumped_.data());
+  kernels::sums(legs, rise, apart, weights_.columns(), lumped_.data(), betweens_.data());
+}
+
+void WatchedRows::open_fours(Index leg, double* before) const {
+  const double* at = values_.data() + 4 * leg;
+  kernels::open_groups(size(), at, at + 4, ends_, peak.data(), 1.0 - betweens_(leg), before);
+}
+
+}  // namespace bentur::engine
