@@ -123,14 +123,14 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
 
 kernels::FlightInput Flight::input(const GroundInput& ground) const {
   const double nu = system_->nu;
-  kernels::FlightInput in{ground.value, ground.slope, 0.0, 0.0, 0.0};
-  in.largest = nu > 0.0 ? std::hypot(in.value, in.slope / nu)
-                        : std::max(std::abs(in.value), std::abs(in.value + in.slope * length_));
-  in.steepest = nu > 0.0 ? nu * in.largest : std::abs(in.slope);
+  if (nu == 0.0) {
+    const double end = ground.value + ground.slope * length_;
+    return {ground.value, ground.slope, std::max(std::abs(ground.value), std::abs(end)), std::abs(ground.slope), end};
+  }
+  const double largest = std::hypot(ground.value, ground.slope / nu);
   GroundInput end = ground;
   system_->advance(end, length_);
-  in.end = end.value;
-  return in;
+  return {ground.value, ground.slope, largest, nu * largest, end.value};
 }
 
 void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::Leg& leg) const {

@@ -1,9 +1,9 @@
 #include "bentur/solve/motion/polynomial.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "bentur/solve/motion/kernels/series.h"
 
@@ -12,6 +12,9 @@ namespace {
 
 /// Below this part of s an interval is a point.
 constexpr double smallest_width = 1e-13;
+/// A search by steps that comes no further than this part of s goes on by halves, or if it takes so many.
+constexpr double least_progress = 1e-3;
+constexpr int most_steps = 16;
 /// A maximum is not refined beyond this part of its value.
 constexpr double round_off = 1e-16;
 
@@ -26,15 +29,43 @@ constexpr auto integral_factors = [] {
   return factors;
 }();
 
-/// Root of the continuous f between a and b, where fa and fb differ in sign (or are zero).
+kernels::Derivatives derivatives(const Polynomial& p, double s) {
+  return kernels::derivatives(p.coefficients.data(), p.degree, s);
+}
+
+/// The root of a function between a and b, where it is fa and fb, of different signs or zero. `f` gives value and
+/// slope: Newton's method, kept between the places where the sign is known.
 template <class Function>
 double bracketed_root(const Function& f, double a, double b, double fa, double fb) {
   if (fa == 0.0) return a;
   if (fb == 0.0) return b;
-  std::uintmax_t iterations = 100;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (low + high);
+  constexpr int most = 100;
+  double s = a - fa * (b - a) / (fb - fa);
+  for (int n = 0; n < most; ++n) {
+    const auto [value, slope] = f(s);
+    ((value < 0.0) == (fa < 0.0) ? a : b) = s;
+    const double step = value / slope;
+    if (std::abs(step) <= std::numeric_limits<double>::epsilon() * s || !(a < b)) return s;
+    s -= step;
+    if (!(s > a && s < b)) s = 0.5 * (a + b);
+  }
+  return s;
+}
+
+double root_of_value(const Polynomial& p, double a, double b, double pa, double pb) {
+  const auto f = [&p](double s) {
+    const kernels::Derivatives at = derivatives(p, s);
+    return std::make_pair(at.value, at.slope);
+  };
+  return bracketed_root(f, a, b, pa, pb);
+}
+
+double root_of_slope(const Polynomial& p, double a, double b, double da, double db) {
+  const auto f = [&p](double s) {
+    const kernels::Derivatives at = derivatives(p, s);
+    return std::make_pair(at.slope, at.curvature);
+  };
+  return bracketed_root(f, a, b, da, db);
 }
 
 kernels::Inspection inspect(const Polynomial& p, double mid, double b) {
@@ -47,8 +78,25 @@ class CrossingSearch {
 
   /// First crossing in (0, 1], given p(0) ≥ 0.
   std::optional<double> search() const {
-    const kernels::Inspection at = inspect(p_, 0.5, 1.0);
-    return search(0.0, 1.0, p_[0], at.end, at);
+    const kernels::Survey all = kernels::survey(p_.coefficients.data(), p_.degree, 1.0);
+    if (!std::isfinite(all.second)) return std::nullopt;  // numbers have overflowed: nothing can be proven
+    if (std::min(p_[0], all.end) >= all.rise) return std::nullopt;
+    kernels::Derivatives at{p_[0], p_[1], 0.0};
+    double a = 0.0;
+    for (int n = 0; n < most_steps; ++n) {
+      const double safe = safe_step(at, all.second);
+      if (a + safe >= 1.0) return std::nullopt;
+      if (safe <= 0.25 * std::numeric_limits<double>::epsilon() * a) {
+        // Where p only touches zero its slope goes with the root of its value.
+        if (at.slope < 0.0 && at.slope * at.slope > 2.0 * all.second * at.value) return a;
+        break;
+      }
+      if (n == 1 && safe < least_progress) break;
+      a += safe;
+      at = derivatives(p_, a);
+      if (at.value < 0.0) return a;  // round-off: nothing before it is
+    }
+    return search(a, 1.0, at.value, all.end);
   }
 
  private:
@@ -76,16 +124,20 @@ class CrossingSearch {
     return search(mid, b, pm, pb);
   }
 
-  double crossing(double a, double b, double pa, double pb) const {
-    return bracketed_root([this](double s) { return value(p_, s); }, a, b, pa, pb);
+  /// Largest d for which value + slope d − bound d²/2 ≥ 0.                                                    (T-6)
+  static double safe_step(const kernels::Derivatives& at, double bound) {
+    const double root = std::sqrt(at.slope * at.slope + 2.0 * bound * at.value);
+    return at.slope < 0.0 ? 2.0 * at.value / (root - at.slope) : (at.slope + root) / bound;
   }
+
+  double crossing(double a, double b, double pa, double pb) const { return root_of_value(p_, a, b, pa, pb); }
 
   std::optional<double> search_convex(double a, double b, double pa, double pb) const {
     if (pb < 0.0) return crossing(a, b, pa, pb);
     const double da = first_derivative(p_, a);
     const double db = first_derivative(p_, b);
     if (da >= 0.0 || db <= 0.0) return std::nullopt;
-    const double lowest = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
+    const double lowest = root_of_slope(p_, a, b, da, db);
     const double pl = value(p_, lowest);
     return pl < 0.0 ? std::optional(crossing(a, lowest, pa, pl)) : std::nullopt;
   }
@@ -101,10 +153,9 @@ class MaximumSearch {
 
   /// On [0, end].
   void search(double end) {
-    const double at_end = value(p_, end);
-    const double rise = kernels::leave_chord(p_.coefficients.data(), p_.degree, end);
-    if (std::max(measure(p_[0]), measure(at_end)) + rise <= best_) return;
-    search(0.0, end, p_[0], at_end);
+    const kernels::Survey all = kernels::survey(p_.coefficients.data(), p_.degree, end);
+    if (std::max(measure(p_[0]), measure(all.end)) + all.rise <= best_) return;
+    search(0.0, end, p_[0], value(p_, end));
   }
 
   [[nodiscard]] bool raised() const { return raised_; }
@@ -125,12 +176,12 @@ class MaximumSearch {
     }
     if (std::abs(at.slope) > at.second * width / 2.0) return;  // monotone: the ends were taken
     if (std::abs(at.curvature) > at.third * width / 2.0) {     // p' is monotone: one turning point
-      const double da = first_derivative(p_, a);
-      const double db = first_derivative(p_, b);
+      const double da = derivatives(p_, a).slope;
+      const double db = derivatives(p_, b).slope;
       if ((da > 0.0 && db < 0.0) || (absolute && da < 0.0 && db > 0.0)) {
         const double tangents_meet = (pb - pa - db * width) / (da - db);  // after a; p stays on one side of both
         if (measure(pa + da * tangents_meet) <= best_) return;
-        const double top = bracketed_root([this](double s) { return first_derivative(p_, s); }, a, b, da, db);
+        const double top = root_of_slope(p_, a, b, da, db);
         take(value(p_, top), top);
       }
       return;
@@ -198,15 +249,23 @@ double first_derivative(const Polynomial& p, double s) {
   return p.degree > 1 ? first * s + second : first;
 }
 
+Polynomial second_derivative(const Polynomial& p, double rate) {
+  Polynomial second;
+  second.degree = std::max(p.degree - 2, 0);
+  for (int k = 0; k + 2 <= p.degree; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    second[k] = p[k + 2] * (derivative_factors[at + 2] * derivative_factors[at + 1] * rate);
+  }
+  return second;
+}
+
 double integral(const Polynomial& p, double end) {
   double sum = 0.0;
   for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * integral_factors[static_cast<std::size_t>(k)];
   return sum * end;
 }
 
-double root(const Polynomial& p, double a, double b) {
-  return bracketed_root([&p](double s) { return value(p, s); }, a, b, value(p, a), value(p, b));
-}
+double root(const Polynomial& p, double a, double b) { return root_of_value(p, a, b, value(p, a), value(p, b)); }
 
 std::optional<double> first_negative(const Polynomial& p) {
   if (p[0] < 0.0) return 0.0;

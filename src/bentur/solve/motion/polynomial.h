@@ -26,6 +26,8 @@ struct Polynomial {
 
 [[nodiscard]] double value(const Polynomial& p, double s);
 [[nodiscard]] double first_derivative(const Polynomial& p, double s);
+/// p'' times `rate`.
+[[nodiscard]] Polynomial second_derivative(const Polynomial& p, double rate);
 /// ∫ p ds from 0 to `end`.
 [[nodiscard]] double integral(const Polynomial& p, double end);
 
@@ -34,10 +36,11 @@ struct Polynomial {
 
 /// The first s in [0, 1] where p becomes negative, or nothing when p ≥ 0 on all of [0, 1].
 ///
-/// The answer is proven (docs/theory/exact-solver.md, Events): with |p''| ≤ B₂ on the interval, two ends above B₂w²/8
-/// exclude a negative value in between; otherwise the interval is one where p or p' is monotone (|p'(mid)| > B₂w/2,
-/// |p''(mid)| > B₃w/2), which settles it with one bracketed root, or it is halved. So the only limit is round-off of p
-/// itself, about degree · 1e-16 · Σ|p_k|; a touch from above (p = 0, not negative) is no crossing.
+/// The answer is proven (docs/theory/exact-solver.md, Events): by steps that cannot pass a crossing (T-6), and where
+/// these get short by halves: with |p''| ≤ B₂ on an interval, two ends above B₂w²/8 exclude a negative value in
+/// between; otherwise p or p' is monotone in it (|p'(mid)| > B₂w/2, |p''(mid)| > B₃w/2), which settles it with one
+/// bracketed root, or it is halved. So the only limit is round-off of p itself, about degree · 1e-16 · Σ|p_k|; a touch
+/// from above (p = 0, not negative) is no crossing.
 [[nodiscard]] std::optional<double> first_negative(const Polynomial& p);
 
 /// Raises `best` to the maximum of p on [0, end] where that is larger, and sets `where` to its place; returns whether

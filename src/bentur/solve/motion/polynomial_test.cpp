@@ -117,6 +117,38 @@ TEST(RaiseToLargest, IsTheLargerOfBothMaxima) {
   }
 }
 
+TEST(FirstNegative, TouchesInTheMiddleOrAtTheEndAreNoCrossings) {
+  EXPECT_FALSE(first_negative({0.25, -1.0, 1.0}));        // (s − 1/2)²
+  EXPECT_FALSE(first_negative({0.25, -0.75, 0.0, 1.0}));  // (s − 1/2)² (s + 1)
+  EXPECT_FALSE(first_negative({1.0, -2.0, 1.0}));         // (s − 1)²
+  EXPECT_FALSE(first_negative({}));
+}
+
+TEST(FirstNegative, StartsAtRestOnZero) {
+  EXPECT_FALSE(first_negative({0.0, 0.0, 1.0}));
+  EXPECT_NEAR(first_negative({0.0, 0.0, -1.0}).value(), 0.0, 1e-100);
+  EXPECT_EQ(first_negative({0.0, -1.0, 2.0}), 0.0);
+  EXPECT_NEAR(first_negative({0.0, 0.0, 0.5, -1.0}).value(), 0.5, 1e-15);
+  EXPECT_NEAR(first_negative({0.0, 1e-9, -1.0}).value(), 1e-9, 1e-24);
+  EXPECT_NEAR(first_negative({0.0, 1.0, -4.0}).value(), 0.25, 1e-16);
+  EXPECT_NEAR(first_negative({0.5, -1.0}).value(), 0.5, 1e-16);
+}
+
+TEST(SecondDerivative, IsThatOfEveryPower) {
+  const Polynomial p{5.0, 4.0, 3.0, 2.0, 1.0};
+  const Polynomial second = second_derivative(p, 0.5);
+  EXPECT_EQ(second[0], 3.0);
+  EXPECT_EQ(second[1], 6.0);
+  EXPECT_EQ(second[2], 6.0);
+  EXPECT_EQ(value(second_derivative({1.0, 2.0}, 1.0), 0.3), 0.0);
+}
+
+TEST(RaiseToLargest, LeavesOutWhatIsBeyondTheEnd) {
+  double best = 0.1;
+  raise_to_largest({0.0, 1.0, -1.0}, 0.25, best);  // 1/4 at 1/2
+  EXPECT_EQ(best, 0.1875);
+}
+
 TEST(FirstNegative, OverflowEndsTheSearch) {
   // Bounds of infinity can prove nothing; the search must end all the same (the solver reports the overflow).
   const double huge = 1e307;

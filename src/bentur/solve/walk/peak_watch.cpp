@@ -117,9 +117,7 @@ void PeakWatch::scan(std::size_t b, const Curves& step, const double* reach) {
   for (Index f = 0; f < accelerations.size(); ++f) {
     if (!(reach[positions.size() + f] > accelerations.peak(f))) continue;
     combine(accelerations, f);
-    row.degree -= 2;
-    for (int k = 0; k <= row.degree; ++k) row[k] = row[k + 2] * ((k + 2.0) * (k + 1.0) * rate);
-    raise_to_largest(row, step.end, accelerations.peak(f));
+    raise_to_largest(second_derivative(row, rate), step.end, accelerations.peak(f));
   }
 }
 

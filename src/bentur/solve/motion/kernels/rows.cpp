@@ -102,6 +102,15 @@ BENTUR_INLINE void raise(const PackedRows& rows, Index count, const double* x, I
   if (r < rows.rows()) raise_groups<of, 1>(rows, r, count, x, apart, peak, values);
 }
 
+/// Of sums().
+BENTUR_INLINE void sum_products(Index count, const double* x, Index apart, Index n, const double* weights,
+                                double* result) {
+  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * apart); };
+  Index i = 0;
+  for (; i + four <= count; i += four) store(result + i, sums_of(one(i), one(i + 1), one(i + 2), one(i + 3)));
+  for (; i < count; ++i) result[i] = sum(one(i));
+}
+
 }  // namespace
 
 PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
@@ -189,10 +198,7 @@ void largest_shares(Index n, Index count, const double* values, const double* li
 
 BENTUR_FOR_ALL_PROCESSORS
 void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result) {
-  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * apart); };
-  Index i = 0;
-  for (; i + four <= count; i += four) store(result + i, sums_of(one(i), one(i + 1), one(i + 2), one(i + 3)));
-  for (; i < count; ++i) result[i] = sum(one(i));
+  sum_products(count, x, apart, n, weights, result);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -229,7 +235,7 @@ BENTUR_FOR_ALL_PROCESSORS
 void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* room,
              double* polynomial) {
   for (Index j = 0; j < rows.columns(); ++j) room[j] = rows(r, j);
-  for (int k = 0; k <= degree; ++k) polynomial[k] = sum(product(rows.columns(), room, c + k * stride));
+  sum_products(degree + 1, c, stride, rows.columns(), room, polynomial);
 }
 
 }  // namespace bentur::engine::kernels

@@ -34,7 +34,7 @@ BENTUR_INLINE double open(const Pressing& p, const double* x) {
          sum(product(p.left_size, p.sense_left, x + p.left_begin));
 }
 
-/// Several points that press, or none.
+/// Several points that press.
 BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* stiff, const double* damp,
                               const double* gamma, std::span<Ground> grounds, int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
@@ -70,6 +70,21 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
   for (const Pressing& p : pressing) p.opening[degree] = open(p, c + degree * stride);
 }
 
+/// None.
+BENTUR_INLINE void expand_free(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
+                               int degree, Index stride, double* c) {
+  const bool driven = grounds.front().nu_squared > 0.0;
+  for (Ground& ground : grounds) {
+    for (int k = 0; k + 2 <= degree; ++k) {
+      const Terms terms(stiff, damp, gamma, stride, k, c);
+      const Four a = all(k < 2 || driven ? ground.next(k) : 0.0);
+      for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
+        store(terms.c2 + j, (load(gamma + j) * a - terms.own(j)) * terms.scale);
+      }
+    }
+  }
+}
+
 /// One point: its force is known before the coordinates are gone over, once.
 BENTUR_INLINE void expand_one(const Pressing p, const double* stiff, const double* damp, const double* gamma,
                               std::span<Ground> grounds, int degree, Index stride, double* c) {
@@ -102,12 +117,80 @@ BENTUR_INLINE void expand_one(const Pressing p, const double* stiff, const doubl
   }
 }
 
+/// Hands terms p_k s^k to p_{k+3} s^{k+3} on, for k = 0, 4, …
+template <class Take>
+BENTUR_INLINE void in_fours(const double* p, int degree, double s, const Take& take) {
+  const double square = s * s;
+  Four powers{1.0, s, square, square * s};
+  const Four next = all(square * square);
+  int k = 0;
+  for (; k + 4 <= degree + 1; k += 4) {
+    take(k, load(p + k) * powers);
+    powers *= next;
+  }
+  if (k <= degree) {
+    Four rest = all(0.0);
+    for (int i = 0; k + i <= degree; ++i) rest[i] = p[k + i];
+    take(k, rest * powers);
+  }
+}
+
+/// The same for two buildings of four coordinates each, which stay in registers.
+BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, const double* damp, const double* gamma,
+                                      std::span<Ground> grounds, int degree, Index stride, double* c) {
+  const Index l = p.left_begin;
+  const Index r = p.right_begin;
+  const bool driven = grounds[0].nu_squared > 0.0;
+  struct Building {
+    Four stiff, damp, gamma, push, sense, c0, c1;
+  };
+  Building left{load(stiff + l),    load(damp + l), load(gamma + l),     load(p.push_left),
+                load(p.sense_left), load(c + l),    load(c + stride + l)};
+  Building right{load(stiff + r),     load(damp + r), load(gamma + r),     load(p.push_right),
+                 load(p.sense_right), load(c + r),    load(c + stride + r)};
+  const auto open = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
+    return sum(right.sense * of_right) + sum(left.sense * of_left);
+  };
+  double opening = open(left.c0, right.c0) + p.width;
+  double next_opening = open(left.c1, right.c1);
+  p.opening[0] = opening;
+  p.opening[1] = next_opening;
+  for (int k = 0; k + 2 <= degree; ++k) {
+    const Four step = factor(power_factors.next, k);
+    const Four scale = factor(power_factors.scale, k);
+    double force = -p.stiffness * opening;
+    if (p.damping != 0.0) force -= p.damping * step[0] * next_opening;
+    if (k == 0) force += p.base;
+    const auto advance = [&](Building & b, double a) __attribute__((always_inline)) {
+      const Four own = b.stiff * b.c0 + step * b.damp * b.c1;
+      b.c0 = b.c1;
+      b.c1 = ((b.gamma * all(a) - own) + all(force) * b.push) * scale;
+    };
+    const bool shaken = k < 2 || driven;
+    const double a_left = shaken ? grounds[0].next(k) : 0.0;
+    const double a_right = shaken ? grounds[1].next(k) : 0.0;
+    advance(left, a_left);
+    advance(right, a_right);
+    double* c2 = c + (k + 2) * stride;
+    store(c2 + l, left.c1);
+    store(c2 + r, right.c1);
+    opening = next_opening;
+    next_opening = open(left.c1, right.c1);
+    p.opening[k + 2] = next_opening;
+  }
+}
+
 }  // namespace
 
 BENTUR_FOR_ALL_PROCESSORS
 void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c) {
-  if (pressing.size() == 1) {
+  const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
+  if (pressing.empty()) {
+    expand_free(stiff, damp, gamma, grounds, degree, stride, c);
+  } else if (pressing.size() == 1 && two_of_four) {
+    expand_two_of_four(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
+  } else if (pressing.size() == 1) {
     expand_one(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
   } else {
     expand_all(pressing, stiff, damp, gamma, grounds, degree, stride, c);
@@ -265,20 +348,33 @@ Inspection inspect(const double* p, int degree, double mid, double b) {
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-double leave_chord(const double* p, int degree, double end) {
-  const Four next = all((end * end) * (end * end));
-  Four power{1.0, end, end * end, end * end * end};
-  Four total = all(0.0);
-  int k = 0;
-  for (; k + 4 <= degree + 1; k += 4) {
-    total += load(power_factors.rise.data() + k) * (power * size(load(p + k)));
-    power *= next;
-  }
-  double rest = 0.0;
-  for (int i = 0; k + i <= degree; ++i) {
-    rest += power_factors.rise[static_cast<std::size_t>(k + i)] * (power[i] * std::abs(p[k + i]));
-  }
-  return sum(total) + rest;
+Survey survey(const double* p, int degree, double end) {
+  Four value = all(0.0);
+  Four rise = all(0.0);
+  Four second = all(0.0);
+  in_fours(
+      p, degree, end, [&](int k, Four term) __attribute__((always_inline)) {
+        const Four most = size(term);
+        value += term;
+        rise += load(power_factors.rise.data() + k) * most;
+        second += load(power_factors.second.data() + k) * most;
+      });
+  return {sum(value), sum(rise), sum(second) / (end * end)};
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Derivatives derivatives(const double* p, int degree, double s) {
+  if (s == 0.0) return {p[0], p[1], 2.0 * p[2]};
+  Four value = all(0.0);
+  Four slope = all(0.0);
+  Four curvature = all(0.0);
+  in_fours(
+      p, degree, s, [&](int k, Four term) __attribute__((always_inline)) {
+        value += term;
+        slope += load(power_factors.first.data() + k) * term;
+        curvature += load(power_factors.second.data() + k) * term;
+      });
+  return {sum(value), sum(slope) / s, sum(curvature) / (s * s)};
 }
 
 BENTUR_FOR_ALL_PROCESSORS

@@ -46,7 +46,7 @@ void bound(Index n, const double* c, Index stride, int degree, double end, doubl
            double* second, double* fourth);
 
 /// How far n polynomials, and `rate` times their second derivatives, leave the chords between 0 and `end` at most: a
-/// power s^k leaves its chord by max x − x^k of end^k. Returns a sum that is finite only where all of these are.
+/// power s^k leaves its chord by max x − x^k of end^k (T-5). Returns a sum that is finite only where all of these are.
 double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
                     double* second_rise);
 
@@ -77,8 +77,17 @@ struct Inspection {
 };
 [[nodiscard]] Inspection inspect(const double* p, int degree, double mid, double b);
 
-/// How far p leaves the chord between 0 and `end` at most; see leave_chords().
-[[nodiscard]] double leave_chord(const double* p, int degree, double end);
+/// p(end), how far p leaves the chord between 0 and `end` at most (see leave_chords()), and a bound of |p''| there.
+struct Survey {
+  double end = 0, rise = 0, second = 0;
+};
+[[nodiscard]] Survey survey(const double* p, int degree, double end);
+
+/// p and its first two derivatives at s.
+struct Derivatives {
+  double value = 0, slope = 0, curvature = 0;
+};
+[[nodiscard]] Derivatives derivatives(const double* p, int degree, double s);
 
 /// A stage of a Runge-Kutta step of n coordinates from the slopes of `count` stages before it, `stride` apart:
 ///   q_at = q + after v + h² Σ positions_j slope_j,   v_at = v + h Σ speeds_j slope_j.
