@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "bentur/solve/solver.h"
 #include "tests/support/example_laws.h"
@@ -154,6 +155,36 @@ TEST(ExactAndAdaptive, AgreeOnADampingMatrixThatModesDoNotDiagonalise) {
     EXPECT_GT(exact.impacts.size(), 2u);
     EXPECT_LE(difference(exact, adaptive), 1e-8) << label;
   }
+}
+
+/// Two sticks of one or two floors and what shakes them, by chance.
+Problem random_pair(std::mt19937& random, const std::string& label) {
+  const auto between = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const int floors = std::uniform_int_distribution<int>(1, 2)(random);
+  Problem problem = pair(stick(floors, mass, between(0.3e8, 3e8)), stick(floors, mass, between(0.3e8, 3e8)), {}, 2.0);
+  for (int f = 0; f < floors; ++f) problem.points.push_back(point(0, f, between(0.0, 0.03), label));
+  SampledMotion motion{0.02, {0.0}};
+  for (int i = 0; i < 90; ++i) motion.acceleration.push_back(0.8 * motion.acceleration.back() + between(-2.0, 2.0));
+  problem.motion = motion;
+  problem.delays = {between(0.0, 0.3), 0.0};
+  return problem;
+}
+
+TEST(ExactAndAdaptive, AgreeOnPairsByChance) {
+  // One-storey buildings have few quantities, so that bounds settle nearly everything; dampers make accelerations jump.
+  std::mt19937 random(1);
+  int impacts = 0;
+  for (const std::string label : {"linear", "kelvin_voigt_overdamped", "kelvin_voigt_approach", "restitution"}) {
+    for (int n = 0; n < 30; ++n) {
+      const Problem problem = random_pair(random, label);
+      const Response exact = solve(problem), adaptive = solve(problem, AdaptiveSolver{1e-11});
+      EXPECT_LE(difference(exact, adaptive), 1e-6) << label << ' ' << n;
+      impacts += static_cast<int>(exact.impacts.size());
+    }
+  }
+  EXPECT_GT(impacts, 500);
 }
 
 }  // namespace

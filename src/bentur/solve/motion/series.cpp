@@ -36,10 +36,9 @@ void Series::begin(Index first, Index count, const State& state, double h, doubl
   h_ = h;
   c_ = &motion.coefficients();
   motion.begin(first, count, h, needed_degree(rate * h));
-  c_->col(0).segment(first, count) = state.q.segment(first, count);
-  c_->col(1).segment(first, count) = h * state.v.segment(first, count);
-  stiff_.segment(first, count) = (h * h) * system_->omega_squared.segment(first, count);
-  damp_.segment(first, count) = h * system_->two_sigma.segment(first, count);
+  kernels::begin_series(count, {system_->omega_squared.data() + first, system_->two_sigma.data() + first},
+                        state.q.data() + first, state.v.data() + first, h, system_->size, stiff_.data() + first,
+                        damp_.data() + first, c_->data() + first);
 }
 
 void Series::add_full_damping(const ModalSystem::Block& block, int k) {

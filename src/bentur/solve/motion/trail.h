@@ -18,6 +18,11 @@ struct FlightPlan {
 
   /// `exact`: otherwise there are none.
   FlightPlan(const ModalSystem& system, const TimeGrid& grid, double duration, bool exact);
+
+  /// Whether some ground acceleration may jump where a segment begins.
+  [[nodiscard]] bool may_jump(long segment) const {
+    return segment >= segments || std::binary_search(jumps.begin(), jumps.end(), segment);
+  }
 };
 
 /// Where a run has been: the state and acceleration of every coordinate at instants one after the other, and how far

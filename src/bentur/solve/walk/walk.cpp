@@ -44,7 +44,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     const double left = problem_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
-    trail_.break_off();  // the ground acceleration may jump
+    if (plan_.may_jump(segment_)) trail_.break_off();
     if (segment_ >= plan_.segments) {
       grid_.input(segment_, inputs_);
       walk(start, left >= length * (1.0 - end_slack) ? length : left);

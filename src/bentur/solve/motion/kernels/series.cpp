@@ -117,6 +117,65 @@ BENTUR_INLINE void expand_one(const Pressing p, const double* stiff, const doubl
   }
 }
 
+// NOLINTBEGIN(modernize-avoid-c-arrays): registers. Several fours side by side, so that none waits for another.
+struct Evaluated {
+  double *q, *first, *second;
+};
+template <int groups>
+BENTUR_INLINE void evaluate_groups(const double* c, Index stride, int degree, double at, const Evaluated& to) {
+  const Four s = all(at);
+  Four x[groups] = {};
+  Four y[groups] = {};
+  Four z[groups] = {};
+  for (int k = degree; k >= 2; --k) {
+    const Four once = factor(power_factors.first, k);
+    const Four twice = factor(power_factors.second, k);
+    for (int g = 0; g < groups; ++g) {
+      const Four term = load(c + k * stride + four * g);
+      x[g] = x[g] * s + term;
+      y[g] = y[g] * s + once * term;
+      z[g] = z[g] * s + twice * term;
+    }
+  }
+  for (int g = 0; g < groups; ++g) {
+    const Four linear = load(c + stride + four * g);
+    store(to.q + four * g, (x[g] * s + linear) * s + load(c + four * g));
+    store(to.first + four * g, y[g] * s + linear);
+    store(to.second + four * g, z[g]);
+  }
+}
+
+struct Chord {
+  double end, rate;
+};
+template <int groups>
+BENTUR_INLINE Four leave_chords_of(const double* c, Index stride, int degree, const Chord& chord, double* rise,
+                                   double* second_rise) {
+  Four x[groups] = {};
+  Four y[groups] = {};
+  double power = 1.0;  // end^(k − 2)
+  for (int k = 2; k <= degree; ++k) {
+    const Four far = all(power_factors.rise[static_cast<std::size_t>(k)] * power);
+    const Four second_far = all(power_factors.second_rise[static_cast<std::size_t>(k)] * power);
+    for (int g = 0; g < groups; ++g) {
+      const Four term = size(load(c + k * stride + four * g));
+      x[g] += far * term;
+      y[g] += second_far * term;
+    }
+    power *= chord.end;
+  }
+  Four total = all(0.0);
+  for (int g = 0; g < groups; ++g) {
+    x[g] *= all(chord.end * chord.end);
+    y[g] *= all(chord.rate);
+    store(rise + four * g, x[g]);
+    store(second_rise + four * g, y[g]);
+    total += x[g] + y[g];
+  }
+  return total;
+}
+// NOLINTEND(modernize-avoid-c-arrays)
+
 /// Hands terms p_k s^k to p_{k+3} s^{k+3} on, for k = 0, 4, …
 template <class Take>
 BENTUR_INLINE void in_fours(const double* p, int degree, double s, const Take& take) {
@@ -183,6 +242,19 @@ BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, con
 }  // namespace
 
 BENTUR_FOR_ALL_PROCESSORS
+void begin_series(Index n, const Oscillators& of, const double* q, const double* v, double h, Index stride,
+                  double* stiff, double* damp, double* c) {
+  const Four once = all(h);
+  const Four twice = all(h * h);
+  for (Index j = 0; j < n; j += four) {
+    store(stiff + j, twice * load(of.omega_squared + j));
+    store(damp + j, once * load(of.two_sigma + j));
+    store(c + j, load(q + j));
+    store(c + stride + j, once * load(v + j));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
 void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c) {
   const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
@@ -199,22 +271,11 @@ void expand(const double* stiff, const double* damp, const double* gamma, std::s
 
 BENTUR_FOR_ALL_PROCESSORS
 void evaluate(Index n, const double* c, Index stride, int degree, double at, double* q, double* first, double* second) {
-  const Four s = all(at);
-  for (Index j = 0; j < n; j += four) {
-    Four x = all(0.0);
-    Four y = all(0.0);
-    Four z = all(0.0);
-    for (int k = degree; k >= 2; --k) {
-      const Four term = load(c + k * stride + j);
-      x = x * s + term;
-      y = y * s + factor(power_factors.first, k) * term;
-      z = z * s + factor(power_factors.second, k) * term;
-    }
-    const Four linear = load(c + stride + j);
-    store(q + j, (x * s + linear) * s + load(c + j));
-    store(first + j, y * s + linear);
-    store(second + j, z);
+  Index j = 0;
+  for (; j + 2 * four <= n; j += 2 * four) {
+    evaluate_groups<2>(c + j, stride, degree, at, {q + j, first + j, second + j});
   }
+  if (j < n) evaluate_groups<1>(c + j, stride, degree, at, {q + j, first + j, second + j});
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -239,22 +300,11 @@ BENTUR_FOR_ALL_PROCESSORS
 double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
                     double* second_rise) {
   Four total = all(0.0);
-  for (Index j = 0; j < n; j += four) {
-    Four x = all(0.0);
-    Four y = all(0.0);
-    double power = 1.0;  // end^(k − 2)
-    for (int k = 2; k <= degree; ++k) {
-      const Four term = all(power) * size(load(c + k * stride + j));
-      x += factor(power_factors.rise, k) * term;
-      y += factor(power_factors.second_rise, k) * term;
-      power *= end;
-    }
-    x *= all(end * end);
-    y *= all(rate);
-    store(rise + j, x);
-    store(second_rise + j, y);
-    total += x + y;
+  Index j = 0;
+  for (; j + 2 * four <= n; j += 2 * four) {
+    total += leave_chords_of<2>(c + j, stride, degree, {end, rate}, rise + j, second_rise + j);
   }
+  if (j < n) total += leave_chords_of<1>(c + j, stride, degree, {end, rate}, rise + j, second_rise + j);
   return sum(total);
 }
 

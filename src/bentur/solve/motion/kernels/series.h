@@ -32,6 +32,13 @@ struct Ground {
   }
 };
 
+/// What (T-2) starts from for n coordinates: `stiff` = h²Ω², `damp` = h D, columns 0 and 1 of `c`.
+struct Oscillators {
+  const double *omega_squared, *two_sigma;
+};
+void begin_series(Index n, const Oscillators& of, const double* q, const double* v, double h, Index stride,
+                  double* stiff, double* damp, double* c);
+
 /// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled. `stiff` h²Ω²,
 /// `damp` h D, columns `stride` apart.
 void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
