@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "bentur/solve/motion/series.h"
 
@@ -123,14 +122,14 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
 
 kernels::FlightInput Flight::input(const GroundInput& ground) const {
   const double nu = system_->nu;
-  if (nu == 0.0) {
-    const double end = ground.value + ground.slope * length_;
-    return {ground.value, ground.slope, std::max(std::abs(ground.value), std::abs(end)), std::abs(ground.slope), end};
-  }
-  const double largest = std::hypot(ground.value, ground.slope / nu);
   GroundInput end = ground;
   system_->advance(end, length_);
-  return {ground.value, ground.slope, largest, nu * largest, end.value};
+  if (nu > 0.0) {
+    const double largest = std::hypot(ground.value, ground.slope / nu);
+    return {ground.value, ground.slope, largest, nu * largest, end.value};
+  }
+  const double largest = std::max(std::abs(ground.value), std::abs(end.value));
+  return {ground.value, ground.slope, largest, std::abs(ground.slope), end.value};
 }
 
 void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::Leg& leg) const {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "bentur/solve/motion/kernels/power_factors.h"
 #include "bentur/solve/motion/kernels/series.h"
 
 namespace bentur::engine {
@@ -18,16 +19,7 @@ constexpr int most_steps = 16;
 /// A maximum is not refined beyond this part of its value.
 constexpr double round_off = 1e-16;
 
-constexpr auto derivative_factors = [] {
-  std::array<double, highest_degree + 1> factors{};
-  for (int k = 0; k <= highest_degree; ++k) factors[static_cast<std::size_t>(k)] = k;
-  return factors;
-}();
-constexpr auto integral_factors = [] {
-  std::array<double, highest_degree + 1> factors{};
-  for (int k = 0; k <= highest_degree; ++k) factors[static_cast<std::size_t>(k)] = 1.0 / (k + 1.0);
-  return factors;
-}();
+using kernels::power_factors;
 
 kernels::Derivatives derivatives(const Polynomial& p, double s) {
   return kernels::derivatives(p.coefficients.data(), p.degree, s);
@@ -237,7 +229,7 @@ double value(const Polynomial& p, double s) {
 double first_derivative(const Polynomial& p, double s) {
   if (p.degree == 0) return 0.0;
   const double square = s * s;
-  const auto term = [&p](int k) { return derivative_factors[static_cast<std::size_t>(k)] * p[k]; };
+  const auto term = [&p](int k) { return power_factors.first[static_cast<std::size_t>(k)] * p[k]; };
   double first = term(p.degree);
   double second = term(p.degree - 1);
   int k = p.degree - 2;
@@ -253,15 +245,14 @@ Polynomial second_derivative(const Polynomial& p, double rate) {
   Polynomial second;
   second.degree = std::max(p.degree - 2, 0);
   for (int k = 0; k + 2 <= p.degree; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    second[k] = p[k + 2] * (derivative_factors[at + 2] * derivative_factors[at + 1] * rate);
+    second[k] = p[k + 2] * (power_factors.second[static_cast<std::size_t>(k) + 2] * rate);
   }
   return second;
 }
 
 double integral(const Polynomial& p, double end) {
   double sum = 0.0;
-  for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * integral_factors[static_cast<std::size_t>(k)];
+  for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * power_factors.integral[static_cast<std::size_t>(k)];
   return sum * end;
 }
 

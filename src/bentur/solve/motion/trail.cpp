@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/solve/motion/kernels/series.h"
-
 namespace bentur::engine {
 namespace {
 
@@ -72,11 +70,8 @@ void Trail::begin(const State& state, const std::vector<GroundInput>& inputs) {
   if (!next_instant()) return;
   q_.col(last_) = state.q;
   v_.col(last_) = state.v;
-  for (std::size_t b = 0; b < rooms_.size(); ++b) {
-    const auto at = [begin = rooms_[b].begin](const auto& column) { return column.data() + begin; };
-    kernels::accelerate(rooms_[b].size, at(system_->omega_squared), at(system_->two_sigma), at(system_->gamma),
-                        inputs[b].value, at(state.q), at(state.v), acceleration_.col(last_).data() + rooms_[b].begin);
-  }
+  system_->acceleration(state, inputs, no_forces_, start_acceleration_);
+  acceleration_.col(last_) = start_acceleration_;
 }
 
 /// Of the leg that starts at the last instant.

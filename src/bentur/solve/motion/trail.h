@@ -105,6 +105,7 @@ class Trail {
   Eigen::VectorXd kept_;  ///< coefficients of steps
   Eigen::Index kept_count_ = 0;
   Eigen::MatrixXd q_, v_, acceleration_, rise_, acceleration_rise_;
+  Eigen::VectorXd no_forces_, start_acceleration_;  ///< room
 };
 
 }  // namespace bentur::engine

@@ -14,14 +14,10 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 FreeWalk::FreeWalk(const Ground& ground)
     : Walk(ground),
-      no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }) {
-  for (Neighbours& points : neighbours(system_)) {
-    WatchedRows rows(-points.sense, points.sense.cols(), kernels::Peaks::of_values);
-    const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(rows.size());
-    gaps_.push_back({std::move(points), std::move(rows), zeros});
-  }
+      no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }),
+      gaps_(gaps_between(system_)) {
   for (Gaps& gaps : gaps_) {
-    for (std::size_t n = 0; n < gaps.points.count; ++n) needed_.push_back(gaps.needed.peak.data() + n);
+    for (std::size_t n = 0; n < gaps.count; ++n) needed_.push_back(gaps.closing.peak.data() + n);
   }
   run_.reaches.resize(needed_.size());
   for (std::size_t i = 0; i < needed_.size(); ++i) {
@@ -53,18 +49,15 @@ bool FreeWalk::below(const std::vector<double>& reach) const {
 
 /// Notes how far the points reach in all legs of a trail that has been taken in.
 void FreeWalk::note_reaches(const Gaps& gaps, const Trail& trail) {
-  for (std::size_t n = 0; n < gaps.points.count; ++n) {
+  for (std::size_t n = 0; n < gaps.count; ++n) {
     const auto row = static_cast<Eigen::Index>(n);
-    const double needed = gaps.needed.peak(row);
-    auto& reaches = run_.reaches[gaps.points.first + n];
-    double most = reaches.back().reach;
+    const double needed = gaps.closing.peak(row);
+    const auto& reaches = run_.reaches[gaps.first + n];
     for (Eigen::Index leg = 0; leg < trail.legs(); ++leg) {
       // What rises in between as a part of the gap needed, which may be none.
-      const double beyond = needed > 0.0 ? gaps.needed.between(leg) * needed : unbounded;
-      const double reach = gaps.needed.larger_value(row, leg) + beyond;
-      if (reach <= most) continue;
-      most = reach;
-      note(gaps.points.first + n, trail.leg(leg).segment, reach);
+      const double beyond = needed > 0.0 ? gaps.closing.between(leg) * needed : unbounded;
+      const double reach = gaps.closing.larger_value(row, leg) + beyond;
+      if (reach > reaches.back().reach) note(gaps.first + n, trail.leg(leg).segment, reach);
     }
   }
 }
@@ -74,8 +67,7 @@ void FreeWalk::take_trail(const Trail& trail) {
   Walk::take_trail(trail);
   if (trail.legs() == 0) return;
   for (Gaps& gaps : gaps_) {
-    const Eigen::Index begin = gaps.points.begin;
-    gaps.needed.raise(trail.legs(), trail.q(0) + begin, trail.rise(0) + begin, system_.size);
+    gaps.closing.raise(trail.legs(), trail.q(0) + gaps.begin, trail.rise(0) + gaps.begin, system_.size);
     note_reaches(gaps, trail);
   }
   for (Eigen::Index leg = 0; leg < trail.legs(); ++leg) {
@@ -89,7 +81,7 @@ void FreeWalk::take_trail(const Trail& trail) {
                           {}});
     for (const Gaps& gaps : gaps_) {
       const double* reach = gaps.reach.data();
-      unsettled_.back().reach.insert(unsettled_.back().reach.end(), reach, reach + gaps.points.count);
+      unsettled_.back().reach.insert(unsettled_.back().reach.end(), reach, reach + gaps.count);
     }
   }
   if (unsettled_.size() >= most_unsettled) settle();
@@ -97,14 +89,9 @@ void FreeWalk::take_trail(const Trail& trail) {
 
 /// Whether the points reach no further in a leg than they do anyway.
 bool FreeWalk::settled(Gaps& gaps, const Trail& trail, Eigen::Index leg) {
-  if (!gaps.needed.open(leg)) {
-    gaps.reach.setZero();
-    return true;
-  }
-  const Eigen::Index begin = gaps.points.begin;
-  gaps.reach.setConstant(unbounded);
-  return gaps.needed.settled(trail.q(leg) + begin, trail.q(leg + 1) + begin, trail.rise(leg) + begin, gaps.reach.data(),
-                             gaps.reach.data());
+  if (gaps.closing.open(leg)) return gaps.look(trail.q(leg), trail.q(leg + 1), trail.rise(leg));
+  gaps.reach.setZero();
+  return true;
 }
 
 /// Power series are looked at together, with the rest of the trail.
@@ -118,11 +105,9 @@ double FreeWalk::look(double /*time*/) {
 /// Takes the expanded step, from one state to the other, into the gaps needed. Points have no width here.
 void FreeWalk::raise(const State& from, const State& to) {
   for (Gaps& gaps : gaps_) {
-    const auto at = [begin = gaps.points.begin](const Eigen::VectorXd& x) { return x.data() + begin; };
-    gaps.reach.setConstant(unbounded);
-    if (gaps.needed.settled(at(from.q), at(to.q), at(motion_.rise()), gaps.reach.data(), gaps.reach.data())) continue;
-    for (std::size_t n = 0; n < gaps.points.count; ++n) {
-      const std::size_t i = gaps.points.first + n;
+    if (gaps.look(from.q.data(), to.q.data(), motion_.rise().data())) continue;
+    for (std::size_t n = 0; n < gaps.count; ++n) {
+      const std::size_t i = gaps.first + n;
       double where = 0.0;
       if (gaps.reach(static_cast<Eigen::Index>(n)) > *needed_[i]) {
         raise_to_maximum(-motion_.opening(i), 1.0, *needed_[i], where);

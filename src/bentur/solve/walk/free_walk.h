@@ -54,18 +54,12 @@ class FreeWalk final : public Walk {
     std::vector<GroundInput> inputs;
     std::vector<double> reach;  ///< per point
   };
-  /// The gaps between two neighbours: peaks of −(sense_i q).
-  struct Gaps {
-    Neighbours points;
-    WatchedRows needed;
-    Eigen::VectorXd reach;  ///< in a leg
-  };
   void note_reaches(const Gaps& gaps, const Trail& trail);
   [[nodiscard]] bool settled(Gaps& gaps, const Trail& trail, Eigen::Index leg);
 
   const ContactForces none_;
   const ForceFunction no_force_;
-  std::vector<Gaps> gaps_;
+  std::vector<Gaps> gaps_;       ///< their peaks are what is needed
   std::vector<double*> needed_;  ///< per point, where its peak is kept
   FreeRun run_;
   std::vector<Unsettled> unsettled_;

@@ -1,63 +1,53 @@
 #include "bentur/solve/walk/openings.h"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace bentur::engine {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
-std::vector<Neighbours> neighbours(const ModalSystem& system) {
-  std::vector<Neighbours> pairs;
-  for (std::size_t i = 0; i < system.points.size(); ++i) {
-    const auto& point = system.points[i];
-    if (pairs.empty() || pairs.back().begin != point.left_begin) pairs.push_back({point.left_begin, i, 0, {}});
-    ++pairs.back().count;
-  }
-  for (Neighbours& pair : pairs) {
-    const auto& first = system.points[pair.first];
-    pair.sense.resize(static_cast<Index>(pair.count), first.left_size + first.right_size);
-    for (std::size_t n = 0; n < pair.count; ++n) {
-      const auto& point = system.points[pair.first + n];
-      pair.sense.row(static_cast<Index>(n)) << point.sense_left.transpose(), point.sense_right.transpose();
-    }
-  }
-  return pairs;
+bool Gaps::look(const double* q, const double* q_end, const double* rise) {
+  reach.setConstant(std::numeric_limits<double>::infinity());
+  return closing.settled(q + begin, q_end + begin, rise + begin, reach.data(), reach.data());
 }
 
-Openings::Openings(const ModalSystem& system, const std::vector<double>& widths)
-    : stride_(system.size), open_(system.points.size(), 0) {
-  for (const Neighbours& points : neighbours(system)) {
-    Pair pair{points, kernels::PackedRows(-points.sense, points.sense.cols()), {}, {}, {}, {}, {}, {}, {}};
-    const Index rows = pair.weights.rows();
-    pair.widths.setZero(rows);
-    for (std::size_t n = 0; n < points.count; ++n) pair.widths(static_cast<Index>(n)) = widths[points.first + n];
-    pair.lumped.resize(pair.weights.columns());
-    kernels::lump(pair.weights, 0, pair.weights.columns(), pair.widths.data(), pair.lumped.data());
-    for (auto* list : {&pair.peak, &pair.inverse}) list->setZero(rows);
-    pair.values.resize(rows * (Trail::most + 1));
-    for (auto* list : {&pair.shares, &pair.betweens}) list->resize(Trail::most + 1);
-    pairs_.push_back(std::move(pair));
+std::vector<Gaps> gaps_between(const ModalSystem& system) {
+  std::vector<Gaps> all;
+  for (std::size_t first = 0, end = 0; first < system.points.size(); first = end) {
+    const auto& of = system.points[first];
+    while (end < system.points.size() && system.points[end].left_begin == of.left_begin) ++end;
+    Eigen::MatrixXd closing(static_cast<Index>(end - first), of.left_size + of.right_size);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto& point = system.points[i];
+      closing.row(static_cast<Index>(i - first)) << -point.sense_left.transpose(), -point.sense_right.transpose();
+    }
+    WatchedRows rows(closing, closing.cols(), kernels::Peaks::of_values);
+    const VectorXd reach = VectorXd::Zero(rows.size());
+    all.push_back({first, end - first, of.left_begin, std::move(rows), reach});
+  }
+  return all;
+}
+
+Openings::Openings(const ModalSystem& system, std::vector<double> widths)
+    : widths_(std::move(widths)), gaps_(gaps_between(system)), stride_(system.size), open_(system.points.size(), 0) {
+  for (Gaps& gaps : gaps_) {
+    VectorXd limits = VectorXd::Zero(gaps.closing.size());
+    for (std::size_t n = 0; n < gaps.count; ++n) limits(static_cast<Index>(n)) = widths_[gaps.first + n];
+    gaps.closing.limit(limits);
   }
 }
 
 Index Openings::stay_open(const Trail& trail, Index count) {
   const Index first = trail.legs();
   if (count == 1) return look(trail.q(first), trail.q(first + 1), trail.rise(first)) ? 1 : 0;
-  for (Pair& pair : pairs_) {
-    const Index begin = pair.points.begin;
-    kernels::raise_peaks(kernels::Peaks::of_values, pair.weights, count + 1, trail.q(first) + begin, stride_,
-                         pair.peak.data(), pair.values.data());
-    kernels::largest_shares(pair.weights.rows(), count + 1, pair.values.data(), pair.widths.data(), pair.inverse.data(),
-                            pair.shares.data());
-    kernels::sums(count, trail.rise(first) + begin, stride_, pair.weights.columns(), pair.lumped.data(),
-                  pair.betweens.data());
+  for (Gaps& gaps : gaps_) {
+    gaps.closing.compare(count, trail.q(first) + gaps.begin, trail.rise(first) + gaps.begin, stride_);
   }
   for (Index n = 0; n < count; ++n) {
     bool open = true;
-    for (const Pair& pair : pairs_) {
-      open = open && std::max(pair.shares(n), pair.shares(n + 1)) + pair.betweens(n) < 1.0;
-    }
+    for (const Gaps& gaps : gaps_) open = open && gaps.closing.share(n) < 1.0;
     if (!open && !look(trail.q(first + n), trail.q(first + n + 1), trail.rise(first + n))) return n;
   }
   return count;
@@ -65,16 +55,11 @@ Index Openings::stay_open(const Trail& trail, Index count) {
 
 bool Openings::look(const double* q, const double* q_end, const double* rise) {
   bool all_open = true;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  for (Pair& pair : pairs_) {
-    const Index begin = pair.points.begin;
-    pair.values.head(pair.weights.rows()).setConstant(unknown);
-    (void)kernels::reach_of_rows(kernels::Peaks::of_values, pair.weights, q + begin, q_end + begin, rise + begin,
-                                 pair.peak.data(), pair.values.data(), pair.values.data());
-    for (std::size_t n = 0; n < pair.points.count; ++n) {
-      const auto row = static_cast<Index>(n);
-      const bool open = pair.values(row) < pair.widths(row);
-      open_[pair.points.first + n] = open ? 1 : 0;
+  for (Gaps& gaps : gaps_) {
+    (void)gaps.look(q, q_end, rise);
+    for (std::size_t n = 0; n < gaps.count; ++n) {
+      const bool open = gaps.reach(static_cast<Index>(n)) < widths_[gaps.first + n];
+      open_[gaps.first + n] = open ? 1 : 0;
       all_open = all_open && open;
     }
   }

@@ -80,7 +80,7 @@ bool PeakWatch::settled_by_samples(std::size_t b, const Curves& step, int parts,
   const Index n = system_->blocks[b].room;
   const double rate = 1.0 / (step.h * step.h);
   const double chord = step.end * step.end / (8.0 * parts * parts);
-  kernels::sample(n, step.c, step.stride, step.degree, {parts, step.end, rate, n}, samples_.data(), seconds_.data());
+  kernels::sample(n, step.c, step.stride, step.degree, {parts, step.end, rate}, samples_.data(), seconds_.data());
   kernels::bound(n, step.c, step.stride, step.degree, step.end, chord, chord * rate, rise_.data(), second_rise_.data());
   const auto look = [&](WatchedRows& rows, const VectorXd& samples, const VectorXd& rise, const double* rows_before,
                         double* rows_reach) {

@@ -92,7 +92,6 @@ class Walk {
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
   Trail trail_;
-  PeakSearch search_;
 
  private:
   void make_room();
@@ -109,6 +108,7 @@ class Walk {
   void pass_legs(Eigen::Index first);
   void fail(const std::string& reason, double time);
 
+  PeakSearch search_;
   const TimeGrid& grid_;
   const FlightPlan& plan_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room

@@ -18,11 +18,29 @@ WatchedRows::WatchedRows(const Eigen::MatrixXd& weights, Index columns, kernels:
   values_.resize(weights_.rows() * (Trail::most + 1));
 }
 
+void WatchedRows::limit(const VectorXd& limits) {
+  inverse_ = limits.cwiseInverse();
+  kernels::lump(weights_, limits.data(), lumped_.data());
+}
+
 void WatchedRows::raise(Index legs, const double* x, const double* rise, Index apart) {
+  take_ends(legs, x, apart);
+  limit(peak);
+  measure(legs, rise, apart);
+}
+
+void WatchedRows::compare(Index legs, const double* x, const double* rise, Index apart) {
+  take_ends(legs, x, apart);
+  measure(legs, rise, apart);
+}
+
+void WatchedRows::take_ends(Index legs, const double* x, Index apart) {
   ends_ = legs + 1;
   kernels::raise_peaks(of_, weights_, ends_, x, apart, peak.data(), values_.data());
-  kernels::largest_shares(size(), ends_, values_.data(), peak.data(), inverse_.data(), shares_.data());
-  kernels::lump(weights_, 0, weights_.columns(), peak.data(), lumped_.data());
+}
+
+void WatchedRows::measure(Index legs, const double* rise, Index apart) {
+  kernels::largest_shares(size(), ends_, values_.data(), inverse_.data(), shares_.data());
   kernels::sums(legs, rise, apart, weights_.columns(), lumped_.data(), betweens_.data());
 }
 

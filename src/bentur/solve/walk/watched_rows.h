@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "bentur/solve/motion/kernels/rows.h"
 
@@ -17,17 +18,22 @@ class WatchedRows {
   [[nodiscard]] const kernels::PackedRows& weights() const { return weights_; }
 
   /// Takes in the coordinates at the ends of `legs` legs, Trail::most at most, and how far they leave their chords
-  /// in between; each list `apart` after the one before.
+  /// in between; each list `apart` after the one before. What follows is then told of limits, which raise() makes the
+  /// peaks and compare() leaves as they are.
   void raise(Eigen::Index legs, const double* x, const double* rise, Eigen::Index apart);
+  void compare(Eigen::Index legs, const double* x, const double* rise, Eigen::Index apart);
+  void limit(const Eigen::VectorXd& limits);
 
   [[nodiscard]] Eigen::Index legs() const { return ends_ - 1; }
   // Of these:
-  /// No quantity goes further than by this part of its peak beyond its values at the ends.
+  /// No quantity goes further than by this part of its limit beyond its values at the ends.
   [[nodiscard]] double between(Eigen::Index leg) const { return betweens_(leg); }
-  /// Whether these values, as parts of the peaks, and that do not prove that no peak is exceeded (T-4).
-  [[nodiscard]] bool open(Eigen::Index leg) const {
-    return !(std::max(shares_(leg), shares_(leg + 1)) + betweens_(leg) <= 1.0);
+  /// No quantity goes further than to this part of its limit (T-4).
+  [[nodiscard]] double share(Eigen::Index leg) const {
+    return std::max(shares_(leg), shares_(leg + 1)) + betweens_(leg);
   }
+  /// Whether that does not prove that no limit is exceeded.
+  [[nodiscard]] bool open(Eigen::Index leg) const { return !(share(leg) <= 1.0); }
   /// `before` becomes zero for the fours that stay below their peaks, infinite for others.
   void open_fours(Eigen::Index leg, double* before) const;
   /// The larger of both values of a quantity (of their sizes).
@@ -46,10 +52,13 @@ class WatchedRows {
   Eigen::VectorXd peak;
 
  private:
+  void take_ends(Eigen::Index legs, const double* x, Eigen::Index apart);
+  void measure(Eigen::Index legs, const double* rise, Eigen::Index apart);
+
   kernels::Peaks of_;
   kernels::PackedRows weights_;
-  Eigen::VectorXd lumped_;   ///< c of (T-4), of the peaks when raise() was called last
-  Eigen::VectorXd inverse_;  ///< of those peaks
+  Eigen::VectorXd lumped_;   ///< c of (T-4)
+  Eigen::VectorXd inverse_;  ///< of the limits
   Eigen::VectorXd values_, shares_, betweens_;
   Eigen::Index ends_ = 0;
 };

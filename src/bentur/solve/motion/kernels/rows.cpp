@@ -178,8 +178,7 @@ void raise_peaks(Peaks of, const PackedRows& rows, Index count, const double* x,
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void largest_shares(Index n, Index count, const double* values, const double* limits, double* inverse, double* share) {
-  for (Index r = 0; r < n; r += four) store(inverse + r, all(1.0) / load(limits + r));
+void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share) {
   const auto most = [&](Index i) __attribute__((always_inline)) {
     Four result = all(0.0);
     for (Index r = 0; r < n; r += four) {
@@ -220,14 +219,14 @@ void open_groups(Index n, const double* x, const double* y, Index apart, const d
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void lump(const PackedRows& rows, Index first, Index count, const double* limits, double* largest) {
-  for (Index j = first; j < first + count; ++j) {
+void lump(const PackedRows& rows, const double* limits, double* largest) {
+  for (Index j = 0; j < rows.columns(); ++j) {
     Four most = all(0.0);
     for (Index r = 0; r < rows.rows(); r += four) {
       const Four share = size(load(rows.from(r) + four * j)) / load(limits + r);
       most = share > most ? share : most;  // 0/0 is no share
     }
-    largest[j - first] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+    largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   }
 }
 

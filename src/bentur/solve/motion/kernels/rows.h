@@ -71,9 +71,9 @@ bool reach_of_samples(const PackedRows& weights, int count, const double* x, con
 void raise_peaks(Peaks of, const PackedRows& weights, Index count, const double* x, Index apart, double* peak,
                  double* values);
 
-/// For each of the vectors of such values of n rows, the largest value as a part of a limit; rows of zeros have no say.
-/// `inverse` is filled with those of the limits.
-void largest_shares(Index n, Index count, const double* values, const double* limits, double* inverse, double* share);
+/// For each of the vectors of such values of n rows, the largest value as a part of a limit, the limits given by what
+/// is inverse to them; rows of zeros have no say.
+void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share);
 
 /// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `apart` apart.
 void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result);
@@ -84,8 +84,8 @@ void sums(Index count, const double* x, Index apart, Index n, const double* weig
 /// Where |x|, |y| ≤ rest · peak for four numbers each, `open` becomes 0, elsewhere infinite; n is a multiple of four.
 void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest, double* open);
 
-/// The largest |w_rj|/limit_r of `count` columns from `first` on; rows of zeros have no say.
-void lump(const PackedRows& weights, Index first, Index count, const double* limits, double* largest);
+/// The largest |w_rj|/limit_r of every column j; rows of zeros have no say.
+void lump(const PackedRows& weights, const double* limits, double* largest);
 
 /// The polynomial of row r of coordinates whose coefficients begin at `c`. `room` has as many entries as columns.
 void combine(const PackedRows& weights, Index r, const double* c, Index stride, int degree, double* room,

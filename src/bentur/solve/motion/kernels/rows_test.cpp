@@ -88,7 +88,8 @@ TEST_P(PeaksOf, AllVectorsAndTheirShares) {
   Numbers peak(8, 0.0), inverse(8), share(count), room(8 * count), expected(rows, 0.0);
   peak[2] = expected[2] = 100.0;  // higher than any
   raise_peaks(GetParam(), packed, count, x.data(), apart, peak.data(), room.data());
-  largest_shares(8, count, room.data(), peak.data(), inverse.data(), share.data());
+  for (std::size_t r = 0; r < 8; ++r) inverse[r] = 1.0 / peak[r];
+  largest_shares(8, count, room.data(), inverse.data(), share.data());
   Eigen::MatrixXd values(rows, count);
   for (int i = 0; i < count; ++i) {
     for (Index r = 0; r < rows; ++r) {
@@ -144,12 +145,12 @@ TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
 TEST(Kernels, LumpIsTheLargestPartOfALimit) {
   Eigen::MatrixXd matrix(5, 3);
   matrix << 1, -2, 0, 0.5, 4, 0, -3, 1, 0, 0, 0, 0, 2, 2, 0;
-  const PackedRows packed(matrix, 4);
+  const PackedRows packed(matrix, 3), last_two(matrix.rightCols(2), 2);
   const Numbers limits{1, 8, 2, 0, 4, 0, 0, 0};  // a row of zeros may have the limit zero
   Numbers largest(3, -1.0);
-  lump(packed, 0, 3, limits.data(), largest.data());
+  lump(packed, limits.data(), largest.data());
   EXPECT_EQ(largest, (Numbers{1.5, 2.0, 0.0}));
-  lump(packed, 1, 2, limits.data(), largest.data());
+  lump(last_two, limits.data(), largest.data());
   EXPECT_EQ(largest, (Numbers{2.0, 0.0, 0.0}));
 }
 

@@ -5,36 +5,13 @@
 namespace bentur::engine::kernels {
 namespace {
 
-/// What the recurrence (T-2) does with the coordinates of one building at power k, without contact.
-struct Terms {
-  const double *stiff, *damp, *gamma;
-  const double *c0, *c1;
-  double* c2;
-  Four step, scale;
-
-  BENTUR_INLINE Terms(const double* stiff_row, const double* damp_row, const double* gamma_row, Index stride, int k,
-                      double* c)
-      : stiff(stiff_row),
-        damp(damp_row),
-        gamma(gamma_row),
-        c0(c + k * stride),
-        c1(c0 + stride),
-        c2(c + (k + 2) * stride),
-        step(factor(power_factors.next, k)),
-        scale(factor(power_factors.scale, k)) {}
-
-  [[nodiscard]] BENTUR_INLINE Four own(Index j) const {
-    return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
-  }
-};
-
 /// sense · x, summed as ModalSystem::Point::sense does.
 BENTUR_INLINE double open(const Pressing& p, const double* x) {
   return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
          sum(product(p.left_size, p.sense_left, x + p.left_begin));
 }
 
-/// Several points that press.
+/// (T-2) for any number of buildings and points.
 BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* stiff, const double* damp,
                               const double* gamma, std::span<Ground> grounds, int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
@@ -42,78 +19,83 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
   const Index end = grounds.back().begin + grounds.back().size;
   for (const Pressing& p : pressing) p.opening[0] = open(p, c) + p.width;
   for (int k = 0; k + 2 <= degree; ++k) {
-    const Terms terms(stiff, damp, gamma, stride, k, c);
+    const Four scale = factor(power_factors.scale, k);
+    const Four step = factor(power_factors.next, k);
+    const double* c0 = c + k * stride;
+    const double* c1 = c0 + stride;
+    double* c2 = c + (k + 2) * stride;
+    const auto own = [&](Index j) __attribute__((always_inline)) {
+      return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
+    };
     if (k < 2 || driven) {
       for (Ground& ground : grounds) {
         const Four a = all(ground.next(k));
         for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
-          store(terms.c2 + j, load(gamma + j) * a - terms.own(j));
+          store(c2 + j, load(gamma + j) * a - own(j));
         }
       }
     } else {
-      for (Index j = begin; j < end; j += four) store(terms.c2 + j, -terms.own(j));
+      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
     }
     for (const Pressing& p : pressing) {
-      const double opening = open(p, terms.c1);
+      const double opening = open(p, c1);
       p.opening[k + 1] = opening;
-      double force = -p.stiffness * p.opening[k] - p.damping * terms.step[0] * opening;
+      double force = -p.stiffness * p.opening[k] - p.damping * step[0] * opening;
       if (k == 0) force += p.base;
       const auto push = [&](Index first, Index n, const double* by) __attribute__((always_inline)) {
-        double* to = terms.c2 + first;
-        for (Index j = 0; j < n; j += four) store(to + j, load(to + j) + all(force) * load(by + j));
+        for (Index j = 0; j < n; j += four) store(c2 + first + j, load(c2 + first + j) + all(force) * load(by + j));
       };
       push(p.left_begin, p.left_size, p.push_left);
       push(p.right_begin, p.right_size, p.push_right);
     }
-    for (Index j = begin; j < end; j += four) store(terms.c2 + j, load(terms.c2 + j) * terms.scale);
+    for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
   }
   for (const Pressing& p : pressing) p.opening[degree] = open(p, c + degree * stride);
 }
 
-/// None.
-BENTUR_INLINE void expand_free(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
-                               int degree, Index stride, double* c) {
-  const bool driven = grounds.front().nu_squared > 0.0;
-  for (Ground& ground : grounds) {
-    for (int k = 0; k + 2 <= degree; ++k) {
-      const Terms terms(stiff, damp, gamma, stride, k, c);
-      const Four a = all(k < 2 || driven ? ground.next(k) : 0.0);
-      for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
-        store(terms.c2 + j, (load(gamma + j) * a - terms.own(j)) * terms.scale);
-      }
-    }
-  }
-}
-
-/// One point: its force is known before the coordinates are gone over, once.
-BENTUR_INLINE void expand_one(const Pressing p, const double* stiff, const double* damp, const double* gamma,
-                              std::span<Ground> grounds, int degree, Index stride, double* c) {
-  const bool driven = grounds.front().nu_squared > 0.0;
-  p.opening[0] = open(p, c) + p.width;
-  p.opening[1] = open(p, c + stride);
+/// The same for two buildings of four coordinates each and one point. All stays in registers, and where nothing damps
+/// the contact no power waits for the one before.
+BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, const double* damp, const double* gamma,
+                                      std::span<Ground> grounds, int degree, Index stride, double* c) {
+  const Index l = p.left_begin;
+  const Index r = p.right_begin;
+  const bool driven = grounds[0].nu_squared > 0.0;
+  struct Building {
+    Four stiff, damp, gamma, push, sense, c0, c1;
+  };
+  Building left{load(stiff + l),    load(damp + l), load(gamma + l),     load(p.push_left),
+                load(p.sense_left), load(c + l),    load(c + stride + l)};
+  Building right{load(stiff + r),     load(damp + r), load(gamma + r),     load(p.push_right),
+                 load(p.sense_right), load(c + r),    load(c + stride + r)};
+  const auto open = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
+    return sum(right.sense * of_right) + sum(left.sense * of_left);
+  };
+  double opening = open(left.c0, right.c0) + p.width;
+  double next_opening = open(left.c1, right.c1);
+  p.opening[0] = opening;
+  p.opening[1] = next_opening;
   for (int k = 0; k + 2 <= degree; ++k) {
-    const Terms terms(stiff, damp, gamma, stride, k, c);
-    double force = -p.stiffness * p.opening[k];
-    if (p.damping != 0.0) force -= p.damping * terms.step[0] * p.opening[k + 1];  // or no power waits for the last one
+    const Four step = factor(power_factors.next, k);
+    const Four scale = factor(power_factors.scale, k);
+    double force = -p.stiffness * opening;
+    if (p.damping != 0.0) force -= p.damping * step[0] * next_opening;
     if (k == 0) force += p.base;
-    for (Ground& ground : grounds) {
-      const Index first = ground.begin;
-      const Index end = first + ground.size;
-      const double* push = first == p.left_begin ? p.push_left : first == p.right_begin ? p.push_right : nullptr;
-      const Four a = all(k < 2 || driven ? ground.next(k) : 0.0);
-      if (push != nullptr) {
-        push -= first;
-        const Four f = all(force);
-        for (Index j = first; j < end; j += four) {
-          store(terms.c2 + j, ((load(gamma + j) * a - terms.own(j)) + f * load(push + j)) * terms.scale);
-        }
-      } else {
-        for (Index j = first; j < end; j += four) {
-          store(terms.c2 + j, (load(gamma + j) * a - terms.own(j)) * terms.scale);
-        }
-      }
-    }
-    p.opening[k + 2] = open(p, terms.c2);
+    const auto advance = [&](Building & b, double a) __attribute__((always_inline)) {
+      const Four own = b.stiff * b.c0 + step * b.damp * b.c1;
+      b.c0 = b.c1;
+      b.c1 = ((b.gamma * all(a) - own) + all(force) * b.push) * scale;
+    };
+    const bool shaken = k < 2 || driven;
+    const double a_left = shaken ? grounds[0].next(k) : 0.0;
+    const double a_right = shaken ? grounds[1].next(k) : 0.0;
+    advance(left, a_left);
+    advance(right, a_right);
+    double* c2 = c + (k + 2) * stride;
+    store(c2 + l, left.c1);
+    store(c2 + r, right.c1);
+    opening = next_opening;
+    next_opening = open(left.c1, right.c1);
+    p.opening[k + 2] = next_opening;
   }
 }
 
@@ -194,51 +176,6 @@ BENTUR_INLINE void in_fours(const double* p, int degree, double s, const Take& t
   }
 }
 
-/// The same for two buildings of four coordinates each, which stay in registers.
-BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, const double* damp, const double* gamma,
-                                      std::span<Ground> grounds, int degree, Index stride, double* c) {
-  const Index l = p.left_begin;
-  const Index r = p.right_begin;
-  const bool driven = grounds[0].nu_squared > 0.0;
-  struct Building {
-    Four stiff, damp, gamma, push, sense, c0, c1;
-  };
-  Building left{load(stiff + l),    load(damp + l), load(gamma + l),     load(p.push_left),
-                load(p.sense_left), load(c + l),    load(c + stride + l)};
-  Building right{load(stiff + r),     load(damp + r), load(gamma + r),     load(p.push_right),
-                 load(p.sense_right), load(c + r),    load(c + stride + r)};
-  const auto open = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
-    return sum(right.sense * of_right) + sum(left.sense * of_left);
-  };
-  double opening = open(left.c0, right.c0) + p.width;
-  double next_opening = open(left.c1, right.c1);
-  p.opening[0] = opening;
-  p.opening[1] = next_opening;
-  for (int k = 0; k + 2 <= degree; ++k) {
-    const Four step = factor(power_factors.next, k);
-    const Four scale = factor(power_factors.scale, k);
-    double force = -p.stiffness * opening;
-    if (p.damping != 0.0) force -= p.damping * step[0] * next_opening;
-    if (k == 0) force += p.base;
-    const auto advance = [&](Building & b, double a) __attribute__((always_inline)) {
-      const Four own = b.stiff * b.c0 + step * b.damp * b.c1;
-      b.c0 = b.c1;
-      b.c1 = ((b.gamma * all(a) - own) + all(force) * b.push) * scale;
-    };
-    const bool shaken = k < 2 || driven;
-    const double a_left = shaken ? grounds[0].next(k) : 0.0;
-    const double a_right = shaken ? grounds[1].next(k) : 0.0;
-    advance(left, a_left);
-    advance(right, a_right);
-    double* c2 = c + (k + 2) * stride;
-    store(c2 + l, left.c1);
-    store(c2 + r, right.c1);
-    opening = next_opening;
-    next_opening = open(left.c1, right.c1);
-    p.opening[k + 2] = next_opening;
-  }
-}
-
 }  // namespace
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -258,12 +195,8 @@ BENTUR_FOR_ALL_PROCESSORS
 void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c) {
   const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
-  if (pressing.empty()) {
-    expand_free(stiff, damp, gamma, grounds, degree, stride, c);
-  } else if (pressing.size() == 1 && two_of_four) {
+  if (pressing.size() == 1 && two_of_four) {
     expand_two_of_four(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
-  } else if (pressing.size() == 1) {
-    expand_one(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
   } else {
     expand_all(pressing, stiff, damp, gamma, grounds, degree, stride, c);
   }
@@ -310,7 +243,7 @@ double leave_chords(Index n, const double* c, Index stride, int degree, double e
 
 BENTUR_FOR_ALL_PROCESSORS
 void sample(Index n, const double* c, Index stride, int degree, const Places& places, double* q, double* second) {
-  const auto [count, end, rate, apart] = places;
+  const auto [count, end, rate] = places;
   for (Index j = 0; j < n; j += four) {
     store(q + j, load(c + j));
     store(second + j, all(2.0 * rate) * load(c + 2 * stride + j));
@@ -329,7 +262,7 @@ void sample(Index n, const double* c, Index stride, int degree, const Places& pl
         }
       }
       for (int i = 0; i < four && first + i <= count; ++i) {
-        const Index at = (first + i) * apart + j;
+        const Index at = (first + i) * n + j;
         store(q + at, (x[i] * s[i] + load(c + stride + j)) * s[i] + load(c + j));
         store(second + at, y[i] * all(rate));
       }
@@ -371,29 +304,18 @@ Inspection inspect(const double* p, int degree, double mid, double b) {
   Four curvature = all(0.0);
   Four second = all(0.0);
   Four third = all(0.0);
-  Four at_mid{1.0, mid, mid * mid, mid * mid * mid};
-  Four at_b{1.0, b, b * b, b * b * b};
-  const Four mid_four = all((mid * mid) * (mid * mid));
-  const Four b_four = all((b * b) * (b * b));
-  const auto add = [&](int k, Four term) __attribute__((always_inline)) {
-    const Four inside = term * at_mid;
-    const Four outside = term * at_b;
-    const Four most = size(outside);
-    end += outside;
-    slope += load(power_factors.first.data() + k) * inside;
-    curvature += load(power_factors.second.data() + k) * inside;
-    second += load(power_factors.second.data() + k) * most;
-    third += load(power_factors.third.data() + k) * most;
-    at_mid *= mid_four;
-    at_b *= b_four;
-  };
-  int k = 0;
-  for (; k + 4 <= degree + 1; k += 4) add(k, load(p + k));
-  if (k <= degree) {
-    Four rest = all(0.0);
-    for (int i = 0; k + i <= degree; ++i) rest[i] = p[k + i];
-    add(k, rest);
-  }
+  in_fours(
+      p, degree, mid, [&](int k, Four term) __attribute__((always_inline)) {
+        slope += load(power_factors.first.data() + k) * term;
+        curvature += load(power_factors.second.data() + k) * term;
+      });
+  in_fours(
+      p, degree, b, [&](int k, Four term) __attribute__((always_inline)) {
+        const Four most = size(term);
+        end += term;
+        second += load(power_factors.second.data() + k) * most;
+        third += load(power_factors.third.data() + k) * most;
+      });
   return {sum(end), sum(slope) / mid, sum(curvature) / (mid * mid), sum(second) / (b * b), sum(third) / (b * b * b)};
 }
 

@@ -57,11 +57,10 @@ void bound(Index n, const double* c, Index stride, int degree, double end, doubl
 double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
                     double* second_rise);
 
-/// Position and `rate` times d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `apart` apart.
+/// Position and `rate` times d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `n` apart.
 struct Places {
   int count;
   double end, rate;
-  Index apart;
 };
 void sample(Index n, const double* c, Index stride, int degree, const Places& places, double* q, double* second);
 

@@ -57,7 +57,7 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
   constexpr int degree = 20, parts = 5;
   const Numbers c = random_numbers(n * (degree + 1), 7);
   Numbers q(n), first(n), second(n), samples(n * (parts + 1)), seconds(n * (parts + 1));
-  sample(n, c.data(), n, degree, {parts, 0.75, 3.0, n}, samples.data(), seconds.data());
+  sample(n, c.data(), n, degree, {parts, 0.75, 3.0}, samples.data(), seconds.data());
   for (int i = 0; i <= parts; ++i) {
     const double s = i == parts ? 0.75 : 0.75 * i / parts;
     evaluate(n, c.data(), n, degree, s, q.data(), first.data(), second.data());
