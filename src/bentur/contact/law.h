@@ -86,6 +86,10 @@ class ContactLaw {
   /// Energy [force·length] that the contact would give back if it were unloaded slowly from here; 0 in branch 0.
   [[nodiscard]] virtual double stored_energy(const ContactState& state, double penetration) const noexcept = 0;
 
+  /// Whether the force depends on the closing speed at the start of the contact. Such a law is told of no speed below
+  /// 10⁻⁹ of those at the point: from rest it would have nothing to go by.
+  [[nodiscard]] virtual bool needs_closing_speed() const noexcept { return false; }
+
   /// e, for the law of an impact that takes no time (δ̇⁺ = −e δ̇⁻, momentum kept); nothing for laws with a force.
   /// A solver then changes the velocities itself; branch 1 of such a law is resting contact: the opening stays zero
   /// and the force is what it takes, until it would have to pull.

@@ -128,6 +128,25 @@ void check_assembled(const TomlView& root, std::vector<ReadBuilding>& buildings)
   }
 }
 
+/// Buildings whose contact takes no time cannot start inside one another.
+void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  const auto hard = [](const GapSpec& gap) { return gap.contact.law == "restitution"; };
+  if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
+  std::vector<Building> made;
+  for (const ReadBuilding& building : buildings) made.push_back(*building.made);
+  for (const ContactPoint& point : contact_points(c, made)) {
+    const auto left = static_cast<std::size_t>(point.left);
+    const double left_at = c.initial.displacements[left][static_cast<std::size_t>(point.left_floor)];
+    const double right_at = c.initial.displacements[left + 1][static_cast<std::size_t>(point.right_floor)];
+    if (!point.law->restitution() || !overlap(point.width, left_at, right_at)) continue;
+    root.find("initial")
+        ->find("displacements")
+        ->error(fmt::format("makes \"{}\" and \"{}\" overlap by {:.4g} at elevation {}; with law = \"restitution\" "
+                            "no force would part them: start without overlap or choose a law with a stiffness",
+                            made[left].name, made[left + 1].name, left_at - right_at - point.width, point.elevation));
+  }
+}
+
 }  // namespace
 
 ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
@@ -153,6 +172,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
   check_assembled(root, buildings);
+  if (diagnostics.ok()) check_overlaps(root, c, buildings);
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
 }

@@ -56,7 +56,26 @@ void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& pr
   }
 }
 
+double initial_at(const Problem& problem, std::size_t building, int floor) {
+  return problem.initial_displacement.empty() ? 0.0 : problem.initial_displacement[building](floor);
+}
+
+/// Faces that collide without a force cannot be inside one another: no force would part them.
+void check_overlap(const ContactPoint& point, const Problem& problem, std::size_t i) {
+  if (!point.law->restitution()) return;
+  const auto left = static_cast<std::size_t>(point.left);
+  const double left_at = initial_at(problem, left, point.left_floor);
+  const double right_at = initial_at(problem, left + 1, point.right_floor);
+  require(!overlap(point.width, left_at, right_at), fmt::format("points[{}]", i), left_at - right_at - point.width,
+          "must not overlap at the start: its law has no force that would part the buildings");
+}
+
 }  // namespace
+
+bool overlap(double width, double left, double right) {
+  constexpr double round_off = 0x1p-40;
+  return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
+}
 
 std::vector<double> gap_widths(const Problem& problem) {
   std::vector<double> widths;
@@ -86,6 +105,7 @@ void validate(const Problem& problem) {
           "must be finite and > 0");
   check_initial(problem.initial_displacement, problem, "initial_displacement");
   check_initial(problem.initial_velocity, problem, "initial_velocity");
+  for (std::size_t i = 0; i < problem.points.size(); ++i) check_overlap(problem.points[i], problem, i);
 }
 
 }  // namespace bentur

@@ -39,6 +39,10 @@ struct Problem {
 /// w of every point [length].
 [[nodiscard]] std::vector<double> gap_widths(const Problem& problem);
 
+/// Whether two floors `width` apart [length] that are displaced by `left` and `right` [length] reach into one another,
+/// by more than round-off.
+[[nodiscard]] bool overlap(double width, double left, double right);
+
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.
 void validate(const Problem& problem);
 

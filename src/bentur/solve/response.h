@@ -13,6 +13,7 @@ struct Impact {
   double start = 0;             ///< [s]
   double end = 0;               ///< [s]; the end of the analysis where `open_ended`
   bool open_ended = false;      ///< still closed when the analysis ended
+  bool slow_start = false;      ///< began so slowly that its law was told of a larger closing speed
   double closing_speed = 0;     ///< −ġ at the start [length/s]
   double separation_speed = 0;  ///< ġ at the end [length/s]
   double peak_force = 0;        ///< [force]
@@ -41,6 +42,7 @@ struct BuildingPeaks {
 struct PointSummary {
   double minimum_gap_no_contact = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
   int impacts = 0;
+  int slow_starts = 0;                    ///< of these, Impact::slow_start
   double contact_duration = 0;            ///< [s]
   double peak_force = 0;                  ///< [force]
   std::optional<double> peak_force_time;  ///< [s]

@@ -17,8 +17,6 @@ namespace bentur {
 namespace engine {
 namespace {
 
-constexpr double round_off_band = 0x1p-46;  // of the displacements at a point: depth below which nothing is a contact
-
 void validate(const Solver& solver) {
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) {
     if (!(adaptive->tolerance >= 1e-13 && adaptive->tolerance <= 1e-2)) {
@@ -46,6 +44,7 @@ void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& po
   for (const Impact& impact : impacts) {
     PointSummary& point = points[static_cast<std::size_t>(impact.point)];
     ++point.impacts;
+    if (impact.slow_start) ++point.slow_starts;
     point.contact_duration += impact.end - impact.start;
     point.impulse += impact.impulse;
     point.energy_lost += impact.energy_lost;
@@ -98,7 +97,9 @@ struct FreeParts {
   FlightPlan plan{system, grid, problem.duration, exact};
   FreeRun run;
   Response response;                         ///< as far as it goes without contact
-  std::vector<double> largest_displacement;  ///< scale of round-off per point: of floors and ground [length]
+  // Scales per point: of floors and ground together.
+  std::vector<double> largest_displacement;  ///< [length]
+  std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, that of the whole row
 };
 
 }  // namespace engine
@@ -121,6 +122,9 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   response.steps = walk.steps();
   parts->run = walk.take_run();
   parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, walk);
+  parts->largest_speed = parts->run.speeds;
+  const double fastest = parts->largest_speed.empty() ? 0.0 : std::ranges::max(parts->largest_speed);
+  std::ranges::replace(parts->largest_speed, 0.0, fastest);
   parts_ = parts;
 }
 
@@ -129,10 +133,8 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;
-  std::vector<double> tolerances;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    tolerances.push_back(engine::round_off_band * (problem.points[i].width + parts_->largest_displacement[i]));
-  }
+  engine::Contacts::Scales scales{parts_->largest_displacement, parts_->largest_speed};
+  for (std::size_t i = 0; i < problem.points.size(); ++i) scales.displacement[i] += problem.points[i].width;
   // Of approximate solvers the state alone is not all there is to go on with.
   const long first_contact = parts_->exact ? engine::first_contact(parts_->run, gap_widths(problem)) : 0;
   const bool records = options.output_step > 0.0 || options.energy_audit;
@@ -140,8 +142,8 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return response;
   }
-  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan},
-                            std::move(tolerances), first_contact, options);
+  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan}, scales,
+                            first_contact, options);
   if (!records) {
     const auto& checkpoints = parts_->run.checkpoints;
     const auto later = std::find_if(checkpoints.begin(), checkpoints.end(),

@@ -127,6 +127,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
                          {"width", 0.1},
                          {"minimum_gap_no_contact", 0.3},
                          {"impacts", 0},
+                         {"slow_starts", 0},
                          {"contact_duration", 0.0},
                          {"peak_force", 0.0},
                          {"peak_force_time", nullptr},

@@ -81,6 +81,7 @@ Json point_json(const ContactPoint& point, const PointSummary& summary, const Co
           {"width", point.width},
           {"minimum_gap_no_contact", summary.minimum_gap_no_contact},
           {"impacts", summary.impacts},
+          {"slow_starts", summary.slow_starts},
           {"contact_duration", summary.contact_duration},
           {"peak_force", summary.peak_force},
           {"peak_force_time", or_null(summary.peak_force_time)},

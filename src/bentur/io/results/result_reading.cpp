@@ -104,6 +104,7 @@ PointSummary point_summary(const UnorderedJson& json) {
   PointSummary point;
   point.minimum_gap_no_contact = json.at("minimum_gap_no_contact");
   point.impacts = json.at("impacts");
+  point.slow_starts = json.at("slow_starts");
   point.contact_duration = json.at("contact_duration");
   point.peak_force = json.at("peak_force");
   if (!json.at("peak_force_time").is_null()) point.peak_force_time = json.at("peak_force_time").get<double>();

@@ -8,17 +8,19 @@
 namespace bentur::engine {
 namespace {
 
-constexpr double round_off_band = 0x1p-46;  // of the speeds at a point, and of resting forces
+constexpr double round_off_band = 0x1p-46;  // of displacements and speeds at a point, and of resting forces
 constexpr double resting_threshold =
-    0x1p-20;                         // of the speeds at a point: slower impacts without duration do not bounce
-constexpr double least_slack = 4.0;  // tolerances: a guard that starts this far below zero starts at zero
+    0x1p-20;                          // of the speeds at a point: slower impacts without duration do not bounce
+constexpr double least_slack = 4.0;   // tolerances: a guard that starts this far below zero starts at zero
+constexpr double least_speed = 1e-9;  // of the speeds at a point: slower starts are told to no law that needs them
 
-/// Where in [0, end] the opening, which ends in the round-off band, came down to zero; nothing if it was never above.
-std::optional<double> last_touch(const Polynomial& opening, double end) {
+/// The last place in [0, end] where the opening, which is not positive at `end`, was zero; nothing where it is never
+/// zero or more but at the start.
+std::optional<double> last_zero(const Polynomial& opening, double end) {
+  if (value(opening, end) >= 0.0) return end;
   double largest = 0.0;
   double where = 0.0;
   if (!raise_to_maximum(opening, end, largest, where)) return std::nullopt;
-  if (where >= end || value(opening, end) >= 0.0) return end;  // zero to within round-off
   return root(opening, where, end);
 }
 
@@ -33,17 +35,21 @@ double fading(const Guard& guard, const ContactState& state, double time) {
 
 }  // namespace
 
-Contacts::Contacts(const ModalSystem& system, const Problem& problem, std::vector<double> tolerances, double accuracy)
+Contacts::Contacts(const ModalSystem& system, const Problem& problem, const Scales& scales, double accuracy)
     : system_(&system),
       problem_(&problem),
-      tolerances_(std::move(tolerances)),
       start_slack_(std::max(least_slack, accuracy / round_off_band)),
       states_(system.points.size()),
       branches_(system.points.size()),
       touches_(system.points.size()),
+      leaves_band_(system.points.size(), 0),
       log_(system.points.size()) {
   forces_.linear.resize(system.points.size());
-  for (std::size_t i = 0; i < states_.size(); ++i) branches_[i] = law(i).branch(states_[i]);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    branches_[i] = law(i).branch(states_[i]);
+    tolerances_.push_back(round_off_band * scales.displacement[i]);
+    least_speeds_.push_back(least_speed * scales.speed[i]);
+  }
 }
 
 double Contacts::penetration(std::size_t i, const State& state) const {
@@ -82,8 +88,17 @@ Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial
   return p;
 }
 
+void Contacts::gauge(const Expansion& motion, const State& from, const Openings& openings) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i].branch == 0 && openings.stays_open(i)) continue;
+    const auto& point = system_->points[i];
+    const double size = problem_->points[i].width + point.sense_abs(from.q) + motion.h() * point.sense_abs(from.v);
+    tolerances_[i] = std::max(tolerances_[i], round_off_band * size);
+  }
+}
+
 std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, const State& from,
-                                                    const Openings& openings, double time) const {
+                                                    const Openings& openings, double time) {
   std::optional<Event> first;
   const auto take = [&first](std::size_t point, std::size_t guard, const std::optional<double>& s) {
     if (s && (!first || *s < first->s)) first = Event{point, guard, *s};
@@ -106,7 +121,9 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       p[0] += slack;
       const double known = start_slack_ * std::max(slack, std::abs(guard.penetration) * tolerances_[i]);
       if (p[0] < 0.0 && p[0] >= -known) p[0] = 0.0;
-      take(i, g, first_negative(p));
+      const auto s = first_negative(p);
+      if (states_[i].branch == 0) leaves_band_[i] = s ? 1 : 0;
+      take(i, g, s);
     }
   }
   return first;
@@ -185,9 +202,12 @@ void Contacts::note_touches(const Expansion& motion, const Openings& openings, d
       continue;
     }
     const Polynomial& opening = motion.opening(i);
-    const auto touch = last_touch(opening, end);
-    if (!touch && touches_[i].time >= 0.0) continue;  // in the band since an earlier step
-    const double s = touch.value_or(0.0);
+    const auto zero = last_zero(opening, end);
+    // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
+    // it has been negative since the start of the step, or before.
+    const bool leaves = leaves_band_[i] != 0 || value(opening, end) < -tolerances_[i];
+    if (!zero && leaves && touches_[i].time >= 0.0) continue;
+    const double s = zero.value_or(leaves ? 0.0 : end);
     touches_[i] = {time + s * motion.h(), -first_derivative(opening, s) / motion.h()};
   }
   if (forces_.fading > 0.0) forget_faded(time + end * motion.h());
@@ -251,13 +271,15 @@ void Contacts::change(const Event& event, double time, State& state) {
     speed = touches_[i].closing_speed;
     touches_[i] = {};
   }
-  set(i, law(i).next(before, event.guard, start, depth, speed));
+  const bool slow = before.branch == 0 && speed < least_speeds_[i] && law(i).needs_closing_speed();
+  set(i, law(i).next(before, event.guard, start, depth, slow ? least_speeds_[i] : speed));
   if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, depth);
   if (touched && branches_[i].touching) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
   if (touched && !branches_[i].touching) log_.end(i, time, -speed);
   began_ = !touched && branches_[i].touching;
   if (began_) {
     log_.begin(i, start, speed);
+    log_.under_way(i).slow_start = slow;
     log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
   }
 }

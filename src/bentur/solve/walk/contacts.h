@@ -14,7 +14,8 @@ namespace bentur::engine {
 /// Every branch of a law is guarded by functions of δ and δ̇ (law.h); a branch ends when one of them falls below minus
 /// its tolerance, some units of round-off of the displacements and speeds it is computed from. The band keeps round-off
 /// from changing a contact to and fro at one instant; nothing deeper than it is missed. A contact ends without
-/// tolerance where its opening becomes more than zero.
+/// tolerance where its opening becomes more than zero. One that began by going below the band is dated from where its
+/// opening became negative: an opening of zero is open.
 class Contacts {
  public:
   struct Event {
@@ -29,17 +30,26 @@ class Contacts {
     double energy_lost = 0;  ///< [force·length]
   };
 
+  /// How large the numbers are whose difference an opening is, and how fast they change, per point.
+  struct Scales {
+    std::vector<double> displacement;  ///< [length]; grows with what the run does
+    std::vector<double> speed;         ///< [length/s]
+  };
   /// `accuracy`: how well states at events are known, relative to displacements and speeds; a guard that starts its
   /// branch below zero by no more starts at zero.
-  Contacts(const ModalSystem& system, const Problem& problem, std::vector<double> tolerances, double accuracy);
+  Contacts(const ModalSystem& system, const Problem& problem, const Scales& scales, double accuracy);
 
   [[nodiscard]] const ContactForces& forces() const { return forces_; }
   /// No contact remembers anything, so that a free flight need only watch openings.
   [[nodiscard]] bool all_apart() const { return all_apart_; }
 
+  /// Takes in how large the displacements are in the expanded step, which began with the state `from`, at the points
+  /// that `openings` could not prove open. To be called before events are looked for.
+  void gauge(const Expansion& motion, const State& from, const Openings& openings);
+
   /// The first change in the expanded step, which began at `time` with the state `from`; `openings` has looked at it.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Openings& openings,
-                                                double time) const;
+                                                double time);
 
   /// A change that is due at a state, looking at nothing before it.
   [[nodiscard]] std::optional<Event> due(const State& state, const std::vector<GroundInput>& inputs, double time) const;
@@ -52,7 +62,7 @@ class Contacts {
   /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way.
   void accumulate(const Expansion& motion, double time, double end);
 
-  /// Notes which open points have come into the round-off band by `end` of the expanded step, which began at `time` and
+  /// Notes when the openings of open points last were zero, up to `end` of the expanded step, which began at `time` and
   /// at which `openings` has looked; `state` is that at `end`. To be called after every step, before change().
   void note_touches(const Expansion& motion, const Openings& openings, double time, double end, const State& state);
 
@@ -84,18 +94,20 @@ class Contacts {
 
   const ModalSystem* system_;
   const Problem* problem_;
-  std::vector<double> tolerances_;    ///< [length] per point
+  std::vector<double> tolerances_;    ///< the band [length] per point
+  std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per point
   double start_slack_;                ///< accuracy, in tolerances
   std::vector<ContactState> states_;  ///< per point
   std::vector<Branch> branches_;      ///< of states_
   ContactForces forces_;
   bool all_apart_ = true;
-  /// When the opening of an open point became zero, and its closing speed then; negative time: it is above zero.
+  /// When the opening of an open point last was zero, and its closing speed then; negative time: it is above zero.
   struct Touch {
     double time = -1;
     double closing_speed = 0;
   };
   std::vector<Touch> touches_;
+  std::vector<char> leaves_band_;  ///< whether the opening of an open point does, in the step last looked at
   ImpactLog log_;
   std::vector<Jump> jumps_;
   double fastest_ = 0;  ///< speed that modes have added up to at any event [length/s]

@@ -1,6 +1,7 @@
 #include "bentur/solve/walk/free_walk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -20,6 +21,7 @@ FreeWalk::FreeWalk(const Ground& ground)
     for (std::size_t n = 0; n < gaps.count; ++n) needed_.push_back(gaps.closing.peak.data() + n);
   }
   run_.reaches.resize(needed_.size());
+  run_.speeds.resize(needed_.size(), 0.0);
   for (std::size_t i = 0; i < needed_.size(); ++i) {
     *needed_[i] = std::max(0.0, -system_.points[i].sense(state_.q));
     run_.reaches[i].push_back({0, *needed_[i]});
@@ -47,6 +49,16 @@ bool FreeWalk::below(const std::vector<double>& reach) const {
   return true;
 }
 
+/// At the ends of steps only: what it is for needs no more.
+void FreeWalk::note_speeds(const double* v) {
+  for (std::size_t i = 0; i < run_.speeds.size(); ++i) {
+    const auto& point = system_.points[i];
+    const double left = kernels::dot(point.left_size, point.sense_left.data(), v + point.left_begin);
+    const double right = kernels::dot(point.right_size, point.sense_right.data(), v + point.right_begin);
+    run_.speeds[i] = std::max(run_.speeds[i], std::abs(left) + std::abs(right));
+  }
+}
+
 /// Notes how far the points reach in all legs of a trail that has been taken in.
 void FreeWalk::note_reaches(const Gaps& gaps, const Trail& trail) {
   for (std::size_t n = 0; n < gaps.count; ++n) {
@@ -66,6 +78,7 @@ void FreeWalk::note_reaches(const Gaps& gaps, const Trail& trail) {
 void FreeWalk::take_trail(const Trail& trail) {
   Walk::take_trail(trail);
   if (trail.legs() == 0) return;
+  for (Eigen::Index n = 0; n <= trail.legs(); ++n) note_speeds(trail.v(n));
   for (Gaps& gaps : gaps_) {
     gaps.closing.raise(trail.legs(), trail.q(0) + gaps.begin, trail.rise(0) + gaps.begin, system_.size);
     note_reaches(gaps, trail);
@@ -97,6 +110,8 @@ bool FreeWalk::settled(Gaps& gaps, const Trail& trail, Eigen::Index leg) {
 /// Power series are looked at together, with the rest of the trail.
 double FreeWalk::look(double /*time*/) {
   if (stepper_.is_series()) return 1.0;
+  note_speeds(state_.v.data());
+  note_speeds(next_.v.data());
   raise(state_, next_);
   for (std::size_t i = 0; i < needed_.size(); ++i) note(i, segment(), *needed_[i]);
   return 1.0;

@@ -16,6 +16,7 @@ struct FreeRun {
   };
   std::vector<std::vector<Reach>> reaches;    ///< per point, ascending in both
   std::vector<double> needed;                 ///< per point: the gap that is never closed [length]
+  std::vector<double> speeds;                 ///< per point: both floors' together, the largest seen [length/s]
   std::vector<Walk::Checkpoint> checkpoints;  ///< ascending
 };
 
@@ -44,6 +45,7 @@ class FreeWalk final : public Walk {
   void settled_before(long /*segment*/) override { run_.checkpoints.push_back(checkpoint()); }
   void settle() override;
   void note(std::size_t point, long segment, double reach);
+  void note_speeds(const double* v);
   void raise(const State& from, const State& to);
   [[nodiscard]] bool below(const std::vector<double>& reach) const;
 

@@ -4,12 +4,12 @@
 
 namespace bentur::engine {
 
-PoundingWalk::PoundingWalk(const Ground& ground, std::vector<double> tolerances, long first_contact,
+PoundingWalk::PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact,
                            const SolveOptions& options)
     : Walk(ground),
       first_contact_(first_contact),
       openings_(system_, gap_widths(problem_)),
-      contacts_(system_, problem_, std::move(tolerances), stepper_.accuracy()),
+      contacts_(system_, problem_, scales, stepper_.accuracy()),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         contacts_.forces_at(state, inputs, forces);
       }),
@@ -32,6 +32,7 @@ void PoundingWalk::retake(double length) {
 
 /// The first event of the step, which ends there if it is no power series.
 void PoundingWalk::find_event(double time) {
+  contacts_.gauge(motion_, state_, openings_);
   if (!stepper_.is_fixed()) {
     event_ = contacts_.next_event(motion_, state_, openings_, time);
     if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {

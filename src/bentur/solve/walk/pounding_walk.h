@@ -15,7 +15,7 @@ namespace bentur::engine {
 class PoundingWalk final : public Walk {
  public:
   /// No gap closes before the segment `first_contact`.
-  PoundingWalk(const Ground& ground, std::vector<double> tolerances, long first_contact, const SolveOptions& options);
+  PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact, const SolveOptions& options);
 
   Contacts& contacts() { return contacts_; }
   Sampler& sampler() { return sampler_; }
