@@ -9,12 +9,12 @@ namespace bentur {
 
 /// One contact of one point from touching to parting.
 struct Impact {
-  int point = 0;                ///< index into Problem::points
-  double start = 0;             ///< [s]
-  double end = 0;               ///< [s]; the end of the analysis where `open_ended`
-  bool open_ended = false;      ///< still closed when the analysis ended
-  bool slow_start = false;      ///< began so slowly that its law was told of a larger closing speed
-  double closing_speed = 0;     ///< −ġ at the start [length/s]
+  int point = 0;             ///< index into Problem::points
+  double start = 0;          ///< [s]
+  double end = 0;            ///< [s]; the end of the analysis where `open_ended`
+  bool open_ended = false;   ///< still closed when the analysis ended
+  bool slow_start = false;   ///< began so slowly that its law was told of a larger closing speed
+  double closing_speed = 0;  ///< −ġ at the start [length/s]; 0 where it is below 10⁻⁹ of the speeds at the point
   double separation_speed = 0;  ///< ġ at the end [length/s]
   double peak_force = 0;        ///< [force]
   double peak_force_time = 0;   ///< [s]

@@ -11,6 +11,7 @@ namespace {
 constexpr double round_off_band = 0x1p-46;  // of displacements and speeds at a point, and of resting forces
 constexpr double resting_threshold =
     0x1p-20;                          // of the speeds at a point: slower impacts without duration do not bounce
+constexpr double free_part = 0x1p-6;  // of the speeds of the free response, which count as that of an impact before one
 constexpr double least_slack = 4.0;   // tolerances: a guard that starts this far below zero starts at zero
 constexpr double least_speed = 1e-9;  // of the speeds at a point: slower starts are told to no law that needs them
 
@@ -49,6 +50,7 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, const Scal
     branches_[i] = law(i).branch(states_[i]);
     tolerances_.push_back(round_off_band * scales.displacement[i]);
     least_speeds_.push_back(least_speed * scales.speed[i]);
+    fastest_ = std::max(fastest_, free_part * scales.speed[i]);
   }
 }
 
@@ -88,11 +90,11 @@ Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial
   return p;
 }
 
-void Contacts::gauge(const Expansion& motion, const State& from, const Openings& openings) {
+void Contacts::gauge(const State& from, const State& to, const Openings& openings) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i].branch == 0 && openings.stays_open(i)) continue;
     const auto& point = system_->points[i];
-    const double size = problem_->points[i].width + point.sense_abs(from.q) + motion.h() * point.sense_abs(from.v);
+    const double size = problem_->points[i].width + std::max(point.sense_abs(from.q), point.sense_abs(to.q));
     tolerances_[i] = std::max(tolerances_[i], round_off_band * size);
   }
 }
@@ -271,14 +273,14 @@ void Contacts::change(const Event& event, double time, State& state) {
     speed = touches_[i].closing_speed;
     touches_[i] = {};
   }
-  const bool slow = before.branch == 0 && speed < least_speeds_[i] && law(i).needs_closing_speed();
+  const bool slow = before.branch == 0 && from_rest(i, speed) && law(i).needs_closing_speed();
   set(i, law(i).next(before, event.guard, start, depth, slow ? least_speeds_[i] : speed));
   if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, depth);
   if (touched && branches_[i].touching) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
   if (touched && !branches_[i].touching) log_.end(i, time, -speed);
   began_ = !touched && branches_[i].touching;
   if (began_) {
-    log_.begin(i, start, speed);
+    log_.begin(i, start, from_rest(i, speed) ? 0.0 : speed);
     log_.under_way(i).slow_start = slow;
     log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -43,9 +44,9 @@ class Contacts {
   /// No contact remembers anything, so that a free flight need only watch openings.
   [[nodiscard]] bool all_apart() const { return all_apart_; }
 
-  /// Takes in how large the displacements are in the expanded step, which began with the state `from`, at the points
-  /// that `openings` could not prove open. To be called before events are looked for.
-  void gauge(const Expansion& motion, const State& from, const Openings& openings);
+  /// Takes in how large the displacements are in a step between two states, at the points that `openings` could not
+  /// prove open. To be called before events are looked for in it.
+  void gauge(const State& from, const State& to, const Openings& openings);
 
   /// The first change in the expanded step, which began at `time` with the state `from`; `openings` has looked at it.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Openings& openings,
@@ -84,6 +85,9 @@ class Contacts {
   [[nodiscard]] double penetration(std::size_t point, const State& state) const;
   [[nodiscard]] double closing_speed(std::size_t point, const State& state) const;
   [[nodiscard]] bool resting(std::size_t point) const;
+  [[nodiscard]] bool from_rest(std::size_t point, double closing_speed) const {
+    return std::abs(closing_speed) < least_speeds_[point];
+  }
   [[nodiscard]] double tolerance(std::size_t point, const Guard& guard, const State& state) const;
   [[nodiscard]] Polynomial guarded(std::size_t point, const Guard& guard, const Polynomial& opening, double h,
                                    double time) const;
@@ -110,7 +114,7 @@ class Contacts {
   std::vector<char> leaves_band_;  ///< whether the opening of an open point does, in the step last looked at
   ImpactLog log_;
   std::vector<Jump> jumps_;
-  double fastest_ = 0;  ///< speed that modes have added up to at any event [length/s]
+  double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
   bool began_ = false;
   long events_ = 0;
 };

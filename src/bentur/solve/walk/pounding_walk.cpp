@@ -32,7 +32,7 @@ void PoundingWalk::retake(double length) {
 
 /// The first event of the step, which ends there if it is no power series.
 void PoundingWalk::find_event(double time) {
-  contacts_.gauge(motion_, state_, openings_);
+  contacts_.gauge(state_, next_, openings_);
   if (!stepper_.is_fixed()) {
     event_ = contacts_.next_event(motion_, state_, openings_, time);
     if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {
