@@ -14,7 +14,7 @@
 
 #include "bentur/contact/laws.h"
 #include "bentur/io/case_toml.h"
-#include "bentur/io/record_files.h"
+#include "bentur/io/records/record_files.h"
 #include "bentur/solve/motion/polynomial.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/modes.h"

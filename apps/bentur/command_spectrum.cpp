@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/units.h"
-#include "bentur/io/record_files.h"
+#include "bentur/io/records/record_files.h"
 #include "bentur/io/results/atomic_file.h"
 #include "bentur/io/results/spectrum_files.h"
 #include "bentur/report/kinds/kinds.h"
@@ -64,23 +65,21 @@ std::string settle_unit(const SpectrumArguments& arguments, const Record& record
   return record.unit.empty() ? arguments.unit : record.unit;
 }
 
-SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units) {
+SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units, RecordEcho& echo) {
   Diagnostics diagnostics;
-  std::optional<Record> record;
-  std::error_code ignored;
-  if (std::filesystem::exists(arguments.file, ignored)) {
-    record = read_record(arguments.file, arguments.options, diagnostics);
-  } else {
-    diagnostics.error({arguments.file, 0, 0}, "there is no such file");
+  std::optional<Record> record = read_record(arguments.file, arguments.options, diagnostics);
+  if (!record) throw Failure(diagnostics);
+  const std::optional<double> step = arguments.options.time_step;
+  if (step && std::abs(*step / record->time_step - 1) > 0.01) {
+    throw Failure(exit_bad_input, fmt::format("{}: error: --time-step is {} but the file says {:.6g} s", arguments.file,
+                                              *step, record->time_step));
   }
-  if (!record || !diagnostics.ok()) {
-    std::string text;
-    for (const Diagnostic& one : diagnostics.errors()) text += (text.empty() ? "" : "\n") + one.text();
-    throw Failure(exit_bad_input, text);
-  }
+  const std::string unit = settle_unit(arguments, *record);
+  echo = echo_of(*record, arguments.file, unit);
   SampledMotion motion{record->time_step, std::move(record->values)};
-  const double factor = acceleration_factor(settle_unit(arguments, *record), units);
+  const double factor = acceleration_factor(unit, units);
   for (double& a : motion.acceleration) a *= factor;
+  echo.pga = peak_acceleration(motion);
   return motion;
 }
 
@@ -99,8 +98,10 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
   table.add("pseudo-velocity", length + "/s", velocity);
   table.add("pseudo-acceleration", "g", acceleration);
   table.add("absolute acceleration", "g", absolute);
-  return fmt::format("{}: response spectrum, damping {} %, peak ground acceleration {} g\n\n", spectrum.file,
-                     number(100 * spectrum.damping_ratio), number(spectrum.pga / spectrum.units.gravity)) +
+  return fmt::format("{}\nResponse spectrum, damping {} %, peak ground acceleration {} {} = {} g\n\n",
+                     record_line(spectrum.record), number(100 * spectrum.damping_ratio),
+                     number(spectrum.record.pga_read), spectrum.record.unit,
+                     number(spectrum.record.pga / spectrum.units.gravity)) +
          table.text();
 }
 
@@ -123,13 +124,11 @@ void run(const SpectrumArguments& arguments) {
     throw Failure(exit_bad_input, fmt::format("bentur: --damping {}: must be in [0, 1)", arguments.damping));
   }
   RecordSpectrum spectrum;
-  spectrum.file = arguments.file;
   spectrum.units.length = arguments.length;
   spectrum.units.gravity = standard_gravity(arguments.length);
   spectrum.damping_ratio = arguments.damping;
   spectrum.periods = periods;
-  const SampledMotion motion = read_motion(arguments, spectrum.units);
-  spectrum.pga = peak_acceleration(motion);
+  const SampledMotion motion = read_motion(arguments, spectrum.units, spectrum.record);
   try {
     spectrum.peaks = response_spectrum(motion, periods, arguments.damping);
   } catch (const InvalidParameter& error) {
@@ -156,18 +155,21 @@ void run(const SpectrumArguments& arguments) {
 
 void add_spectrum_command(CLI::App& app) {
   auto arguments = std::make_shared<SpectrumArguments>();
-  arguments->options.time_step_name = "--time-step";
-  arguments->options.column_name = "--column";
+  arguments->options.of_command = true;
   CLI::App* command = app.add_subcommand("spectrum", "The response spectrum of a record");
   command->add_option("FILE", arguments->file, "the record (docs/record-files.md)")->required();
   command->add_option("--unit", arguments->unit, "of the accelerations, where the file does not say it")
       ->check(CLI::IsMember(acceleration_units()));
   command->add_option("--format", arguments->options.format, "of the file; default auto")
-      ->check(CLI::IsMember({"auto", "peer-at2", "two-column", "one-column"}));
+      ->check(CLI::IsMember(record_formats()));
   command->add_option("--time-step", arguments->options.time_step, "[s], where the file does not say it")
       ->check(CLI::PositiveNumber);
   command->add_option("--column", arguments->options.column, "of the accelerations, where there are more than two")
       ->check(CLI::Range(1, 1000000));
+  command->add_option("--channel", arguments->options.channel, "of accelerations, where the file has several")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--skip-lines", arguments->options.skip_lines, "lines at the beginning to pass over")
+      ->check(CLI::Range(0, 1000000));
   command->add_option("--damping", arguments->damping, "ratio, default 0.05");
   command->add_option("--periods", arguments->periods,
                       "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41");

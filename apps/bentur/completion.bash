@@ -34,7 +34,7 @@ _bentur() {
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--help' ;;
-    spectrum) options='--unit --format --time-step --column --damping --periods --length --output --json --help' ;;
+    spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --json --help' ;;
     plot) options='--output --list --from --to --gap --elevation --at --against --event --width --help' ;;
     example) options='--output --help' ;;
   esac

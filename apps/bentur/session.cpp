@@ -11,6 +11,7 @@
 
 #include "bentur/io/case_toml.h"
 #include "bentur/io/examples/example_files.h"
+#include "bentur/io/records/record_files.h"
 #include "bentur/io/results/temporary_folder.h"
 #include "bentur/solve/solver.h"
 #include "table.h"
@@ -96,14 +97,18 @@ std::string solver_name(const Solver& solver) {
   return text;
 }
 
+std::string record_line(const RecordEcho& record) {
+  return fmt::format("Record {} ({}, {}{}): {} values every {} s, {} s long", record.file, record.format, record.unit,
+                     echo_notes(record), record.count, number(record.time_step), number(record.duration));
+}
+
 std::string excitation_line(const Case& c) {
   std::string line;
   const std::string acceleration = c.units.length + "/s²";
   if (c.excitation.record) {
     const RecordEcho& record = *c.excitation.record;
-    line = fmt::format("Record {} ({}, {}): {} values every {} s, {} s long\n       peak {} {}, applied {} {}",
-                       record.file, record.format, record.unit, record.count, number(record.time_step),
-                       number(record.duration), number(record.pga_read), record.unit, number(record.pga), acceleration);
+    line = fmt::format("{}\n       peak {} {}, applied {} {}", record_line(record), number(record.pga_read),
+                       record.unit, number(record.pga), acceleration);
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
     line = fmt::format("Harmonic ground motion ({}): period {} s, amplitude {} {}, peak {} {}",
                        harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine", number(harmonic->period),

@@ -66,6 +66,8 @@ struct Loaded {
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
 [[nodiscard]] std::string excitation_line(const Case& c);
+/// What was read from a record file, and how.
+[[nodiscard]] std::string record_line(const RecordEcho& record);
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, int gap);

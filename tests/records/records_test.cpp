@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/record_files.h"
+#include "bentur/io/records/record_files.h"
 
 namespace bentur {
 namespace {

@@ -294,7 +294,7 @@ class Fragility(Ida):
                                  (["--confidence", "1"], "must be in (0, 1)"),
                                  (["--resamples", "0"], "--resamples")):
             self.assertIn(words, self.bentur("fragility", output, *arguments, status=2).stderr, arguments)
-        self.assertIn("No such file", self.bentur("fragility", self.folder / "none.nc", status=2).stderr)
+        self.assertIn("no such file", self.bentur("fragility", self.folder / "none.nc", status=2).stderr)
         self.assertIn("NetCDF", self.bentur("fragility", SOURCE / "README.md", status=2).stderr)
         sweep = self.folder / "sweep.nc"
         self.bentur("sweep", self.widths(3), "-o", sweep)

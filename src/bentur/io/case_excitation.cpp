@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <system_error>
 
 #include "bentur/io/case_parts.h"
-#include "bentur/io/record_files.h"
+#include "bentur/io/input_file.h"
+#include "bentur/io/records/record_files.h"
 #include "bentur/io/study/case_memo.h"
 
 namespace bentur {
 namespace {
 
 const std::vector<std::string> common_keys = {"kind", "delays", "wave_velocity", "kinematics"};
-const std::vector<std::string> record_keys = {"file", "format", "time_step", "unit", "column", "pga", "scale"};
+const std::vector<std::string> record_keys = {"file",    "format",     "time_step", "unit", "column",
+                                              "channel", "skip_lines", "pga",       "scale"};
 const std::vector<std::string> harmonic_keys = {"period", "displacement_amplitude", "acceleration_amplitude", "phase"};
 
 /// Unknown keys, and known ones that belong to another kind.
@@ -34,14 +35,16 @@ void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
   refuse(harmonic_keys, "harmonic");
 }
 
-std::optional<int> read_column(const TomlView& view) {
-  const auto column = view.find("column");
-  if (!column) return std::nullopt;
-  const TomlValue& value = column->value();
-  if (value.kind == TomlValue::Kind::integer && value.integer >= 1 && value.integer <= 1000000) {
+/// A whole number that says where in a file to look; `good` is set to false where it is none.
+std::optional<int> read_place(const TomlView& view, const char* key, int least, const char* what, bool& good) {
+  const auto place = view.find(key);
+  if (!place) return std::nullopt;
+  const TomlValue& value = place->value();
+  if (value.kind == TomlValue::Kind::integer && value.integer >= least && value.integer <= 1000000) {
     return static_cast<int>(value.integer);
   }
-  column->error_value("must be a whole number from 1 (the first column of the file)");
+  place->error_value(fmt::format("must be a whole number from {} ({})", least, what));
+  good = false;
   return std::nullopt;
 }
 
@@ -89,20 +92,23 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   const auto file = view.get("file", Need::required);
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
-  const auto format = view.word("format", {"auto", "peer-at2", "two-column", "one-column"}, Need::optional);
+  const auto format = view.word("format", record_formats(), Need::optional);
   options.format = format.value_or("auto");
   const bool format_usable = format || !view.has("format");
   options.time_step = view.number("time_step", Rule::positive, Need::optional);
   const bool step_usable = options.time_step || !view.has("time_step");
-  options.column = read_column(view);
-  const bool column_usable = options.column || !view.has("column");
+  bool places_usable = true;
+  options.column = read_place(view, "column", 1, "the first column of the file", places_usable);
+  options.channel = read_place(view, "channel", 1, "the first channel of the file", places_usable);
+  options.skip_lines =
+      read_place(view, "skip_lines", 0, "how many lines at the beginning to pass over", places_usable).value_or(0);
 
   std::optional<Record> record;
-  if (name && format_usable && step_usable && column_usable) {
+  if (name && format_usable && step_usable && places_usable) {
     const std::filesystem::path path = folder / *name;
-    std::error_code ignored;
-    if (name->find('\0') != std::string::npos || !std::filesystem::exists(path, ignored)) {
-      file->error_value("there is no such file (names are relative to the case file)");
+    const std::string problem = input_problem(path, record_input);
+    if (!problem.empty()) {
+      file->error_value(problem + " (names are relative to the case file)");
     } else {
       record = memo != nullptr ? memo->record(path, options, diagnostics) : read_record(path, options, diagnostics);
     }
@@ -117,15 +123,9 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   if (options.time_step && std::abs(*options.time_step / record->time_step - 1) > 0.01) {
     view.find("time_step")->error_value(fmt::format("but the file says {:.6g} s", record->time_step));
   }
-  SampledMotion motion{record->time_step, std::move(record->values)};
-  echo.file = *name;
-  echo.format = record->format;
-  echo.time_step = motion.time_step;
-  echo.count = static_cast<long>(motion.acceleration.size());
-  echo.duration = static_cast<double>(echo.count - 1) * echo.time_step;
-  for (const double value : motion.acceleration) echo.pga_read = std::max(echo.pga_read, std::abs(value));
   const auto unit = settle_unit(view, *record, *name);
-  echo.unit = unit.value_or("");
+  echo = echo_of(*record, *name, unit.value_or(""));
+  SampledMotion motion{record->time_step, std::move(record->values)};
   apply_scale(view, unit ? acceleration_factor(*unit, units) : 1.0, motion, echo);
   return motion;
 }

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
-#include <fstream>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "bentur/io/case_parts.h"
+#include "bentur/io/input_file.h"
 #include "bentur/io/study/case_memo.h"
 
 namespace bentur {
 namespace {
 
-constexpr std::uintmax_t largest_file = 16U << 20;  // bytes; a case file has some thousand
-constexpr double most_samples = 1e7;                // of one history [-]
+constexpr double most_samples = 1e7;  // of one history [-]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
 std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
@@ -200,21 +197,13 @@ std::optional<Case> read_case_text(const std::string& text, const std::filesyste
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  std::error_code failed;
-  const auto refuse = [&](const std::string& message) {
-    diagnostics.error({file.string(), 0, 0}, message);
+  std::string problem;
+  const auto text = read_input(file, case_input, problem);
+  if (!text) {
+    diagnostics.error({file.string(), 0, 0}, problem);
     return std::nullopt;
-  };
-  if (!std::filesystem::exists(file, failed)) return refuse("there is no such file");
-  if (std::filesystem::is_directory(file, failed)) return refuse("is a folder, not a case file");
-  if (std::filesystem::is_regular_file(file, failed) && std::filesystem::file_size(file, failed) > largest_file) {
-    return refuse("is larger than 16 MiB, which no case file is");
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || text.str().size() > largest_file) return refuse("cannot be read");
-  return read_case_text(text.str(), file, diagnostics);
+  return read_case_text(*text, file, diagnostics);
 }
 
 }  // namespace bentur

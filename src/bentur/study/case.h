@@ -62,10 +62,13 @@ struct GapSpec {
 
 /// What was read from a record file, echoed to the user.
 struct RecordEcho {
-  std::string file;      ///< as the case names it
-  std::string format;    ///< peer-at2 two-column one-column
-  std::string unit;      ///< of the file
-  double time_step = 0;  ///< [s]
+  std::string file;         ///< as the case names it
+  std::string format;       ///< as record_formats() of io
+  std::string unit;         ///< of the file
+  std::string channel;      ///< which of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
+  int header_lines = 0;     ///< passed over before the first value
+  double mean_removed = 0;  ///< taken off all values, in the file's unit
+  double time_step = 0;     ///< [s]
   long count = 0;
   double duration = 0;  ///< (count − 1) · step [s]
   double pga_read = 0;  ///< largest |a| in the file's unit

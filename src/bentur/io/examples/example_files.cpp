@@ -1,10 +1,9 @@
 #include "bentur/io/examples/example_files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "bentur/io/input_file.h"
 #include "bentur/io/results/atomic_file.h"
 
 namespace bentur {
@@ -49,9 +48,8 @@ std::filesystem::path write_example(const Example& example, const std::filesyste
   for (const EmbeddedFile* file : example.files) {
     const std::filesystem::path path = directory / file->name;
     if (std::filesystem::exists(path)) {
-      std::ifstream stream(path, std::ios::binary);
-      const std::string there{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-      if (there == file->content) {
+      std::string problem;
+      if (read_input(path, record_input, problem) == file->content) {
         continue;
       }
       throw std::runtime_error(path.string() + ": exists and differs; not overwritten");

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "bentur/io/input_file.h"
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/solve/solver.h"
@@ -173,11 +172,10 @@ class Work {
 }  // namespace
 
 bool is_study(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
+  std::string problem;
   Diagnostics ignored;
-  const auto root = stream ? parse_toml(text.str(), file.string(), ignored) : std::nullopt;
+  const auto text = read_input(file, study_input, problem);
+  const auto root = text ? parse_toml(*text, file.string(), ignored) : std::nullopt;
   return root && std::any_of(root->members.begin(), root->members.end(),
                              [](const TomlMember& member) { return member.key == "case"; });
 }

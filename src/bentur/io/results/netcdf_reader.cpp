@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "bentur/io/input_file.h"
+
 namespace bentur {
 namespace {
 
@@ -19,6 +21,8 @@ std::size_t count_of(const std::vector<std::size_t>& shape) {
 }  // namespace
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& file) : name_(file.string()) {
+  const std::string problem = input_problem(file, result_input);  // the library would wait for a pipe
+  if (!problem.empty()) throw NetcdfError(name_, problem);
   check(nc_open(name_.c_str(), NC_NOWRITE, &id_));
   list();
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "bentur/io/results/record_json.h"
 #include "bentur/structure/modes.h"
 #include "bentur/study/restitution.h"
 
@@ -23,16 +24,8 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 Json excitation_json(const ExcitationSpec& excitation) {
   Json json;
   if (excitation.record) {
-    const RecordEcho& record = *excitation.record;
-    json = {{"kind", "record"},
-            {"file", record.file},
-            {"format", record.format},
-            {"unit", record.unit},
-            {"time_step", record.time_step},
-            {"count", record.count},
-            {"duration", record.duration},
-            {"pga_read", record.pga_read},
-            {"pga", record.pga}};
+    json = {{"kind", "record"}};
+    put_record(*excitation.record, json);
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     json = {{"kind", "harmonic"},
             {"period", harmonic->period},

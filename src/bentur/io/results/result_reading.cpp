@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bentur/io/input_file.h"
 #include "bentur/io/results/netcdf_reader.h"
 
 namespace bentur {
@@ -26,9 +25,10 @@ using UnorderedJson = nlohmann::json;
 }
 
 std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail(file, "cannot be read");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::string problem;
+  auto text = read_input(file, result_input, problem);
+  if (!text) fail(file, problem);
+  return *std::move(text);
 }
 
 Eigen::VectorXd vector(const UnorderedJson& json) {
@@ -42,6 +42,9 @@ ExcitationSpec excitation(const UnorderedJson& json) {
     spec.record = RecordEcho{.file = json.at("file"),
                              .format = json.at("format"),
                              .unit = json.at("unit"),
+                             .channel = json.value("channel", ""),
+                             .header_lines = json.value("header_lines", 0),
+                             .mean_removed = json.value("mean_removed", 0.0),
                              .time_step = json.at("time_step"),
                              .count = json.at("count"),
                              .duration = json.at("duration"),

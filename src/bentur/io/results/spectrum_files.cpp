@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "bentur/io/results/record_json.h"
+
 namespace bentur {
 
 std::string spectrum_csv(const RecordSpectrum& spectrum) {
@@ -29,11 +31,14 @@ std::string spectrum_json(const RecordSpectrum& spectrum, std::string_view versi
     pseudo_acceleration.push_back(p.pseudo_acceleration);
     absolute_acceleration.push_back(p.absolute_acceleration);
   }
-  const Json json = {{"file", spectrum.file},
+  Json record;
+  put_record(spectrum.record, record);
+  const Json json = {{"file", spectrum.record.file},
+                     {"record", record},
                      {"units", {{"length", spectrum.units.length}, {"gravity", spectrum.units.gravity}}},
                      {"version", version},
                      {"damping_ratio", spectrum.damping_ratio},
-                     {"pga", spectrum.pga},
+                     {"pga", spectrum.record.pga},
                      {"period", spectrum.periods},
                      {"displacement", displacement},
                      {"pseudo_velocity", pseudo_velocity},

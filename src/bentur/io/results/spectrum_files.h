@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "bentur/core/units.h"
+#include "bentur/study/case.h"
 #include "bentur/study/response_spectrum.h"
 
 namespace bentur {
 
 /// The response spectrum of one record.
 struct RecordSpectrum {
-  std::string file;                    ///< as the user names it
+  RecordEcho record;                   ///< its pga in the units of the peaks
   Units units;                         ///< of the peaks
-  double pga = 0;                      ///< [length/s²]
   double damping_ratio = 0;            ///< ζ [-]
   std::vector<double> periods;         ///< T [s]
   std::vector<OscillatorPeaks> peaks;  ///< one per period

@@ -91,6 +91,8 @@ std::optional<Record> CaseMemo::record(const std::filesystem::path& file, const 
   append_text(options.format, key);
   append_bytes(options.time_step.value_or(0), key);
   append_bytes(options.column.value_or(0), key);
+  append_bytes(options.channel.value_or(0), key);
+  append_bytes(options.skip_lines, key);
   {
     const std::lock_guard lock(mutex_);
     const auto found = records_.find(key);

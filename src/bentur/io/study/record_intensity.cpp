@@ -13,7 +13,8 @@ namespace {
 
 bool decides_record(const ParameterPath& path) {
   if (path.empty() || path.front() != PathStep("excitation")) return false;
-  const std::vector<std::string> keys = {"kind", "file", "format", "time_step", "unit", "column"};
+  const std::vector<std::string> keys = {"kind", "file",   "format",  "time_step",
+                                         "unit", "column", "channel", "skip_lines"};
   return path.size() == 1 || std::find(keys.begin(), keys.end(), std::get<std::string>(path[1])) != keys.end();
 }
 

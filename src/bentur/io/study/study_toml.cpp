@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <system_error>
 
+#include "bentur/io/input_file.h"
 #include "bentur/io/study/ida_toml.h"
 #include "bentur/io/study/study.h"
 #include "bentur/io/study/vary_toml.h"
@@ -13,19 +11,6 @@
 
 namespace bentur {
 namespace {
-
-constexpr std::uintmax_t largest_study = 16U << 20;  // bytes
-
-std::optional<std::string> file_text(const std::filesystem::path& file) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed) || std::filesystem::file_size(file, failed) > largest_study) {
-    return std::nullopt;
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return stream ? std::optional(text.str()) : std::nullopt;
-}
 
 void read_sampling(const TomlView& root, Study& study) {
   const auto view = root.find("sampling");
@@ -198,9 +183,10 @@ bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) 
   const auto name = given ? given->as_text() : std::nullopt;
   if (!name) return false;
   study.case_file = study.file.parent_path() / *name;
-  const auto text = name->find('\0') == std::string::npos ? file_text(study.case_file) : std::nullopt;
+  std::string problem;
+  const auto text = read_input(study.case_file, case_input, problem);
   if (!text) {
-    given->error_value("there is no such file (names are relative to the study), or it cannot be read");
+    given->error_value(problem + " (names are relative to the study)");
     return false;
   }
   study.case_text = *text;
@@ -223,11 +209,10 @@ TomlValue scaled(TomlValue value, double factor) {
 std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics) {
   Study study;
   study.file = file;
-  const auto text = file_text(file);
+  std::string problem;
+  const auto text = read_input(file, study_input, problem);
   if (!text) {
-    std::error_code failed;
-    diagnostics.error({file.string(), 0, 0},
-                      std::filesystem::exists(file, failed) ? "cannot be read as a study" : "there is no such file");
+    diagnostics.error({file.string(), 0, 0}, problem);
     return std::nullopt;
   }
   study.text = *text;

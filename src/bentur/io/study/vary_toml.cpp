@@ -17,7 +17,7 @@ using Kind = TomlValue::Kind;
 
 constexpr std::size_t most_levels = 10000000;
 
-const std::vector<std::string> file_keys = {"unit", "format", "time_step", "column"};
+const std::vector<std::string> file_keys = {"unit", "format", "time_step", "column", "channel", "skip_lines"};
 
 bool is_name(const std::string& text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };

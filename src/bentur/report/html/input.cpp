@@ -246,6 +246,11 @@ Html motion_echo(const Story& story) {
     const RecordEcho& record = *c.excitation.record;
     rows.emplace_back(say("motion.record"), record.file);
     rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
+    if (!record.channel.empty()) rows.emplace_back(say("motion.channel"), record.channel);
+    if (record.header_lines > 0) rows.emplace_back(say("motion.header_lines"), std::to_string(record.header_lines));
+    if (record.mean_removed != 0) {
+      rows.emplace_back(say("motion.mean_removed"), quantity(record.mean_removed, record.unit));
+    }
     rows.emplace_back(say("motion.samples"),
                       say("motion.samples_text", {{"count", std::to_string(record.count)},
                                                   {"step", quantity(record.time_step, "s")},

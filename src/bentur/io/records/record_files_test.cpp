@@ -1,4 +1,4 @@
-#include "bentur/io/record_files.h"
+#include "bentur/io/records/record_files.h"
 
 #include <gtest/gtest.h>
 
@@ -10,34 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/results/temporary_folder.h"
+#include "tests/support/record_file.h"
 
 namespace bentur {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that lives as long as the test.
-class RecordFile : public ::testing::Test {
- protected:
-  std::optional<Record> read(const std::string& text, const RecordOptions& options = {}) {
-    std::ofstream(file_, std::ios::binary) << text;
-    diagnostics_ = Diagnostics();
-    return read_record(file_, options, diagnostics_);
-  }
-
-  /// The messages without the file's name, one in a line.
-  std::string messages() const {
-    std::string all;
-    for (const Diagnostic& error : diagnostics_.errors()) all += error.text().substr(file_.string().size()) + "\n";
-    return all;
-  }
-
-  TemporaryFolder folder_;
-  fs::path file_ = folder_.path() / "record";
-  Diagnostics diagnostics_;
-};
-
+using test::RecordFile;
 using Values = std::vector<double>;
 const std::string peer_head =
     "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE\nACCELERATION TIME HISTORY IN UNITS OF G\n";
@@ -99,93 +79,6 @@ TEST_F(RecordFile, ErrorsAreCutAfterTen) {
   for (int i = 1; i < 100; ++i) text += std::to_string(i) + " x\n";
   EXPECT_FALSE(read(text).has_value());
   EXPECT_EQ(diagnostics_.errors().size(), 10U);
-}
-
-TEST_F(RecordFile, TwoColumnsInEachLayout) {
-  for (const char* const text :
-       {"0.00 0.5\n0.02 -0.25\n0.04 1e-1\n", "0.00,0.5\n0.02,-0.25\n0.04,.1\n", "0.00, 0.5\n0.02, -0.25\n0.04, 0.1\n",
-        "0.00;0.5\n0.02; -0.25 ;\n0.04;0.1", "0.00\t0.5\n0.02\t-0.25\n0.04\t0.1\n", "0,00;0,5\n0,02;-0,25\n0,04;0,1\n",
-        "0,00\t0,5\n0,02\t-0,25\n0,04\t0,1\n", "0,00  0,5\n0,02 -0,25\n0,04  0,1\n",
-        "Time [s], Acceleration\n0.00,0.5\n0.02,-0.25\n0.04,0.1\n", "Zeit;Beschl. a\n0,00;0,5\n0,02;-0,25\n0,04;0,1\n",
-        "# a comment, 1 2 3\n% another\n\n 0.00 0.5 # start\n0.02 -0.25\n\n0.04 0.1\n",
-        "\xEF\xBB\xBF"
-        "0.00 0.5\n0.02 -0.25\n0.04 0.1\n"}) {
-    SCOPED_TRACE(text);
-    const auto record = read(text);
-    ASSERT_TRUE(record.has_value()) << messages();
-    EXPECT_EQ(record->format, "two-column");
-    EXPECT_EQ(record->unit, "");  // never guessed
-    EXPECT_DOUBLE_EQ(record->time_step, 0.02);
-    EXPECT_EQ(record->values, (Values{0.5, -0.25, 0.1}));
-  }
-}
-
-TEST_F(RecordFile, OneColumnNeedsAStep) {
-  RecordOptions options;
-  EXPECT_FALSE(read("0.5\n-0.25\n", options).has_value());
-  EXPECT_NE(messages().find("give excitation.time_step"), std::string::npos);
-  RecordOptions of_command;
-  of_command.time_step_name = "--time-step";
-  EXPECT_FALSE(read("0.5\n-0.25\n", of_command).has_value());
-  EXPECT_NE(messages().find("give --time-step"), std::string::npos);
-  options.time_step = 0.01;
-  const auto record = read("acceleration\n0.5\n-0.25\n", options);
-  ASSERT_TRUE(record.has_value()) << messages();
-  EXPECT_EQ(record->format, "one-column");
-  EXPECT_EQ(record->time_step, 0.01);
-  EXPECT_EQ(record->values, (Values{0.5, -0.25}));
-}
-
-TEST_F(RecordFile, FormatAskedForMustFit) {
-  RecordOptions options;
-  options.format = "one-column";
-  options.time_step = 0.01;
-  EXPECT_FALSE(read("0 0.5\n1 0.6\n", options).has_value());
-  options.format = "two-column";
-  EXPECT_FALSE(read("0.5\n0.6\n", options).has_value());
-  options.format = "peer-at2";
-  EXPECT_FALSE(read("0 0.5\n1 0.6\n", options).has_value());
-}
-
-TEST_F(RecordFile, ColumnsAreChosenNotGuessed) {
-  const std::string text = "0.0 1 2 3\n0.1 4 5 6\n";
-  EXPECT_FALSE(read(text).has_value());
-  RecordOptions options;
-  for (const int column : {1, 5}) {
-    options.column = column;
-    EXPECT_FALSE(read(text, options).has_value()) << column;
-  }
-  options.column = 3;
-  EXPECT_EQ(read(text, options).value().values, (Values{2, 5}));
-}
-
-TEST_F(RecordFile, StepMayVaryByOnePerCent) {
-  // Steps 0.0201, 0.0199: half a per cent off the mean. 0.0203, 0.0197: one and a half.
-  const auto record = read("0 1\n0.0201 2\n0.04 3\n");
-  ASSERT_TRUE(record.has_value()) << messages();
-  EXPECT_DOUBLE_EQ(record->time_step, 0.02);
-  EXPECT_FALSE(read("0 1\n0.0203 2\n0.04 3\n").has_value());
-  EXPECT_EQ(messages(), ":2:1: error: time step 0.0203 s differs from the mean step 0.02 s by more than 1 %\n");
-  EXPECT_FALSE(read("0.04 1\n0.02 2\n0 3\n").has_value());
-  EXPECT_EQ(messages(), ":3:1: error: time does not go forward from the first line to the last\n");
-}
-
-TEST_F(RecordFile, FilesWithoutNumbers) {
-  for (const char* const text : {"", "\n\n", " \t\r\n"}) {
-    EXPECT_FALSE(read(text).has_value());
-    EXPECT_EQ(messages(), ": error: is empty\n");
-  }
-  EXPECT_FALSE(read("# only a comment\ntime acceleration\n").has_value());
-  EXPECT_EQ(messages(), ": error: holds no numbers\n");
-  EXPECT_FALSE(read("0 1\n").has_value());
-  EXPECT_EQ(messages(), ": error: holds one value only, a record needs two or more\n");
-  EXPECT_FALSE(read("0,1;2\n0,2;;3\n").has_value());
-  EXPECT_FALSE(read("first title\nsecond title\n0 1\n1 2\n").has_value());
-}
-
-TEST_F(RecordFile, ATypingErrorInTheFirstRowIsNoHeader) {
-  EXPECT_FALSE(read("0.00 O.5\n0.02 0.25\n0.04 0.1\n").has_value());
-  EXPECT_EQ(messages(), ":1:6: error: \"O.5\" is not a number\n");
 }
 
 TEST(RecordFiles, RecordsOfRealEarthquakes) {

@@ -1,0 +1,244 @@
+// Text with one column (accelerations), with several (time first, or channels without time), or with any number of
+// accelerations in a line; separated by blanks, tabs, commas or semicolons.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/io/records/column_rows.h"
+#include "bentur/io/records/record_text.h"
+
+namespace bentur {
+namespace {
+
+/// What the columns of a file mean, once it is known.
+enum class Meaning { time_first, channels, values };
+
+class ColumnReader {
+ public:
+  ColumnReader(const ColumnRows& found, const RecordOptions& options, RecordErrors& errors)
+      : found_(found), options_(options), errors_(errors) {
+    if (found.stated) step_ = found.stated->time_step;
+    if (!step_) step_ = options.time_step;
+    columns_ = found.cells(found.rows.front()).size();
+  }
+
+  std::optional<Record> read() {
+    read_numbers();
+    if (numbers_.empty()) return std::nullopt;
+    const auto meaning = settled();
+    if (!meaning) return std::nullopt;
+    Record record;
+    record.header_lines = found_.header_lines;
+    if (*meaning == Meaning::values) {
+      record.format = columns_ == 1 ? "one-column" : "values";
+      for (const auto& row : numbers_) record.values.insert(record.values.end(), row.begin(), row.end());
+      record.time_step = needed_step();
+    } else {
+      check_widths();
+      const bool timed = *meaning == Meaning::time_first;
+      record.format = timed ? "two-column" : "one-column";
+      const auto column = chosen_column(timed);
+      if (!timed) record.time_step = needed_step();
+      if (!errors_.ok() || !column) return std::nullopt;
+      for (const auto& row : numbers_) record.values.push_back(row[*column]);
+      if (timed) record.time_step = step_of_times();
+      if (columns_ > (timed ? 2 : 1)) record.channel = fmt::format("column {} of {}", *column + 1, columns_);
+    }
+    check_count(record.values.size());
+    return errors_.ok() ? std::optional(std::move(record)) : std::nullopt;
+  }
+
+ private:
+  void read_numbers() {
+    for (const Line& row : found_.rows) {
+      if (errors_.full()) return;
+      std::vector<double> numbers;
+      for (const Token& cell : found_.cells(row)) {
+        numbers.push_back(finite_number(cell, found_.decimal_comma, errors_).value_or(0));
+      }
+      numbers_.push_back(std::move(numbers));
+    }
+  }
+
+  /// Every row but the last has as many numbers as the first, and the last no more; `ragged`: it has fewer.
+  [[nodiscard]] bool is_block(bool& ragged) const {
+    ragged = numbers_.back().size() < columns_;
+    return numbers_.back().size() <= columns_ &&
+           std::all_of(numbers_.begin(), numbers_.end() - 1, [&](const auto& row) { return row.size() == columns_; });
+  }
+
+  [[nodiscard]] std::vector<double> first_column() const {
+    std::vector<double> result;
+    for (const auto& row : numbers_) result.push_back(row.front());
+    return result;
+  }
+
+  /// An asked-for format decides. Else times are told by going up, and accelerations without time only where nothing
+  /// else can be meant.
+  std::optional<Meaning> settled() {
+    const std::string& format = options_.format;
+    if (format == "values") return values_without_column();
+    if (format == "one-column" && columns_ > 1 && !options_.column) {
+      fail(
+          fmt::format("has {} numbers in a line: say in {} which column holds the accelerations; where every number is "
+                      "an acceleration of one record, row by row, give {} = \"values\"",
+                      columns_, options_.name("column"), options_.name("format")));
+      return std::nullopt;
+    }
+    if (format == "one-column") return Meaning::channels;
+    if (format == "two-column") {
+      if (columns_ >= 2) return Meaning::time_first;
+      errors_.error(found_.rows.front().number, 1, "has 1 column, a two-column file has time and acceleration");
+      return std::nullopt;
+    }
+    if (columns_ == 1) return Meaning::channels;
+    if (format == "csv" && found_.separator == ' ' && found_.rows.front().text.find('\t') == std::string_view::npos) {
+      fail("has no commas, semicolons or tabs between its numbers, as a csv file has");
+      return std::nullopt;
+    }
+    if (!errors_.ok() || goes_up(first_column())) return Meaning::time_first;
+    return without_time();
+  }
+
+  std::optional<Meaning> values_without_column() {
+    if (!options_.column) return Meaning::values;
+    fail(fmt::format("is read row by row with {} = \"values\": {} has no meaning then", options_.name("format"),
+                     options_.name("column")));
+    return std::nullopt;
+  }
+
+  /// Several numbers in a line, of which the first is no time.
+  std::optional<Meaning> without_time() {
+    bool ragged = false;
+    const bool block = is_block(ragged);
+    if (options_.column) return Meaning::channels;
+    std::size_t total = 0;
+    for (const auto& row : numbers_) total += row.size();
+    const bool counted = found_.stated && static_cast<std::size_t>(found_.stated->count) == total;
+    if ((block && ragged && step_) || counted) return Meaning::values;
+    if (columns_ == 2 && !step_) return Meaning::time_first;  // more likely bad times than no times
+    if (!block) {
+      check_widths();
+      fail(
+          fmt::format("is no table of columns: where every number is an acceleration, row by row, give {} = "
+                      "\"values\"{}",
+                      options_.name("format"), step_ ? "" : " and " + options_.name("time_step")));
+      return std::nullopt;
+    }
+    if (ragged) {
+      fail(fmt::format("has {} numbers in a line, row by row, and no time: give {}", columns_,
+                       options_.name("time_step")));
+      return std::nullopt;
+    }
+    const std::string step = step_ ? "" : options_.name("time_step") + " and ";
+    fail(
+        fmt::format("has {} numbers in a line, and the first is no time: give {}either {} = \"values\", where all are "
+                    "accelerations of one record, row by row, or {}, where each column is a channel",
+                    columns_, step, options_.name("format"), options_.name("column")));
+    return std::nullopt;
+  }
+
+  void check_widths() {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      if (numbers_[i].size() == columns_) continue;
+      errors_.error(found_.rows[i].number, 1,
+                    fmt::format("has {} {}, the first row has {}", numbers_[i].size(),
+                                numbers_[i].size() == 1 ? "column" : "columns", columns_));
+    }
+  }
+
+  /// Index of the accelerations' column, or an error.
+  std::optional<std::size_t> chosen_column(bool timed) {
+    if (!options_.column) {
+      if (columns_ == (timed ? 2 : 1)) return columns_ - 1;
+      fail(fmt::format("has {} columns, time and {} more: say in {} (2 to {}) which one holds the accelerations",
+                       columns_, columns_ - 1, options_.name("column"), columns_));
+      return std::nullopt;
+    }
+    const auto column = static_cast<std::size_t>(*options_.column);
+    if (column >= (timed ? 2U : 1U) && column <= columns_) return column - 1;
+    fail(timed ? fmt::format("has columns 1 (time) to {}, {} = {} is not one of accelerations", columns_,
+                             options_.name("column"), column)
+         : columns_ == 1
+             ? fmt::format("has one column, {} = {} is not there", options_.name("column"), column)
+             : fmt::format("has {} columns, {} = {} is not there", columns_, options_.name("column"), column));
+    return std::nullopt;
+  }
+
+  double needed_step() {
+    if (step_) return *step_;
+    fail(fmt::format("has {} and so no time: give {}", columns_ == 1 ? "one column" : "no column of times",
+                     options_.name("time_step")));
+    return 0;
+  }
+
+  double step_of_times() {
+    const std::vector<double> times = first_column();
+    std::size_t bad = 0;
+    const auto step = even_step(times, bad);
+    if (step && found_.stated && std::abs(*step / found_.stated->time_step - 1) > 0.01) {
+      fail(fmt::format("says a step of {:.6g} s in its heading, but its times go forward by {:.6g} s",
+                       found_.stated->time_step, *step));
+    }
+    if (step) return *step;
+    if (times.size() < 2) {
+      fail("holds one value only, a record needs two or more");
+    } else if (bad == 0) {
+      errors_.error(found_.rows.back().number, 1, "time does not go forward from the first line to the last");
+    } else {
+      const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+      errors_.error(found_.rows[bad].number, 1,
+                    fmt::format("time step {:.6g} s differs from the mean step {:.6g} s by more than 1 %",
+                                times[bad] - times[bad - 1], mean));
+    }
+    return 0;
+  }
+
+  void check_count(std::size_t count) {
+    if (!errors_.ok() || !found_.stated || static_cast<std::size_t>(found_.stated->count) == count) return;
+    fail(fmt::format("says {} values in its heading, but holds {}", found_.stated->count, count));
+  }
+
+  void fail(const std::string& message) { errors_.error(0, 0, message); }
+
+  const ColumnRows& found_;
+  const RecordOptions& options_;
+  RecordErrors& errors_;
+  std::optional<double> step_;  // [s], where the file's heading or the user says it
+  std::size_t columns_ = 0;     // of the first row
+  std::vector<std::vector<double>> numbers_;
+};
+
+/// A heading that names another quantity than acceleration, as VT2 and DT2 files have it.
+void check_heading(const std::vector<Line>& lines, const ColumnRows& found, RecordErrors& errors) {
+  for (const Line& line : lines) {
+    if (line.number >= found.rows.front().number) return;
+    const std::string text = upper(line.text);
+    for (const char* const other : {"VELOCITY TIME", "DISPLACEMENT TIME"}) {
+      const std::size_t at = text.find(other);
+      if (at == std::string::npos || text.find("ACCELERATION") != std::string::npos) continue;
+      errors.error(
+          line.number, static_cast<int>(at) + 1,
+          fmt::format("a {} record, but ground accelerations are needed", *other == 'V' ? "velocity" : "displacement"));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Record> read_columns(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
+  if (options.channel) {
+    errors.error(0, 0,
+                 fmt::format("is a file of columns: {} has no meaning, give {}", options.name("channel"),
+                             options.name("column")));
+  }
+  const auto found = find_rows(lines, options, errors);
+  if (!found) return std::nullopt;
+  check_heading(lines, *found, errors);
+  return ColumnReader(*found, options, errors).read();
+}
+
+}  // namespace bentur

@@ -1,0 +1,118 @@
+// Files of CSMIP and CDMG, volumes 1 and 2: each channel has lines of text, of integers and of reals, whose number is
+// not the same in all of them, and blocks of values, each behind a line that says what it holds. Fields touch.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bentur/io/records/record_text.h"
+
+namespace bentur {
+namespace {
+
+bool is_count(std::optional<double> count) { return count && *count >= 1 && *count == std::floor(*count); }
+
+/// "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)" or, of volume 1, "13200 Accelerogram
+/// points at 200 pts/sec in units of g .      Format: (8f9.6)". @param text in capitals.
+std::optional<Channel> csmip_block(const std::string& text) {
+  const auto words = words_of({text, 0}, " \t");
+  const auto count = words.empty() ? std::nullopt : number_of(words[0].text);
+  if (!is_count(count)) return std::nullopt;
+  Channel channel;
+  channel.count = static_cast<long>(*count);
+  channel.width = field_width(text);
+  const auto unit_behind = [&](std::string_view key, std::string_view ends) {
+    const std::size_t at = text.find(key);
+    if (at == std::string::npos) return std::string();
+    const std::size_t from = at + key.size();
+    return std::string(trimmed(std::string_view(text).substr(from, text.find_first_of(ends, from) - from)));
+  };
+  if (text.find("POINTS OF ACCEL") != std::string::npos && text.find("SPACED") != std::string::npos) {
+    channel.time_step = number_after(text, " AT ").value_or(0);
+    channel.unit = unit_behind("UNITS:", ")");
+    if (channel.unit.empty()) channel.unit = unit_behind(", IN ", ".(");
+    if (channel.width == 0) channel.width = 10;
+    return channel;
+  }
+  if (text.find("ACCELEROGRAM POINTS AT") != std::string::npos && text.find("PTS/SEC") != std::string::npos) {
+    channel.time_step = 1 / number_after(text, "POINTS AT").value_or(0);
+    channel.unit = unit_behind("UNITS OF", ".(");
+    if (channel.width == 0) channel.width = 9;
+    return channel;
+  }
+  return std::nullopt;
+}
+
+/// "Chan  1:  90 Deg" of a line that has it, single blanks between the words.
+std::string csmip_title(std::string_view line) {
+  const std::string text = upper(line);
+  const std::size_t at = text.find("CHAN ");
+  if (at == std::string::npos || text.find(':', at) == std::string::npos) return "";
+  const std::size_t end = text.find(" FROM", at);
+  std::string title;
+  for (const Token& word : words_of({line.substr(at, end == std::string::npos ? 40 : end - at), 0}, " \t")) {
+    title += (title.empty() ? "" : " ") + std::string(word.text);
+  }
+  return title;
+}
+
+/// A line behind the values of a block: another block, the end of a channel or the beginning of the next.
+bool ends_csmip_block(const Line& line) {
+  const std::string text = upper(line.text);
+  return text.find("/&") != std::string::npos || text.find("POINTS OF") != std::string::npos ||
+         text.find("ACCELEROGRAM") != std::string::npos;
+}
+
+}  // namespace
+
+bool looks_like_csmip(const std::vector<Line>& lines) {
+  if (lines.size() < 10 || upper(lines[0].text).find("CORRECTED ACCELEROGRAM") == std::string::npos) return false;
+  for (const Line& line : lines) {
+    const std::string text = upper(line.text);
+    if (text.find("POINTS OF ") != std::string::npos || text.find("ACCELEROGRAM POINTS AT") != std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Record> read_csmip(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
+  refuse_column(options, "csmip", errors);
+  std::vector<Channel> channels;
+  std::string title;
+  std::size_t begin = 0;  // of the channel
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].text.starts_with("/&")) begin = i + 1;
+    if (std::string found = csmip_title(lines[i].text); !found.empty()) title = std::move(found);
+    if (auto block = csmip_block(upper(lines[i].text))) {
+      block->title = title;
+      block->first_line = i + 1;
+      block->header_lines = static_cast<int>(i + 1 - begin);
+      channels.push_back(std::move(*block));
+    }
+  }
+  if (channels.empty()) {
+    errors.error(0, 0,
+                 "has no block of accelerations, which a line such as \"3000 points of accel data equally spaced at "
+                 ".020 sec\" heads");
+    return std::nullopt;
+  }
+  const Channel* const channel = chosen_channel(channels, options, errors);
+  if (channel == nullptr || !errors.ok()) return std::nullopt;
+  const int heading = lines[channel->first_line - 1].number;
+  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
+    errors.error(heading, 1, "must say how far apart the values are, more than 0 s");
+    return std::nullopt;
+  }
+  Record record;
+  record.format = "csmip";
+  record.time_step = channel->time_step;
+  record.channel = channel_text(channels, *channel);
+  record.header_lines = channel->header_lines;
+  const auto unit = file_unit(channel->unit);
+  if (unit) record.unit = unit->unit;
+  read_channel(lines, *channel, ends_csmip_block, unit ? unit->factor : 1, record.values, errors);
+  return record;
+}
+
+}  // namespace bentur

@@ -1,0 +1,84 @@
+// ASCII files of ESM and ITACA: lines of "KEY: value", 64 in the present version, then one value a line.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bentur/io/records/record_text.h"
+
+namespace bentur {
+namespace {
+
+/// Index of the first line that is no "KEY: value": keys are capitals, digits and signs without a blank.
+std::size_t esm_header_end(const std::vector<Line>& lines) {
+  std::size_t i = 0;
+  for (; i < lines.size(); ++i) {
+    const std::size_t colon = lines[i].text.find(':');
+    if (colon == 0 || colon == std::string_view::npos) break;
+    const std::string_view key = lines[i].text.substr(0, colon);
+    if (key[0] < 'A' || key[0] > 'Z' || key.find(' ') != std::string_view::npos) break;
+  }
+  return i;
+}
+
+/// What stands behind the first colon of the line with the key, and its place; no text where there is none.
+Token esm_value(const std::vector<Line>& lines, std::size_t end, std::string_view key) {
+  for (std::size_t i = 0; i < end; ++i) {
+    if (lines[i].text.substr(0, lines[i].text.find(':')) != key) continue;
+    const std::string_view value = trimmed(lines[i].text.substr(key.size() + 1));
+    const auto column =
+        value.empty() ? key.size() + 2 : static_cast<std::size_t>(value.data() - lines[i].text.data()) + 1;
+    return {value, lines[i].number, static_cast<int>(column)};
+  }
+  return {};
+}
+
+}  // namespace
+
+bool looks_like_esm(const std::vector<Line>& lines) {
+  const std::size_t end = esm_header_end(lines);
+  return esm_value(lines, end, "SAMPLING_INTERVAL_S").line > 0 && esm_value(lines, end, "NDATA").line > 0;
+}
+
+std::optional<Record> read_esm(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
+  refuse_column(options, "esm", errors);
+  refuse_channel(options, "esm", errors);
+  const std::size_t end = esm_header_end(lines);
+  const auto value = [&](std::string_view key) {
+    const Token token = esm_value(lines, end, key);
+    if (token.line == 0) errors.error(0, 0, fmt::format("is no esm file: it has no header line {}", key));
+    return token;
+  };
+  const Token interval = value("SAMPLING_INTERVAL_S"), count = value("NDATA"), units = value("UNITS");
+  if (!errors.ok()) return std::nullopt;
+  const Token type = esm_value(lines, end, "DATA_TYPE");
+  if (type.line > 0 && upper(type.text) != "ACCELERATION") {
+    errors.error(type, fmt::format("the file holds {}, but ground accelerations are needed", shown(type.text)));
+  }
+  const auto unit = file_unit(units.text);
+  if (!unit) errors.error(units, shown(units.text) + " is no unit of acceleration that is known");
+  const double step = number_of(interval.text).value_or(0);
+  if (!(std::isfinite(step) && step > 0)) errors.error(interval, shown(interval.text) + " must be a step > 0 s");
+  const double expected = number_of(count.text).value_or(0);
+  if (!(expected >= 1)) errors.error(count, shown(count.text) + " must be the number of values");
+  if (!errors.ok()) return std::nullopt;
+
+  Record record;
+  record.format = "esm";
+  record.unit = unit->unit;
+  record.time_step = step;
+  record.header_lines = static_cast<int>(end);
+  for (std::size_t i = end; i < lines.size() && !errors.full(); ++i) {
+    for (const Token& token : words_of(lines[i], " \t")) {
+      if (const auto number = finite_number(token, false, errors)) record.values.push_back(*number * unit->factor);
+    }
+  }
+  if (!errors.ok()) return std::nullopt;
+  if (static_cast<double>(record.values.size()) != expected) {
+    errors.error(count, fmt::format("NDATA is {}, but the file holds {} values", count.text, record.values.size()));
+    return std::nullopt;
+  }
+  return record;
+}
+
+}  // namespace bentur

@@ -1,0 +1,119 @@
+#include "bentur/io/records/record_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "bentur/io/input_file.h"
+#include "bentur/io/records/record_text.h"
+
+namespace bentur {
+namespace {
+
+struct RecordFormat {
+  std::string_view name;
+  bool (*looks_like)(const std::vector<Line>& lines);
+  RecordReader* read;
+};
+
+/// Those with marks of their own, in the order they are tried; columns are what is left.
+constexpr RecordFormat marked_formats[] = {
+    {"cosmos", looks_like_cosmos, read_cosmos}, {"csmip", looks_like_csmip, read_csmip},
+    {"smc", looks_like_smc, read_smc},          {"knet", looks_like_knet, read_knet},
+    {"esm", looks_like_esm, read_esm},          {"peer-at2", looks_like_peer, read_peer},
+};
+
+RecordReader* reader_of(const std::string& format, const std::vector<Line>& lines) {
+  for (const RecordFormat& one : marked_formats) {
+    if (format == one.name || (format == "auto" && one.looks_like(lines))) return one.read;
+  }
+  return read_columns;
+}
+
+/// Why a file is no text, or nothing.
+std::string not_text(std::string_view text) {
+  if (text.substr(0, 4) == "PK\x03\x04") {
+    return "is a spreadsheet or a zip archive: export the record as CSV, or unpack it";
+  }
+  const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));
+  return text.substr(0, end + 1).find('\0') != std::string_view::npos ? "is a binary file, but records are text" : "";
+}
+
+}  // namespace
+
+std::string RecordOptions::name(const std::string& key) const {
+  if (!of_command) return "excitation." + key;
+  std::string option = "--" + key;
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
+const std::vector<std::string>& record_formats() {
+  static const std::vector<std::string> formats = {"auto",   "peer-at2", "two-column", "one-column", "values", "csv",
+                                                   "cosmos", "csmip",    "smc",        "knet",       "esm"};
+  return formats;
+}
+
+std::optional<Record> read_record(const std::filesystem::path& file, const RecordOptions& options,
+                                  Diagnostics& diagnostics) {
+  RecordErrors errors(file.string(), diagnostics);
+  std::string problem;
+  auto bytes = read_input(file, record_input, problem);
+  if (!bytes) {
+    errors.error(0, 0, problem);
+    return std::nullopt;
+  }
+  const std::string text = decoded(*std::move(bytes));
+  std::vector<Line> lines = lines_of(text);
+  const auto skipped = std::min(static_cast<std::size_t>(options.skip_lines), lines.size());
+  lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
+  const bool blank = std::all_of(lines.begin(), lines.end(), [](const Line& line) {
+    return line.text.find_first_not_of(" \t") == std::string_view::npos;
+  });
+  if (blank) {
+    errors.error(0, 0,
+                 skipped > 0
+                     ? fmt::format("holds nothing behind the {} lines of {}", skipped, options.name("skip_lines"))
+                     : "is empty");
+    return std::nullopt;
+  }
+  problem = not_text(text);
+  if (!problem.empty()) {
+    errors.error(0, 0, problem);
+    return std::nullopt;
+  }
+  std::optional<Record> record = reader_of(options.format, lines)(lines, options, errors);
+  if (record && record->values.size() < 2) errors.error(0, 0, "holds one value only, a record needs two or more");
+  if (!record || !errors.ok()) return std::nullopt;
+  record->header_lines += static_cast<int>(skipped);
+  return record;
+}
+
+RecordEcho echo_of(const Record& record, const std::string& file, const std::string& unit) {
+  RecordEcho echo;
+  echo.file = file;
+  echo.format = record.format;
+  echo.unit = unit;
+  echo.channel = record.channel;
+  echo.header_lines = record.header_lines;
+  echo.mean_removed = record.mean_removed;
+  echo.time_step = record.time_step;
+  echo.count = static_cast<long>(record.values.size());
+  echo.duration = static_cast<double>(echo.count - 1) * echo.time_step;
+  for (const double value : record.values) echo.pga_read = std::max(echo.pga_read, std::abs(value));
+  return echo;
+}
+
+std::string echo_notes(const RecordEcho& echo) {
+  std::string text;
+  if (!echo.channel.empty()) text += ", " + echo.channel;
+  if (echo.header_lines > 0) {
+    text += fmt::format(", {} header {}", echo.header_lines, echo.header_lines == 1 ? "line" : "lines");
+  }
+  if (echo.mean_removed != 0) text += fmt::format(", mean {:.4g} {} removed", echo.mean_removed, echo.unit);
+  return text;
+}
+
+}  // namespace bentur

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/study/case.h"
+
+namespace bentur {
+
+/// Accelerations as a strong-motion file has them, before any unit or scaling.
+struct Record {
+  std::string format;          ///< one of record_formats(), but for auto and csv
+  std::string unit;            ///< as acceleration_units(), where the file says it; else empty
+  double time_step = 0;        ///< [s]
+  std::vector<double> values;  ///< [unit]
+  int header_lines = 0;        ///< of the channel, before its first value; of plain columns without comments and blanks
+  std::string channel;         ///< which one of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
+  double mean_removed = 0;     ///< [unit] taken off all values; 0 but for K-NET
+};
+
+struct RecordOptions {
+  std::string format = "auto";      ///< one of record_formats()
+  std::optional<double> time_step;  ///< [s], where the file does not say it
+  std::optional<int> column;        ///< from 1: of the accelerations, where a file has several columns
+  std::optional<int> channel;       ///< from 1: which of the file's channels of accelerations, where it has several
+  int skip_lines = 0;               ///< so many lines at the beginning are not looked at
+  bool of_command = false;          ///< messages call these --time-step and so on, not excitation.time_step
+
+  [[nodiscard]] std::string name(const std::string& key) const;
+};
+
+/// auto peer-at2 two-column one-column values csv cosmos csmip smc knet esm
+[[nodiscard]] const std::vector<std::string>& record_formats();
+
+/// Reads a record (docs/record-files.md). What is wrong goes to `diagnostics` with the record file's line and column.
+[[nodiscard]] std::optional<Record> read_record(const std::filesystem::path& file, const RecordOptions& options,
+                                                Diagnostics& diagnostics);
+
+/// What was read, as users are told it; `unit` is the file's own or the one that the user gives. Not yet scaled: pga 0.
+[[nodiscard]] RecordEcho echo_of(const Record& record, const std::string& file, const std::string& unit);
+
+/// What is worth saying beside format and unit, each after a comma: ", channel 2 of 3 (Chan 2: 360 Deg), 46 header
+/// lines, mean 0.12 cm/s2 removed".
+[[nodiscard]] std::string echo_notes(const RecordEcho& echo);
+
+}  // namespace bentur

@@ -1,0 +1,148 @@
+// PEER strong-motion files: four header lines, then accelerations in g, any number in a line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bentur/io/records/record_text.h"
+
+namespace bentur {
+namespace {
+
+/// Line 3 must say accelerations in units of g: velocities (VT2) and displacements (DT2) come in the same layout.
+void check_quantity(const Line& line, RecordErrors& errors) {
+  const std::string text = upper(line.text);
+  for (const char* const other : {"VELOCITY", "DISPLACEMENT"}) {
+    const std::size_t at = text.find(other);
+    if (at == std::string::npos || text.find("ACCELERATION") < at) continue;
+    errors.error(line.number, static_cast<int>(at) + 1,
+                 fmt::format("a {} record, but ground accelerations are needed (the AT2 file of the same motion)",
+                             *other == 'V' ? "velocity" : "displacement"));
+    return;
+  }
+  const std::string phrase = "UNITS OF";
+  const std::size_t at = text.find(phrase);
+  if (at == std::string::npos) {
+    errors.error(line.number, 1, "line 3 of a peer-at2 file must say \"... IN UNITS OF G\"");
+    return;
+  }
+  const Line rest{std::string_view(text).substr(at + phrase.size()), line.number};
+  const auto words = words_of(rest, " \t.,;()");
+  if (!words.empty() && words.front().text == "G") return;
+  errors.error(line.number, static_cast<int>(at) + 1,
+               fmt::format("units of {}, but a peer-at2 file must be in g",
+                           words.empty() ? "nothing" : shown(words.front().text)));
+}
+
+/// What a header line gives for NPTS and DT, as it is spelled; no text where it does not say.
+struct PeerHeader {
+  Token count, step;
+};
+
+/// `NPTS=  4000, DT= .01000 SEC` or `3930 0.00500 NPTS, DT`, in any spacing. @param text in capitals.
+PeerHeader peer_header(const std::string& text, int number) {
+  const auto words = words_of({text, number}, " \t,=");
+  PeerHeader header;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i].text == "NPTS" && header.count.text.empty() && number_of(words[i + 1].text)) {
+      header.count = words[i + 1];
+    }
+    if (words[i].text == "DT" && header.step.text.empty()) header.step = words[i + 1];
+  }
+  const bool behind = words.size() >= 4 && header.count.text.empty() && number_of(words[0].text) &&
+                      number_of(words[1].text) && words[2].text == "NPTS" && words[3].text == "DT";
+  if (behind) {
+    header.count = words[0];
+    header.step = words[1];
+  }
+  if (header.step.text.ends_with("SEC") && header.step.text.size() > 3) header.step.text.remove_suffix(3);
+  return header;
+}
+
+std::optional<CountAndStep> read_peer_header(const Line& line, RecordErrors& errors) {
+  const std::string text = upper(line.text);
+  const PeerHeader header = peer_header(text, line.number);
+  const auto count = number_of(header.count.text);
+  const auto step = number_of(header.step.text);
+  if (!count || !step) {
+    errors.error(
+        line.number, 1,
+        "line 4 of a peer-at2 file must give the number of values and the step, as in \"NPTS= 4000, DT= .01 SEC\"");
+    return std::nullopt;
+  }
+  if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count))) {
+    errors.error(header.count, fmt::format("NPTS = {}, must be a whole number > 0", header.count.text));
+  }
+  if (!(std::isfinite(*step) && *step > 0)) {
+    errors.error(header.step, fmt::format("DT = {}, must be > 0", header.step.text));
+  }
+  if (!errors.ok()) return std::nullopt;
+  return CountAndStep{static_cast<long>(*count), *step};
+}
+
+/// Index of the line with NPTS and DT: the fourth, or where there are more lines of titles the first that says both
+/// behind one with UNITS OF.
+std::size_t peer_header_line(const std::vector<Line>& lines) {
+  bool units = false;
+  for (std::size_t i = 0; i < std::min(lines.size(), std::size_t{40}); ++i) {
+    if (units && count_and_step(lines[i])) return i;
+    units = units || upper(lines[i].text).find("UNITS OF") != std::string::npos;
+  }
+  return 3;
+}
+
+}  // namespace
+
+std::optional<CountAndStep> count_and_step(const Line& line) {
+  const std::string text = upper(line.text);
+  const PeerHeader header = peer_header(text, line.number);
+  const auto count = number_of(header.count.text);
+  const auto step = number_of(header.step.text);
+  const bool good = count && step && *count >= 1 && *count <= 1e9 && *count == std::floor(*count) &&
+                    std::isfinite(*step) && *step > 0;
+  return good ? std::optional(CountAndStep{static_cast<long>(*count), *step}) : std::nullopt;
+}
+
+bool looks_like_peer(const std::vector<Line>& lines) {
+  if (lines.size() < 4) return !lines.empty() && upper(lines[0].text).find("PEER") != std::string::npos;
+  return upper(lines[3].text).find("NPTS") != std::string::npos ||
+         upper(lines[2].text).find("UNITS OF") != std::string::npos || peer_header_line(lines) != 3;
+}
+
+std::optional<Record> read_peer(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
+  refuse_column(options, "peer-at2", errors);
+  refuse_channel(options, "peer-at2", errors);
+  const std::size_t at = peer_header_line(lines);
+  if (lines.size() < at + 2) {
+    errors.error(0, 0,
+                 fmt::format("has {} lines, a peer-at2 file has four header lines and then values", lines.size()));
+    return std::nullopt;
+  }
+  std::size_t units = at - 1;
+  while (at != 3 && upper(lines[units].text).find("UNITS OF") == std::string::npos) --units;
+  check_quantity(lines[units], errors);
+  const auto header = read_peer_header(lines[at], errors);
+  if (!header || !errors.ok()) return std::nullopt;
+
+  Record record;
+  record.format = "peer-at2";
+  record.unit = "g";
+  record.time_step = header->time_step;
+  record.header_lines = static_cast<int>(at) + 1;
+  for (std::size_t i = at + 1; i < lines.size() && !errors.full(); ++i) {
+    for (const Token& token : words_of(lines[i], " \t")) {
+      if (const auto value = finite_number(token, false, errors)) record.values.push_back(*value);
+    }
+  }
+  if (!errors.ok()) return std::nullopt;
+  if (static_cast<long>(record.values.size()) != header->count) {
+    errors.error(lines[at].number, 1,
+                 fmt::format("NPTS = {}, but the file holds {} values", header->count, record.values.size()));
+    return std::nullopt;
+  }
+  return record;
+}
+
+}  // namespace bentur

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/io/records/record_files.h"
+
+// What the readers of the single formats share.
+namespace bentur {
+
+/// A word of a text file and where it stands.
+struct Token {
+  std::string_view text;
+  int line = 0;    ///< from 1
+  int column = 0;  ///< from 1, in bytes
+};
+
+struct Line {
+  std::string_view text;
+  int number = 0;  ///< from 1
+};
+
+/// Errors of one record file, of which only the first ten are kept: a file of another format is all errors.
+class RecordErrors {
+ public:
+  RecordErrors(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+  void error(int line, int column, const std::string& message);
+  void error(const Token& token, const std::string& message) { error(token.line, token.column, message); }
+  [[nodiscard]] bool ok() const { return count_ == 0; }
+  [[nodiscard]] bool full() const { return count_ >= 10; }
+
+ private:
+  std::string file_;
+  Diagnostics& diagnostics_;
+  int count_ = 0;
+};
+
+/// The bytes of a file as text of one byte a character: UTF-16 is told by its mark or its zero bytes, what it holds
+/// beyond ASCII becomes '?'; a mark of UTF-8 is left out.
+[[nodiscard]] std::string decoded(std::string bytes);
+
+/// Lines ending in LF, CR LF or CR; a trailing empty line and an end-of-file mark of DOS are left out.
+[[nodiscard]] std::vector<Line> lines_of(std::string_view text);
+
+/// The words of a line between any of `separators`; runs of separators count as one.
+[[nodiscard]] std::vector<Token> words_of(const Line& line, std::string_view separators);
+
+/// The cells of a line of fixed width, as Fortran writes them: they may touch. Blank ones at the end are left out.
+[[nodiscard]] std::vector<Token> fields_of(const Line& line, std::size_t width);
+
+/// The width of the fields by a Fortran format in the text, such as 10 of "(8F10.3)" or "(8(1PE10.3))"; 0 without one.
+[[nodiscard]] std::size_t field_width(std::string_view text);
+
+/// A number in C or Fortran spelling (.5E-02, +1., 1.0D-03). Infinity and NaN are returned as such.
+[[nodiscard]] std::optional<double> number_of(std::string_view text, bool decimal_comma = false);
+
+/// The first number behind `key` in the text, past blanks and any of ":=,"; both as they are spelled.
+[[nodiscard]] std::optional<double> number_after(std::string_view text, std::string_view key);
+
+/// `number_of`, or an error that the token is not a finite number.
+[[nodiscard]] std::optional<double> finite_number(const Token& token, bool decimal_comma, RecordErrors& errors);
+
+/// A token as a message shows it.
+[[nodiscard]] std::string shown(std::string_view text);
+
+[[nodiscard]] std::string upper(std::string_view text);
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The unit of accelerations by one of the spellings files have, with the factor that brings numbers to it (mg to g is
+/// 0.001); nothing for others, those of velocity among them.
+struct FileUnit {
+  std::string unit;   ///< as acceleration_units()
+  double factor = 1;  ///< [-]
+};
+[[nodiscard]] std::optional<FileUnit> file_unit(std::string_view spelling);
+
+/// Reads fields of fixed width from line number `from` of `lines` on, up to a line that `ends` says true of.
+/// @return the index of that line.
+template <typename Ends>
+[[nodiscard]] std::size_t read_fields(const std::vector<Line>& lines, std::size_t from, std::size_t width, Ends ends,
+                                      std::vector<double>& values, RecordErrors& errors) {
+  for (; from < lines.size() && !errors.full() && !ends(lines[from]); ++from) {
+    for (const Token& field : fields_of(lines[from], width)) {
+      if (const auto value = finite_number(field, false, errors)) values.push_back(*value);
+    }
+  }
+  return from;
+}
+
+/// One of several channels of a file, still unread.
+struct Channel {
+  std::string title;           ///< as the file calls it
+  std::size_t first_line = 0;  ///< index of the line that its values begin with
+  int header_lines = 0;        ///< of this channel
+  std::string unit;            ///< as the file spells it
+  long count = 0;              ///< of values as the file says
+  double time_step = 0;        ///< [s]
+  std::size_t width = 0;       ///< of a field
+};
+
+/// The channel that the options choose: the only one, or the one with the number given. Else an error that names all.
+[[nodiscard]] const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
+                                            RecordErrors& errors);
+/// "channel 2 of 3 (TITLE)"; empty where there is one alone.
+[[nodiscard]] std::string channel_text(const std::vector<Channel>& channels, const Channel& chosen);
+
+/// Its values, up to a line that `ends` says true of, times `factor`. An error unless they are as many as the file
+/// says, give or take one, which such files are known to be off by.
+void read_channel(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
+                  std::vector<double>& values, RecordErrors& errors);
+
+/// An error unless the options leave `column` alone, in a file that has no columns to choose from.
+void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors);
+/// An error unless the options leave `channel` alone or say 1, in a format with one channel a file.
+void refuse_channel(const RecordOptions& options, const char* format, RecordErrors& errors);
+
+/// NPTS and DT of a header line, in any of the spellings of PEER files; nothing where the line does not say both.
+struct CountAndStep {
+  long count = 0;        ///< number of values
+  double time_step = 0;  ///< [s]
+};
+[[nodiscard]] std::optional<CountAndStep> count_and_step(const Line& line);
+
+/// True when the file has the marks of a format, whether or not it can then be read.
+[[nodiscard]] bool looks_like_peer(const std::vector<Line>& lines);  ///< AT2, but also VT2 and DT2, then refused
+[[nodiscard]] bool looks_like_cosmos(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_csmip(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_smc(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_knet(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_esm(const std::vector<Line>& lines);
+
+using RecordReader = std::optional<Record>(const std::vector<Line>& lines, const RecordOptions& options,
+                                           RecordErrors& errors);
+RecordReader read_peer, read_cosmos, read_csmip, read_smc, read_knet, read_esm;
+/// one-column, two-column, values, csv, or whichever of them fits where the format is "auto".
+RecordReader read_columns;
+
+}  // namespace bentur
