@@ -161,11 +161,12 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
   const IdaResults& results = report.results;
   const std::string& unit = results.study_unit;
   const std::string quantity = shown(results.quantity_units);
+  const std::size_t records = results.table.records / results.table.together;
   std::string title = results.title.empty() ? "" : results.title + "\n";
-  title +=
-      fmt::format("Event: {}{}. {} record{}, {} levels of {}{}\n", request.event,
-                  quantity.empty() ? "" : " " + quantity, results.table.records, results.table.records == 1 ? "" : "s",
-                  results.table.levels.size(), results.intensity, unit.empty() ? "" : " [" + unit + "]");
+  title += fmt::format("Event: {}{}. {} record{}{}, {} levels of {}{}\n", request.event,
+                       quantity.empty() ? "" : " " + quantity, records, records == 1 ? "" : "s",
+                       results.table.together > 1 ? " both ways round" : "", results.table.levels.size(),
+                       results.intensity, unit.empty() ? "" : " [" + unit + "]");
   std::string result = title + "\n" + curves_text(report, unit);
   if (!report.gaps.empty()) result += gaps_text(report, request, unit);
   const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),

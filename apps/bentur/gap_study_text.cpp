@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "session.h"
@@ -17,9 +19,14 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
     names.push_back(record.record);
     rows.push_back(&record.gaps[gap]);
   }
+  const GapOverRecords& over = needs.gaps[gap];
   if (rows.size() > 1) {
-    names.insert(names.end(), {"◄ largest", "◄ median"});
-    rows.insert(rows.end(), {&needs.largest[gap], &needs.median[gap]});
+    names.emplace_back("◄ largest");
+    rows.push_back(&over.largest);
+    for (auto one = over.quantiles.rbegin(); one != over.quantiles.rend(); ++one) {
+      names.push_back(one->probability == 0.5 ? "◄ median" : fmt::format("◄ {:.4g} %", 100 * one->probability));
+      rows.push_back(&one->need);
+    }
   }
   const auto numbers = [&](auto value) {
     std::vector<double> result;
@@ -40,6 +47,32 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
   return table.text();
 }
 
+/// How many records need more than the gap that is given, for each width that the study gives it.
+std::string given_text(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
+  const std::vector<GivenGap>& given = needs.gaps[gap].given;
+  const std::size_t records = needs.records.size();
+  const auto share = [&](const GivenGap& one) {
+    return fmt::format("{:.3g} %", 100.0 * static_cast<double>(one.beyond) / static_cast<double>(records));
+  };
+  const auto width = [](const GivenGap& one) { return *std::min_element(one.widths.begin(), one.widths.end()); };
+  if (given.size() == 1) {
+    return fmt::format("\n{} of {} records ({}) need more than the {} {} given.\n", given[0].beyond, records,
+                       share(given[0]), number(width(given[0])), study.units.length);
+  }
+  std::vector<double> widths;
+  std::vector<std::string> beyond, shares;
+  for (const GivenGap& one : given) {
+    widths.push_back(width(one));
+    beyond.push_back(fmt::format("{} of {}", one.beyond, records));
+    shares.push_back(share(one));
+  }
+  Table table;
+  table.add("given", study.units.length, widths);
+  table.add("records that need more", "", beyond);
+  table.add("share", "", shares);
+  return "\n" + table.text();
+}
+
 }  // namespace
 
 std::string gap_study_text(const GapStudy& study) {
@@ -53,16 +86,18 @@ std::string gap_study_text(const GapStudy& study) {
     for (const auto& [name, value] : needs.others) {
       others += fmt::format("{}{} = {}", others.empty() ? "" : ", ", name, value);
     }
-    for (std::size_t gap = 0; gap < needs.largest.size(); ++gap) {
+    for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
       text += fmt::format("\n{}{}\n\n", gap_name(study.problem, static_cast<int>(gap)),
                           others.empty() ? "" : ": " + others) +
-              gap_table(study, needs, gap);
+              gap_table(study, needs, gap) + given_text(study, needs, gap);
     }
   }
   text +=
       "\nEach number is the largest of the contact points of that gap. Simulated: the buildings moving freely. ABS, "
       "SRSS,\n"
-      "DDC: sum, root of squares and double-difference combination of their peak displacements.\n";
+      "DDC: sum, root of squares and double-difference combination of their peak displacements. 84 %: what 84 % of the "
+      "records\n"
+      "do not need more than, each column by itself.\n";
   if (!study.code.rules.empty()) {
     text += "Codes: the same peaks, amplified by the factors of [code]; clauses: bentur gap with the case.\n";
   }

@@ -11,6 +11,7 @@ import os
 import pathlib
 import re
 import shutil
+import stat
 import subprocess
 import sys
 import tempfile
@@ -422,6 +423,35 @@ class BadInput(CommandLine):
                 self.assertRegex(stderr, r"m12-el-centro\.toml:\d+:\d+: error: .*duration = -1")
                 self.assertRegex(stderr, r"m12-el-centro\.toml:\d+:\d+: error: .*liner")
 
+    def test_only_regular_files_are_read(self):
+        """A pipe that nobody writes to would be waited for, a device without end read for ever."""
+        case = self.written("m12-el-centro")
+        record = self.folder / "el-centro-1940-ns.csv"
+        record.unlink()
+        pipe = self.folder / "pipe.toml"
+        os.mkfifo(pipe)
+        os.mkfifo(record)
+        nodes = [pipe]
+        device = self.folder / "device.toml"
+        try:
+            os.mknod(device, 0o600 | stat.S_IFCHR, os.makedev(1, 5))  # zeros without end
+            nodes.append(device)
+        except PermissionError:
+            pass
+        for command in ["check"], ["run"], ["modes"], ["gap"], ["report", "-o", self.folder / "report.html"]:
+            for node in nodes:
+                with self.subTest(command[0], node=node):
+                    self.assertIn("a case file is read from a regular file only",
+                                  self.fails(2, command[0], node, *command[1:]).stderr)
+        self.assertIn("is a pipe, but a record is read from a regular file only",
+                      self.fails(2, "check", case).stderr)
+        for node in nodes:
+            self.assertIn("a study is read from a regular file only",
+                          self.fails(2, "sweep", node, "-o", self.folder / "a.nc").stderr)
+            self.assertIn("a record is read from a regular file only",
+                          self.fails(2, "spectrum", node).stderr)
+            self.fails(2, "fragility", node)
+
     def test_a_missing_record(self):
         case = self.written("m12-el-centro")
         (self.folder / "el-centro-1940-ns.csv").unlink()
@@ -544,13 +574,37 @@ class Spectrum(CommandLine):
             self.assertAlmostEqual(float(row["pseudo_acceleration [g]"]), g / 980.665, delta=1e-12)
         self.assertAlmostEqual(document["pga"] / 980.665, 0.31882, delta=1e-12)
         text = self.done("spectrum", self.RECORD, "--unit", "g").stdout
-        self.assertIn("damping 5 %, peak ground acceleration 0.3188 g", text)
-        self.assertEqual(len(text.splitlines()), 2 + 3 + 41)
+        self.assertIn("(two-column, g, 1 header line): 1560 values every 0.02 s, 31.18 s long", text)
+        self.assertIn("damping 5 %, peak ground acceleration 0.3188 g = 0.3188 g", text)
+        self.assertEqual(len(text.splitlines()), 3 + 3 + 41)
+        self.assertEqual(document["record"], {
+            "file": str(self.RECORD), "format": "two-column", "unit": "g", "channel": "", "header_lines": 1,
+            "mean_removed": 0, "time_step": document["record"]["time_step"], "count": 1560, "duration": 31.18,
+            "pga_read": 0.31882, "polarity": "as-recorded", "pga": document["pga"]})
+        self.assertAlmostEqual(document["record"]["time_step"], 0.02, delta=1e-15)
 
     def test_short_periods_have_the_peak_ground_acceleration(self):
         document = json.loads(self.done("spectrum", self.RECORD, "--unit", "g", "--periods", "0.001:0.002:2",
                                         "--json").stdout)
         self.assertAlmostEqual(document["pseudo_acceleration"][0] / document["pga"], 1, delta=1e-2)
+
+    def test_what_is_read_is_chosen_and_told(self):
+        """A file of two channels, a heading that looks like rows, and values row by row."""
+        two = SOURCE / "tests" / "bad_input" / "good-two-channels.V2"
+        self.assertIn("say in --channel which one", self.fails(2, "spectrum", two).stderr)
+        text = self.done("spectrum", two, "--channel", "1").stdout
+        self.assertIn("(csmip, cm/s2, channel 1 of 2 (Chan 1: 90 Deg), 12 header lines): 3 values every 0.02 s", text)
+        self.assertIn("peak ground acceleration 123 cm/s2 = 0.1254 g", text)
+        heading = self.folder / "heading.txt"
+        heading.write_text("4000 points\n0.00 0.01\n0.02 -0.02\n0.04 0.03\n")
+        self.assertIn("give --skip-lines 1", self.fails(2, "spectrum", heading, "--unit", "g").stderr)
+        self.assertIn("1 header line", self.done("spectrum", heading, "--unit", "g", "--skip-lines", "1").stdout)
+        block = SOURCE / "tests" / "bad_input" / "bad-block.txt"
+        self.assertIn("--format values", self.fails(2, "spectrum", block, "--unit", "g").stderr)
+        text = self.done("spectrum", block, "--unit", "g", "--format", "values", "--time-step", "0.01").stdout
+        self.assertIn("(values, g, 1 header line): 15 values every 0.01 s", text)
+        self.assertIn("the file says 0.02 s",
+                      self.fails(2, "spectrum", two, "--channel", "1", "--time-step", "0.01").stderr)
 
     def test_bad_input(self):
         self.assertIn("--unit", self.fails(2, "spectrum", self.RECORD).stderr)

@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> common_keys = {"kind", "delays", "wave_velocity", "kinematics"};
 const std::vector<std::string> record_keys = {"file",    "format",     "time_step", "unit", "column",
-                                              "channel", "skip_lines", "pga",       "scale"};
+                                              "channel", "skip_lines", "polarity",  "pga",  "scale"};
 const std::vector<std::string> harmonic_keys = {"period", "displacement_amplitude", "acceleration_amplitude", "phase"};
 
 /// Unknown keys, and known ones that belong to another kind.
@@ -81,6 +81,8 @@ void apply_scale(const TomlView& view, double unit_factor, SampledMotion& motion
       factor = *pga / echo.pga_read;
     }
   }
+  echo.reversed = view.word("polarity", polarities(), Need::optional) == "reversed";
+  if (echo.reversed) factor = -factor;
   for (double& value : motion.acceleration) value *= factor;
   echo.pga = echo.pga_read * std::abs(factor);
   if (!std::isfinite(echo.pga)) view.error("scales the record beyond what can be computed with");
@@ -115,6 +117,7 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   }
   if (!record) {  // what can be said without the file
     (void)view.word("unit", acceleration_units(), Need::optional);
+    (void)view.word("polarity", polarities(), Need::optional);
     const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
     if (key) (void)view.number(*key, *key == "pga" ? Rule::positive : Rule::not_zero);
     return std::nullopt;
@@ -180,6 +183,11 @@ std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuil
 }
 
 }  // namespace
+
+const std::vector<std::string>& polarities() {
+  static const std::vector<std::string> both = {"as-recorded", "reversed"};
+  return both;
+}
 
 ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
                                const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,

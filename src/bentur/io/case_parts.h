@@ -52,6 +52,9 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
                                              const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                              Diagnostics& diagnostics, CaseMemo* memo = nullptr);
 
+/// The ways round that a record can be applied: as-recorded reversed.
+[[nodiscard]] const std::vector<std::string>& polarities();
+
 /// code/case_code.cpp
 [[nodiscard]] CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 

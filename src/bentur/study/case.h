@@ -62,17 +62,18 @@ struct GapSpec {
 
 /// What was read from a record file, echoed to the user.
 struct RecordEcho {
-  std::string file;         ///< as the case names it
-  std::string format;       ///< as record_formats() of io
-  std::string unit;         ///< of the file
-  std::string channel;      ///< which of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
-  int header_lines = 0;     ///< passed over before the first value
-  double mean_removed = 0;  ///< taken off all values, in the file's unit
-  double time_step = 0;     ///< [s]
+  std::string file;          ///< as the case names it
+  std::string format;        ///< as record_formats() of io
+  std::string unit;          ///< of the file
+  std::string channel = {};  ///< which of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
+  int header_lines = 0;      ///< passed over before the first value
+  double mean_removed = 0;   ///< taken off all values, in the file's unit
+  double time_step = 0;      ///< [s]
   long count = 0;
-  double duration = 0;  ///< (count − 1) · step [s]
-  double pga_read = 0;  ///< largest |a| in the file's unit
-  double pga = 0;       ///< largest |a| as applied, after scaling [length/s²]
+  double duration = 0;    ///< (count − 1) · step [s]
+  double pga_read = 0;    ///< largest |a| in the file's unit
+  bool reversed = false;  ///< applied the other way round, every value times −1
+  double pga = 0;         ///< largest |a| as applied, after scaling [length/s²]
 };
 
 struct ExcitationSpec {

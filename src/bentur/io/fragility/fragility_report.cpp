@@ -205,7 +205,7 @@ std::string fragility_json(const FragilityReport& report, const FragilityRequest
       {"event_units", report.results.quantity_units},
       {"intensity",
        {{"name", report.results.intensity}, {"units", report.results.units}, {"levels", report.results.table.levels}}},
-      {"records", report.results.table.records},
+      {"records", report.results.table.records / report.results.table.together},
       {"bootstrap",
        {{"resamples", request.bootstrap.resamples},
         {"confidence", request.bootstrap.confidence},

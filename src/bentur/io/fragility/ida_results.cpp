@@ -46,6 +46,10 @@ class Reader {
       } else if (std::count(records->dimensions.begin(), records->dimensions.end(), runs_[i]) > 0) {
         roles_[i] = Role::record;
         results_.table.records *= size;
+        // The record dimension that moves fastest is the last one.
+        const bool polarity =
+            file_.find(runs_[i]) != nullptr && file_.attribute(runs_[i], "parameter") == "excitation.polarity";
+        results_.table.together = polarity ? size : 1;
       } else {
         roles_[i] = Role::other;
         results_.table.cases *= size;

@@ -9,17 +9,16 @@
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/solve/solver.h"
+#include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
 
 constexpr double far_apart = 1e6;  // heights of the tallest building: no contact, so that only the free response counts
 
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
+/// Of records: the median plus and minus a standard deviation of a lognormal variable, and what codes and engineers ask
+/// for.
+constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
 /// The largest of the points of gap `gap`.
 GapNeed need_of(const Problem& problem, const std::vector<PointSeparation>& separations, std::size_t gap) {
@@ -89,15 +88,86 @@ class Work {
         progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
       }
       for (std::size_t gap = 0; gap + 1 < facts_.problem.buildings.size(); ++gap) {
-        needs.largest.push_back(
-            summary_of(needs, gap, [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); }));
-        needs.median.push_back(summary_of(needs, gap, median_of));
+        GapOverRecords over;
+        over.largest = summary_of(needs, gap, [](const Numbers& v) { return *std::max_element(v.begin(), v.end()); });
+        over.median = summary_of(needs, gap, [](const Numbers& v) { return median_of(v); });
+        for (const double p : told_quantiles) {
+          over.quantiles.push_back({p, summary_of(needs, gap, [p](const Numbers& v) { return quantile_of(v, p); })});
+        }
+        needs.gaps.push_back(std::move(over));
       }
+      compare_with_given(axes, choices, needs);
       result_.needs.push_back(std::move(needs));
     }
   }
 
  private:
+  using Numbers = std::vector<double>;
+
+  /// The axes that change the widths of gaps and nothing else that counts here.
+  [[nodiscard]] std::vector<std::size_t> width_axes(const std::vector<SweepAxis>& axes) const {
+    std::vector<std::size_t> result;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const bool widths = std::any_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
+        return vary.axis == axis && vary.path.size() >= 3 && vary.path[2] == PathStep("width");
+      });
+      if (axes[axis].inner && widths) result.push_back(axis);
+    }
+    return result;
+  }
+
+  /// How many records need more than is given, for every choice of widths.
+  void compare_with_given(const std::vector<SweepAxis>& axes, std::vector<Choice> choices, RecordNeeds& needs) {
+    const std::vector<std::size_t> varied = width_axes(axes);
+    for (std::size_t number = 0; number < combinations(axes, varied); ++number) {
+      choose(axes, varied, number, choices);
+      Diagnostics found;
+      const ReadCase read = case_of(choices, found);
+      if (!found.ok()) throw std::runtime_error(first_message(found));
+      const Problem problem = problem_of(read);
+      for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
+        GivenGap given;
+        for (const Vary& vary : study_.varies) {
+          if (std::count(varied.begin(), varied.end(), vary.axis) > 0) {
+            given.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
+          }
+        }
+        for (const ContactPoint& point : problem.points) {
+          if (point.left == static_cast<int>(gap)) given.widths.push_back(point.width);
+        }
+        for (const RecordNeed& record : needs.records) {
+          given.beyond += needs_more(record, problem, static_cast<int>(gap)) ? 1 : 0;
+        }
+        needs.gaps[gap].given.push_back(std::move(given));
+      }
+    }
+  }
+
+  static bool needs_more(const RecordNeed& record, const Problem& given, int gap) {
+    return std::any_of(record.separations.begin(), record.separations.end(), [&](const PointSeparation& one) {
+      const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
+      return point.left == gap && one.simulated > point.width;
+    });
+  }
+
+  [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
+    TomlValue root = study_.case_root;
+    put_choices(study_, choices, root);
+    if (study_.ida) {
+      const RecordIntensities& intensities = facts_.intensities;
+      const double factor = record_factor(intensities, intensities.place(choices), *result_.at);
+      put_value(root, {"excitation", "scale"}, toml_number(factor), 0, 0);
+    }
+    const std::string name = study_.case_file.string();
+    return read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+  }
+
+  static Problem problem_of(const ReadCase& read) {
+    std::vector<Building> buildings;
+    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
+    return make_problem(read.c, std::move(buildings));
+  }
+
   static std::size_t combinations(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which) {
     std::size_t count = 1;
     for (const std::size_t axis : which) count *= axes[axis].levels;
@@ -129,22 +199,11 @@ class Work {
   }
 
   [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const std::vector<std::size_t>& records) {
-    TomlValue root = study_.case_root;
-    put_choices(study_, choices, root);
-    if (study_.ida) {
-      const RecordIntensities& intensities = facts_.intensities;
-      const double factor = *result_.at / intensities.values[intensities.place(choices)];
-      put_value(root, {"excitation", "scale"}, toml_number(factor), 0, 0);
-    }
     Diagnostics found;
-    const std::string name = study_.case_file.string();
-    const ReadCase read =
-        read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+    const ReadCase read = case_of(choices, found);
     const std::string record = record_name(choices, records, read);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
-    std::vector<Building> buildings;
-    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
-    Problem problem = make_problem(read.c, std::move(buildings));
+    Problem problem = problem_of(read);
     for (ContactPoint& point : problem.points) point.width = 0;
     const FreeResponse free(problem, read.c.analysis.solver);
     double height = 0;

@@ -28,11 +28,31 @@ struct RecordNeed {
   std::vector<GapNeed> gaps;                 ///< per gap
 };
 
+/// What a part of the records does not need more than.
+struct GapQuantile {
+  double probability = 0;  ///< the part [-]
+  GapNeed need;            ///< each number by itself, quantile_of()
+};
+
+/// A gap as the case or the study gives it.
+struct GivenGap {
+  std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
+  std::vector<double> widths;                               ///< [length], of its contact points
+  std::size_t beyond = 0;                                   ///< records that need more at one of them, simulated
+};
+
+/// One gap over all records.
+struct GapOverRecords {
+  GapNeed largest, median;
+  std::vector<GapQuantile> quantiles;  ///< ascending
+  std::vector<GivenGap> given;         ///< one per choice of widths
+};
+
 /// All records of a study with one choice of whatever else varies.
 struct RecordNeeds {
   std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what else varies
   std::vector<RecordNeed> records;
-  std::vector<GapNeed> largest, median;  ///< per gap, over the records
+  std::vector<GapOverRecords> gaps;
 };
 
 struct GapStudy {

@@ -34,9 +34,26 @@ Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) 
     json["points"] = points;
     records.push_back(json);
   }
+  const GapOverRecords& over = needs.gaps[gap];
+  Json quantiles = Json::array(), given = Json::array();
+  for (const GapQuantile& one : over.quantiles) {
+    Json json = {{"probability", one.probability}};
+    json.update(need_json(one.need, study.code));
+    quantiles.push_back(json);
+  }
+  for (const GivenGap& one : over.given) {
+    Json with = Json::object();
+    for (const auto& [name, value] : one.others) with[name] = value;
+    given.push_back({{"with", with},
+                     {"widths", one.widths},
+                     {"records_beyond", one.beyond},
+                     {"share_beyond", static_cast<double>(one.beyond) / static_cast<double>(needs.records.size())}});
+  }
   return {{"between", {study.problem.buildings[gap].name, study.problem.buildings[gap + 1].name}},
-          {"largest", need_json(needs.largest[gap], study.code)},
-          {"median", need_json(needs.median[gap], study.code)},
+          {"largest", need_json(over.largest, study.code)},
+          {"median", need_json(over.median, study.code)},
+          {"quantiles", quantiles},
+          {"given", given},
           {"records", records}};
 }
 
@@ -54,7 +71,7 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
     Json others = Json::object();
     for (const auto& [name, value] : needs.others) others[name] = value;
     Json gaps = Json::array();
-    for (std::size_t gap = 0; gap < needs.largest.size(); ++gap) gaps.push_back(gap_json(study, needs, gap));
+    for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) gaps.push_back(gap_json(study, needs, gap));
     all.push_back({{"with", others}, {"gaps", gaps}});
   }
   Json intensity = nullptr;

@@ -111,7 +111,7 @@ std::string other_width(std::size_t columns, std::size_t below) {
 }
 
 std::string heading_hint(const RecordOptions& options, int lines) {
-  return fmt::format(" (where this line is a heading, give {} = {})", options.name("skip_lines"), lines);
+  return fmt::format(" (where this line is a heading, give {})", options.setting("skip_lines", std::to_string(lines)));
 }
 
 /// Whether `first` and `second` are the number of values that follow and their step.

@@ -83,8 +83,8 @@ class ColumnReader {
     if (format == "one-column" && columns_ > 1 && !options_.column) {
       fail(
           fmt::format("has {} numbers in a line: say in {} which column holds the accelerations; where every number is "
-                      "an acceleration of one record, row by row, give {} = \"values\"",
-                      columns_, options_.name("column"), options_.name("format")));
+                      "an acceleration of one record, row by row, give {}",
+                      columns_, options_.name("column"), as_values()));
       return std::nullopt;
     }
     if (format == "one-column") return Meaning::channels;
@@ -104,8 +104,7 @@ class ColumnReader {
 
   std::optional<Meaning> values_without_column() {
     if (!options_.column) return Meaning::values;
-    fail(fmt::format("is read row by row with {} = \"values\": {} has no meaning then", options_.name("format"),
-                     options_.name("column")));
+    fail(fmt::format("is read row by row with {}: {} has no meaning then", as_values(), options_.name("column")));
     return std::nullopt;
   }
 
@@ -121,10 +120,8 @@ class ColumnReader {
     if (columns_ == 2 && !step_) return Meaning::time_first;  // more likely bad times than no times
     if (!block) {
       check_widths();
-      fail(
-          fmt::format("is no table of columns: where every number is an acceleration, row by row, give {} = "
-                      "\"values\"{}",
-                      options_.name("format"), step_ ? "" : " and " + options_.name("time_step")));
+      fail(fmt::format("is no table of columns: where every number is an acceleration, row by row, give {}{}",
+                       as_values(), step_ ? "" : " and " + options_.name("time_step")));
       return std::nullopt;
     }
     if (ragged) {
@@ -134,9 +131,9 @@ class ColumnReader {
     }
     const std::string step = step_ ? "" : options_.name("time_step") + " and ";
     fail(
-        fmt::format("has {} numbers in a line, and the first is no time: give {}either {} = \"values\", where all are "
+        fmt::format("has {} numbers in a line, and the first is no time: give {}either {}, where all are "
                     "accelerations of one record, row by row, or {}, where each column is a channel",
-                    columns_, step, options_.name("format"), options_.name("column")));
+                    columns_, step, as_values(), options_.name("column")));
     return std::nullopt;
   }
 
@@ -159,11 +156,10 @@ class ColumnReader {
     }
     const auto column = static_cast<std::size_t>(*options_.column);
     if (column >= (timed ? 2U : 1U) && column <= columns_) return column - 1;
-    fail(timed ? fmt::format("has columns 1 (time) to {}, {} = {} is not one of accelerations", columns_,
-                             options_.name("column"), column)
-         : columns_ == 1
-             ? fmt::format("has one column, {} = {} is not there", options_.name("column"), column)
-             : fmt::format("has {} columns, {} = {} is not there", columns_, options_.name("column"), column));
+    const std::string asked = options_.setting("column", std::to_string(column));
+    fail(timed           ? fmt::format("has columns 1 (time) to {}, {} is not one of accelerations", columns_, asked)
+         : columns_ == 1 ? fmt::format("has one column, {} is not there", asked)
+                         : fmt::format("has {} columns, {} is not there", columns_, asked));
     return std::nullopt;
   }
 
@@ -200,6 +196,8 @@ class ColumnReader {
     if (!errors_.ok() || !found_.stated || static_cast<std::size_t>(found_.stated->count) == count) return;
     fail(fmt::format("says {} values in its heading, but holds {}", found_.stated->count, count));
   }
+
+  [[nodiscard]] std::string as_values() const { return options_.setting("format", "values"); }
 
   void fail(const std::string& message) { errors_.error(0, 0, message); }
 

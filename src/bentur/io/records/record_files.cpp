@@ -50,6 +50,12 @@ std::string RecordOptions::name(const std::string& key) const {
   return option;
 }
 
+std::string RecordOptions::setting(const std::string& key, const std::string& value) const {
+  if (of_command) return name(key) + " " + value;
+  const bool text = value.find_first_not_of("0123456789") != std::string::npos;
+  return name(key) + (text ? " = \"" + value + "\"" : " = " + value);
+}
+
 const std::vector<std::string>& record_formats() {
   static const std::vector<std::string> formats = {"auto",   "peer-at2", "two-column", "one-column", "values", "csv",
                                                    "cosmos", "csmip",    "smc",        "knet",       "esm"};
@@ -112,6 +118,7 @@ std::string echo_notes(const RecordEcho& echo) {
   if (echo.header_lines > 0) {
     text += fmt::format(", {} header {}", echo.header_lines, echo.header_lines == 1 ? "line" : "lines");
   }
+  if (echo.reversed) text += ", reversed";
   if (echo.mean_removed != 0) text += fmt::format(", mean {:.4g} {} removed", echo.mean_removed, echo.unit);
   return text;
 }

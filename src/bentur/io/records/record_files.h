@@ -30,6 +30,8 @@ struct RecordOptions {
   bool of_command = false;          ///< messages call these --time-step and so on, not excitation.time_step
 
   [[nodiscard]] std::string name(const std::string& key) const;
+  /// `excitation.format = "values"`, or `--format values`.
+  [[nodiscard]] std::string setting(const std::string& key, const std::string& value) const;
 };
 
 /// auto peer-at2 two-column one-column values csv cosmos csmip smc knet esm

@@ -29,7 +29,7 @@ RecordOptions by_name(const std::string& format) {
 }
 
 /// Numbers in fields of a width, eight in a line, as Fortran's 8Fw.d writes them: they touch where they are wide.
-std::string fields(const Numbers& values, int width, int decimals) {
+std::string fixed_fields(const Numbers& values, int width, int decimals) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += fmt::format("{:>{}}", fmt::format("{:.{}f}", values[i], decimals), width);
@@ -39,7 +39,8 @@ std::string fields(const Numbers& values, int width, int decimals) {
 }
 
 /// `count` fields of header, all `missing` but the one with a number from 1.
-std::string header(int count, int in_line, int width, const std::string& missing, int place, const std::string& value) {
+std::string header_block(int count, int in_line, int width, const std::string& missing, int place,
+                         const std::string& value) {
   std::string text;
   for (int i = 1; i <= count; ++i) {
     text += fmt::format("{:>{}}", i == place ? value : missing, width);
@@ -63,13 +64,13 @@ std::string cosmos(const std::vector<CosmosChannel>& channels) {
     text += "Corrected acceleration    (Format v01.20 with 14 text lines) Src: made up\n";
     for (int i = 2; i <= 14; ++i) text += i == 9 ? "Sta Chan  7: " + one.title + " (Rcrdr Chan  1)\n" : "a line\n";
     text += " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" +
-            header(100, 10, 8, "-999", 3, std::to_string(one.unit));
+            header_block(100, 10, 8, "-999", 3, std::to_string(one.unit));
     text += " 100 Real-header values follow on  17 lines, Format= (6F13.6)\n" +
-            header(100, 6, 13, "-999.000000", 62, one.step);
+            header_block(100, 6, 13, "-999.000000", 62, one.step);
     text += "   2 Comment line(s) follow, each starting with a \"|\":\n| 5 acceleration points of no meaning\n| end\n";
     text += fmt::format("{:8} {} pts, approx  0 secs, units={},Format=(8F10.3)\n",
                         one.count == 0 ? static_cast<int>(one.values.size()) : one.count, one.quantity, one.unit_text);
-    text += fields(one.values, 10, 3) + "End-of-data for Chan  7 " + one.quantity + "\n";
+    text += fixed_fields(one.values, 10, 3) + "End-of-data for Chan  7 " + one.quantity + "\n";
   }
   return text;
 }
@@ -168,14 +169,14 @@ std::string csmip_channel(int number, const std::string& accelerations, const st
     text += "  .0101833  .6400000 75.000000-999.00000-999.00000 624.00000  .0276252 32.570000\n";
   }
   return text + accelerations + "     2 points of veloc data equally spaced at  .020 sec, in cm/sec.  (8f10.7)\n" +
-         fields({1, 2}, 10, 7) + "     2 points of displ data equally spaced at  .020 sec, in cm.  (8f10.7)\n" +
-         fields({3, 4}, 10, 7) + fmt::format("/&  ----------  End of data for channel  {}  ----------\n", number);
+         fixed_fields({1, 2}, 10, 7) + "     2 points of displ data equally spaced at  .020 sec, in cm.  (8f10.7)\n" +
+         fixed_fields({3, 4}, 10, 7) + fmt::format("/&  ----------  End of data for channel  {}  ----------\n", number);
 }
 
 TEST_F(RecordFormats, CsmipVolume2) {
   const Numbers values = {1.5, -123.456789, -100.000001, 3, 4, 5, 6, 7, 8.25};
   const std::string block =
-      "     9 points of accel data equally spaced at  .020 sec, in cm/sec2. (8f10.5)\n" + fields(values, 10, 5);
+      "     9 points of accel data equally spaced at  .020 sec, in cm/sec2. (8f10.5)\n" + fixed_fields(values, 10, 5);
   const auto record = read(csmip_channel(1, block, " 90 Deg"));
   ASSERT_TRUE(record.has_value()) << messages();
   EXPECT_EQ(record->format, "csmip");
@@ -186,7 +187,8 @@ TEST_F(RecordFormats, CsmipVolume2) {
   EXPECT_EQ(record->header_lines, 46);
 
   const std::string older = "9 POINTS OF ACCEL DATA EQUALLY SPACED AT  .010 SEC.  (UNITS: CM/SEC/SEC)\n";
-  const std::string two = csmip_channel(1, block, "90 Deg") + csmip_channel(2, older + fields(values, 10, 3), "Up");
+  const std::string two =
+      csmip_channel(1, block, "90 Deg") + csmip_channel(2, older + fixed_fields(values, 10, 3), "Up");
   EXPECT_FALSE(read(two).has_value());
   EXPECT_EQ(messages(),
             ": error: has 2 channels of accelerations: say in excitation.channel which one: 1 \"Chan 1: 90 Deg\", 2 "
@@ -205,11 +207,11 @@ TEST_F(RecordFormats, CsmipVolume1) {
   std::string text = "Uncorrected Accelerogram Data             Processed: never\n";
   for (int i = 0; i < 26; ++i) text += "a line\n";
   const auto record = read(text + "     3 Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)\n" +
-                           fields({-10.123456, -0.5, 0.25}, 10, 6).replace(0, 1, "") +
+                           fixed_fields({-10.123456, -0.5, 0.25}, 10, 6).replace(0, 1, "") +
                            "/&  ----------  End of Data for Channel  1  ----------\n");
   EXPECT_FALSE(record.has_value());  // the first field is a place too wide, so all are out of place
   const auto good = read(text + "     3 Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)\n" +
-                         fields({-1.123456, -0.5, 0.25}, 9, 6) + "/&  --- End of Data for Channel  1\n");
+                         fixed_fields({-1.123456, -0.5, 0.25}, 9, 6) + "/&  --- End of Data for Channel  1\n");
   ASSERT_TRUE(good.has_value()) << messages();
   EXPECT_EQ(good->unit, "g");
   EXPECT_DOUBLE_EQ(good->time_step, 0.005);
@@ -221,9 +223,9 @@ TEST_F(RecordFormats, CsmipVolume1) {
 std::string smc(const std::string& kind, const std::string& rate, int count, int comments, const std::string& data) {
   std::string text = kind + "\n";
   for (int i = 0; i < 10; ++i) text += "*\n";
-  std::string integers = header(48, 8, 10, "-32768", 17, std::to_string(count));
+  std::string integers = header_block(48, 8, 10, "-32768", 17, std::to_string(count));
   integers.replace(integers.find('\n') + 1 + 70, 10, fmt::format("{:>10}", comments));
-  text += integers + header(50, 5, 15, "0.1700000E+39", 2, rate);
+  text += integers + header_block(50, 5, 15, "0.1700000E+39", 2, rate);
   for (int i = 0; i < comments; ++i) text += "|a comment\n";
   return text + data;
 }

@@ -189,8 +189,9 @@ const Channel* chosen_channel(const std::vector<Channel>& channels, const Record
                               RecordErrors& errors) {
   if (options.channel && static_cast<std::size_t>(*options.channel) > channels.size()) {
     errors.error(0, 0,
-                 fmt::format("has {} {} of accelerations, {} = {} is not there", channels.size(),
-                             channels.size() == 1 ? "channel" : "channels", options.name("channel"), *options.channel));
+                 fmt::format("has {} {} of accelerations, {} is not there", channels.size(),
+                             channels.size() == 1 ? "channel" : "channels",
+                             options.setting("channel", std::to_string(*options.channel))));
     return nullptr;
   }
   if (options.channel) return &channels[static_cast<std::size_t>(*options.channel) - 1];
@@ -233,8 +234,8 @@ void refuse_column(const RecordOptions& options, const char* format, RecordError
 void refuse_channel(const RecordOptions& options, const char* format, RecordErrors& errors) {
   if (options.channel.value_or(1) != 1) {
     errors.error(0, 0,
-                 fmt::format("is a {} file, which has one channel: {} = {} is not there", format,
-                             options.name("channel"), *options.channel));
+                 fmt::format("is a {} file, which has one channel: {} is not there", format,
+                             options.setting("channel", std::to_string(*options.channel))));
   }
 }
 

@@ -15,6 +15,7 @@ void put_record(const RecordEcho& record, nlohmann::ordered_json& object) {
   object["count"] = record.count;
   object["duration"] = record.duration;
   object["pga_read"] = record.pga_read;
+  object["polarity"] = record.reversed ? "reversed" : "as-recorded";
   object["pga"] = record.pga;
 }
 

@@ -49,6 +49,7 @@ ExcitationSpec excitation(const UnorderedJson& json) {
                              .count = json.at("count"),
                              .duration = json.at("duration"),
                              .pga_read = json.at("pga_read"),
+                             .reversed = json.value("polarity", "") == "reversed",
                              .pga = json.at("pga")};
   } else if (json.at("kind") == "harmonic") {
     const bool sine = json.at("phase") == "sine";

@@ -33,7 +33,8 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   if (!view) return std::nullopt;
   IdaSpec spec;
   spec.position = {"", view->value().line, view->value().column};
-  if (!view->is_table_of({"intensity", "period", "damping", "unit", "levels", "from", "to", "count", "spacing"})) {
+  if (!view->is_table_of(
+          {"intensity", "period", "damping", "unit", "levels", "from", "to", "count", "spacing", "polarity"})) {
     return spec;
   }
   if (const auto sampling = root.find("sampling")) {
@@ -51,6 +52,7 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   }
   spec.unit = view->word("unit", acceleration_units(), Need::optional).value_or("");
   spec.levels = read_levels(*view);
+  spec.polarity = view->word("polarity", {"as-recorded", "reversed", "both"}, Need::optional).value_or("");
   return spec;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 bool decides_record(const ParameterPath& path) {
   if (path.empty() || path.front() != PathStep("excitation")) return false;
-  const std::vector<std::string> keys = {"kind", "file",   "format",  "time_step",
-                                         "unit", "column", "channel", "skip_lines"};
+  const std::vector<std::string> keys = {"kind",   "file",    "format",     "time_step", "unit",
+                                         "column", "channel", "skip_lines", "polarity"};
   return path.size() == 1 || std::find(keys.begin(), keys.end(), std::get<std::string>(path[1])) != keys.end();
 }
 
@@ -45,8 +45,9 @@ double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units
   return ida.unit.empty() ? acceleration : acceleration / acceleration_factor(ida.unit, units);
 }
 
-double record_factor(const IdaSpec& ida, const RecordIntensities& intensities, const std::vector<Choice>& choices) {
-  return ida.levels[choices[ida.axis].level] / intensities.values[intensities.place(choices)];
+double record_factor(const RecordIntensities& intensities, std::size_t place, double level) {
+  if (intensities.normalisation.empty()) return level / intensities.values[place];
+  return level * intensities.normalisation[place] / intensities.median;
 }
 
 std::string intensity_units(const IdaSpec& ida, const Units& units) {
@@ -58,9 +59,10 @@ std::string intensity_units(const IdaSpec& ida, const Units& units) {
 }
 
 std::string intensity_name(const IdaSpec& ida) {
-  return ida.spectral
-             ? fmt::format("spectral acceleration, period {:.6g} s, damping {:.6g} %", ida.period, 100 * ida.damping)
-             : "peak ground acceleration";
+  const std::string measure = ida.spectral ? fmt::format("spectral acceleration, period {:.6g} s, damping {:.6g} %",
+                                                         ida.period, 100 * ida.damping)
+                                           : "peak ground acceleration";
+  return ida.normalised ? measure + ", median of the normalised records" : measure;
 }
 
 }  // namespace bentur

@@ -14,6 +14,8 @@ namespace bentur {
 struct RecordIntensities {
   std::vector<std::size_t> axes, sizes;  ///< the axes, ascending, and how many values each has
   std::vector<double> values;            ///< [unit of the levels] per combination, the last axis fastest
+  std::vector<double> normalisation;     ///< [-] per combination; empty where records are not normalised
+  double median = 0;                     ///< [unit of the levels] of the normalised records, where they are
 
   [[nodiscard]] std::size_t place(const std::vector<Choice>& choices) const;
 };
@@ -26,9 +28,10 @@ struct RecordIntensities {
 /// @throws InvalidParameter when the period is too short for the record's step.
 [[nodiscard]] double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units& units);
 
-/// What the record of a run is multiplied by: the level over the record's intensity [-].
-[[nodiscard]] double record_factor(const IdaSpec& ida, const RecordIntensities& intensities,
-                                   const std::vector<Choice>& choices);
+/// What a record is multiplied by to have the intensity `level` [unit of the levels]: the level over its own intensity.
+/// Normalised records keep their proportions and are scaled together, their median to the level [FEMAP695, A.8].
+/// @param place of the record in `intensities`
+[[nodiscard]] double record_factor(const RecordIntensities& intensities, std::size_t place, double level);
 
 /// The unit of the levels as UDUNITS reads it. There g is the gram: gravity is named, or given by its value where the
 /// case has its own.

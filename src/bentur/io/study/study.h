@@ -31,6 +31,8 @@ struct Vary {
   bool ends_decide = false;                     ///< values are a range: right at both ends, right in between
   std::vector<std::string> labels;              ///< of values that are not numbers; else empty
   std::vector<FileKey> file_keys;               ///< of files
+  std::string normalise_by;                     ///< of files: the rule, "pgv" or "pgv-pairs", where one is asked for
+  std::vector<double> normalisation;            ///< of files [-]: what each record is multiplied by; empty: nothing
   std::optional<Distribution> distribution;     ///< to sample from
   TomlValue original;                           ///< what the case says; of a factor
   SourcePosition parameter_position, position;  ///< of the parameter and of its values in the study
@@ -43,6 +45,8 @@ struct IdaSpec {
   double damping = 0.05;       ///< ratio [-], of Sa
   std::string unit;            ///< of the levels, as acceleration_units(); empty: the case's length/s²
   std::vector<double> levels;  ///< [unit] > 0, ascending
+  std::string polarity;        ///< as-recorded reversed both; empty: as the case says
+  bool normalised = false;     ///< records keep their proportions: the median intensity of the set is each level
   std::size_t axis = 0;        ///< along which they are
   SourcePosition position;     ///< of the table in the study
 };
@@ -71,6 +75,8 @@ struct Choice {
 
 /// The number a vary has by a choice, or nothing when its values are no numbers. Of a factor it is the factor.
 [[nodiscard]] std::optional<double> chosen_number(const Vary& vary, const Choice& choice);
+/// What the record chosen is multiplied by before anything else: 1 unless files are normalised [-].
+[[nodiscard]] double normalisation_of(const Study& study, const std::vector<Choice>& choices);
 /// What a user calls the choice: a label, or the number.
 [[nodiscard]] std::string chosen_text(const Vary& vary, const Choice& choice);
 /// What is to stand in the case by a choice.
@@ -78,7 +84,7 @@ struct Choice {
 
 /// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's place becomes line
 /// −1 − its number among the varies, so that an error can be told from one of the case's own. With [ida] the record is
-/// left as its file has it: `pga` and `scale` are taken out.
+/// left as its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation.
 void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root);
 
 }  // namespace bentur

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "bentur/core/errors.h"
+#include "bentur/study/quantiles.h"
 #include "bentur/study/sweep/sweep_row.h"
 
 namespace bentur {
@@ -103,7 +104,13 @@ class Trial {
         choices[found.axes[i]].level = rest % found.sizes[i];
       }
       found.values.push_back(measured(choices));
+      if (study_.ida->normalised) found.normalisation.push_back(normalisation_of(study_, choices));
     }
+    std::vector<double> normalised;
+    for (std::size_t i = 0; i < found.normalisation.size(); ++i) {
+      if (found.values[i] > 0) normalised.push_back(found.values[i] * found.normalisation[i]);
+    }
+    if (!normalised.empty()) found.median = median_of(std::move(normalised));
     facts_.intensities = std::move(found);
   }
 

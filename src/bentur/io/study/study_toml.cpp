@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
+#include "bentur/io/case_parts.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/study/ida_toml.h"
+#include "bentur/io/study/normalisation.h"
 #include "bentur/io/study/study.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/study/sweep/sweep_plan.h"
@@ -43,6 +45,13 @@ bool is_numeric(const TomlValue& value) {
 /// Keys of [excitation] that scale the record.
 bool is_scale(const PathStep& key) { return key == PathStep("pga") || key == PathStep("scale"); }
 
+void take_out_scale(TomlValue& root) {
+  for (TomlMember& table : root.members) {
+    if (table.key != "excitation") continue;
+    std::erase_if(table.value.members, [](const TomlMember& member) { return is_scale(member.key); });
+  }
+}
+
 /// Finds the vary's key in the case, and refuses what a study must leave alone.
 void place_in_case(const TomlView& parameter, const TomlValue& case_root, bool ida, Vary& vary) {
   if (vary.path.empty()) return;
@@ -67,6 +76,10 @@ void place_in_case(const TomlView& parameter, const TomlValue& case_root, bool i
   if (ida && vary.path.size() == 2 && first == "excitation" && is_scale(vary.path[1])) {
     parameter.error_value("is set by [ida], which scales every record to each level");
     return;
+  }
+  const bool chooses_file = vary.path == ParameterPath{"excitation", "file"};
+  if (!chooses_file && (!vary.normalise_by.empty() || !vary.normalisation.empty())) {
+    parameter.error_value("is no record to be normalised: normalisation goes with excitation.file");
   }
   if (!vary.factor) return;
   const TomlValue* original = find_value(case_root, vary.path);
@@ -196,6 +209,35 @@ bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) 
   return true;
 }
 
+/// [ida] polarity is a vary of excitation.polarity, a choice of the record like its file.
+void add_polarity(const TomlView& root, Study& study) {
+  if (study.ida->polarity.empty()) return;
+  const TomlView view = *root.find("ida")->find("polarity");
+  const ParameterPath path = {"excitation", "polarity"};
+  Vary vary;
+  vary.parameter = "excitation.polarity";
+  vary.path = path;
+  vary.name = "polarity";
+  vary.axis = study.axes.size();
+  for (const std::string& one : polarities()) {
+    if (study.ida->polarity == "both" || study.ida->polarity == one) {
+      vary.values.push_back(toml_text(one));
+      vary.labels.push_back(one);
+    }
+  }
+  vary.parameter_position = vary.position = {study.file.string(), view.value().line, view.value().column};
+  for (const Vary& other : study.varies) {
+    if (overlap(other.path, path)) {
+      view.error_value(fmt::format("but {} is varied in line {}", other.parameter, other.parameter_position.line));
+    } else if (other.name == vary.name || study.axes[other.axis] == vary.name) {
+      view.error_value(fmt::format("has the name of what varies in line {}: give that another name = \"..\"",
+                                   other.parameter_position.line));
+    }
+  }
+  study.axes.push_back(vary.name);
+  study.varies.push_back(std::move(vary));
+}
+
 TomlValue scaled(TomlValue value, double factor) {
   if (value.kind == TomlValue::Kind::list) {
     for (TomlValue& item : value.items) item = scaled(std::move(item), factor);
@@ -223,7 +265,11 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
     (void)root.is_table_of({"case", "vary", "sampling", "ida"});
     read_sampling(root, study);
     study.ida = read_ida(root);
-    if (read_case_of(root, study, found)) read_varies(root, study);
+    if (read_case_of(root, study, found)) {
+      read_varies(root, study);
+      if (study.ida) add_polarity(root, study);
+      settle_normalisation(root, study);
+    }
     if (study.ida) {
       study.ida->position.file = name;
       study.ida->axis = study.axes.size();
@@ -232,6 +278,14 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
   }
   for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
+}
+
+double normalisation_of(const Study& study, const std::vector<Choice>& choices) {
+  double factor = 1;
+  for (const Vary& vary : study.varies) {
+    if (!vary.normalisation.empty()) factor *= vary.normalisation[choices[vary.axis].level];
+  }
+  return factor;
 }
 
 std::optional<double> chosen_number(const Vary& vary, const Choice& choice) {
@@ -267,11 +321,17 @@ void put_choices(const Study& study, const std::vector<Choice>& choices, TomlVal
       if (const auto& value = key.values[choice.level]) put_value(root, key.path, *value, line, 0);
     }
   }
-  if (!study.ida) return;
-  for (TomlMember& table : root.members) {
-    if (table.key == "excitation") {
-      std::erase_if(table.value.members, [](const TomlMember& member) { return is_scale(member.key); });
+  if (study.ida) {
+    take_out_scale(root);
+  } else if (const double factor = normalisation_of(study, choices); factor != 1) {
+    // The case's own scale, or the one that varies, and not what an earlier call has put here.
+    const ParameterPath path = {"excitation", "scale"};
+    const TomlValue* const given = find_value(study.case_root, path);
+    double scale = given != nullptr ? given->real : 1;
+    for (const Vary& vary : study.varies) {
+      if (vary.path == path) scale = chosen_value(vary, choices[vary.axis]).real;
     }
+    put_value(root, path, toml_number(scale * factor), 0, 0);
   }
 }
 

@@ -9,6 +9,8 @@
 #include <set>
 #include <system_error>
 
+#include "bentur/io/study/normalisation.h"
+
 namespace bentur {
 namespace {
 
@@ -248,6 +250,7 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
     if (!seen.insert(label).second) files.error(fmt::format("name {} twice", in_quotes(label)));
   }
   read_file_keys(view, places, vary);
+  read_normalisation(view, context.folder, paths, vary);
 }
 
 /// The last key of a path.
@@ -315,6 +318,7 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   std::vector<std::string> known = {"parameter", "values", "labels", "from",         "to",       "count",
                                     "spacing",   "files",  "factor", "distribution", "together", "name"};
   known.insert(known.end(), file_keys.begin(), file_keys.end());
+  known.emplace_back("normalisation");
   if (!view.is_table_of(known)) return vary;
   const auto parameter = view.get("parameter", Need::required);
   if (const auto text = parameter ? parameter->as_text() : std::nullopt) {
@@ -349,6 +353,7 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   only_with({"to", "count", "spacing"}, "from");
   only_with({"labels"}, "values");
   only_with(file_keys, "files");
+  only_with({"normalisation"}, "files");
   if (!form) return vary;
   if (*form == "files" && vary.factor) view.find("factor")->error("goes with numbers, not with files");
   const TomlView given = *view.find(*form);

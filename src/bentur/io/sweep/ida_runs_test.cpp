@@ -105,7 +105,8 @@ TEST(IdaRuns, SpectralAccelerationIsReached) {
       runs_of("[ida]\nintensity = 'sa'\nperiod = 0.2\ndamping = 0.02\nlevels = [0.3, 3]\n" + records);
   for (const RunResult& result : all(runs)) {
     const std::vector<Choice> choices = runs.choices(result.run);
-    const double factor = record_factor(*runs.study().ida, runs.facts().intensities, choices);
+    const double factor = record_factor(runs.facts().intensities, runs.facts().intensities.place(choices),
+                                        runs.study().ida->levels[choices[runs.study().ida->axis].level]);
     const ReadCase read = case_of(runs, result.run, factor);
     const auto& motion = std::get<SampledMotion>(read.c.excitation.motion);
     const double level = choices[1].level == 0 ? 0.3 : 3;  // [m/s²], the case's own unit

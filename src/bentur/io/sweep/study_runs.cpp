@@ -106,7 +106,10 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) c
   const std::vector<Choice> chosen = choices(run);
   put_choices(study_, chosen, root);
   if (study_.ida) {
-    put_value(root, {"excitation", "scale"}, toml_number(record_factor(*study_.ida, facts_.intensities, chosen)), 0, 0);
+    put_value(root, {"excitation", "scale"},
+              toml_number(record_factor(facts_.intensities, facts_.intensities.place(chosen),
+                                        study_.ida->levels[chosen[study_.ida->axis].level])),
+              0, 0);
   }
   const std::string name = study_.case_file.string();
   ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, memo_.get());

@@ -92,6 +92,7 @@ class SweepFile {
   int points_ = 0, gaps_ = 0;
   std::vector<int> varies_, quantities_;  // variables
   int status_ = 0, message_ = 0;
+  int normalisation_ = -1;   // of the record, where files are normalised
   std::string coordinates_;  // those of every run that are not dimensions
 };
 
@@ -174,6 +175,9 @@ void SweepFile::define_varies() {
                                (vary.factor ? "factor of " : "") + vary.parameter));
     if (!vary.factor) attribute(varies_.back(), "parameter", path_text(vary.path));
     if (!runs_.plan().is_grid() || vary.name != study_.axes[vary.axis]) coordinates_ += vary.name + " ";
+    if (vary.normalisation.empty()) continue;
+    normalisation_ = variable("normalisation", NC_DOUBLE, dimensions, "1", "factor that normalises the record");
+    coordinates_ += "normalisation ";
   }
 }
 
@@ -196,8 +200,8 @@ void SweepFile::define_ida(const IdaSpec& ida) {
       records.values);
   dimensions.push_back(run_dimensions_[ida.axis]);
   std::vector<double> factors;
-  for (const double record : records.values) {
-    for (const double level : ida.levels) factors.push_back(level / record);
+  for (std::size_t place = 0; place < records.values.size(); ++place) {
+    for (const double level : ida.levels) factors.push_back(record_factor(records, place, level));
   }
   put(variable("scale_factor", NC_DOUBLE, dimensions, "1", "what the record is multiplied by"), factors);
   coordinates_ += "record_intensity scale_factor ";
@@ -261,6 +265,7 @@ Block SweepFile::block_at(std::size_t first) const {
 void SweepFile::write_grid_coordinates() const {
   for (std::size_t v = 0; v < study_.varies.size(); ++v) {
     const Vary& vary = study_.varies[v];
+    if (!vary.normalisation.empty()) put(normalisation_, vary.normalisation);
     if (!vary.labels.empty()) {
       put(varies_[v], vary.labels);
       continue;
@@ -274,6 +279,11 @@ void SweepFile::write_grid_coordinates() const {
 void SweepFile::write_sample_coordinates(const Block& block) const {
   std::vector<std::vector<Choice>> choices;
   for (std::size_t i = 0; i < block.runs; ++i) choices.push_back(runs_.choices(block.first + i));
+  if (normalisation_ >= 0) {
+    std::vector<double> factors;
+    for (const std::vector<Choice>& choice : choices) factors.push_back(normalisation_of(study_, choice));
+    check(nc_put_vara_double(id_, normalisation_, block.start.data(), block.count.data(), factors.data()));
+  }
   for (std::size_t v = 0; v < study_.varies.size(); ++v) {
     const Vary& vary = study_.varies[v];
     std::vector<const char*> texts;
@@ -349,6 +359,7 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
                                        "intensity",
                                        "record_intensity",
                                        "scale_factor",
+                                       "normalisation",
                                        "sample",
                                        "status",
                                        "message",

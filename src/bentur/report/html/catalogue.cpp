@@ -263,6 +263,8 @@ constexpr auto entries = std::to_array<Entry>({
     {"motion.format", {"Format, unit", "Format, satuan"}},
     {"motion.channel", {"Taken from the file", "Diambil dari berkas"}},
     {"motion.header_lines", {"Header lines passed over", "Baris judul yang dilewati"}},
+    {"motion.polarity", {"Polarity", "Polaritas"}},
+    {"motion.reversed", {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}},
     {"motion.mean_removed", {"Mean removed", "Rata-rata yang dihilangkan"}},
     {"motion.samples", {"Samples", "Cuplikan"}},
     {"motion.samples_text",

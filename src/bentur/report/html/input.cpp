@@ -248,6 +248,7 @@ Html motion_echo(const Story& story) {
     rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
     if (!record.channel.empty()) rows.emplace_back(say("motion.channel"), record.channel);
     if (record.header_lines > 0) rows.emplace_back(say("motion.header_lines"), std::to_string(record.header_lines));
+    if (record.reversed) rows.emplace_back(say("motion.polarity"), say("motion.reversed"));
     if (record.mean_removed != 0) {
       rows.emplace_back(say("motion.mean_removed"), quantity(record.mean_removed, record.unit));
     }

@@ -65,8 +65,9 @@ std::optional<double> CaseFragility::probability(double intensity) const {
 
 CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options) {
   require_size("outcomes", table.outcomes.size(), table.cases * table.records * table.levels.size());
+  require_size("records", table.records, table.records / table.together * table.together);
   CaseFragility result;
-  std::vector<std::vector<IntensityCount>> units(table.records);
+  std::vector<std::vector<IntensityCount>> units(table.records / table.together);
   for (const double level : table.levels) result.counts.push_back({level, 0, 0});
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t level = 0; level < table.levels.size(); ++level) {
@@ -76,7 +77,7 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
         continue;
       }
       const long events = outcome == Outcome::event ? 1 : 0;
-      units[record].push_back({table.levels[level], 1, events});
+      units[record / table.together].push_back({table.levels[level], 1, events});
       ++result.counts[level].runs;
       result.counts[level].events += events;
       ++result.runs;
@@ -85,7 +86,7 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
   }
   result.fit = fit_fragility(result.counts);
   const FragilityKind kind = result.fit.kind;
-  if (table.records > 1 &&
+  if (units.size() > 1 &&
       (kind == FragilityKind::fitted || kind == FragilityKind::separated || kind == FragilityKind::falling)) {
     result.bounds = bootstrap_fragility(units, options);
   }

@@ -16,6 +16,7 @@ struct OutcomeTable {
   std::vector<double> levels;  ///< of intensity [its unit] > 0
   std::size_t cases = 0, records = 0;
   std::vector<Outcome> outcomes;  ///< cases × records × levels, the last fastest
+  std::size_t together = 1;  ///< so many records in succession are one, applied both ways round: resampled together
 
   [[nodiscard]] Outcome at(std::size_t c, std::size_t record, std::size_t level) const {
     return outcomes[(c * records + record) * levels.size() + level];

@@ -51,6 +51,28 @@ TEST(IdaFragility, FindsWhatTheDataWereMadeWith) {
   }
 }
 
+TEST(IdaFragility, RecordsTogetherAreResampledTogether) {
+  // Every record twice, as one that comes out the same both ways round: the bounds are those of the records once.
+  const OutcomeTable once = synthetic({0.3}, 0.3, 40);
+  OutcomeTable twice = once;
+  twice.records = 80;
+  twice.outcomes.clear();
+  for (std::size_t record = 0; record < 40; ++record) {
+    for (int i = 0; i < 2; ++i) {
+      for (std::size_t level = 0; level < 20; ++level) twice.outcomes.push_back(once.at(0, record, level));
+    }
+  }
+  const FragilityBounds alone = fit_case(once, 0, {.resamples = 200}).bounds.value();
+  const FragilityBounds apart = fit_case(twice, 0, {.resamples = 200}).bounds.value();
+  twice.together = 2;
+  const FragilityBounds together = fit_case(twice, 0, {.resamples = 200}).bounds.value();
+  EXPECT_NEAR(together.median.lower, alone.median.lower, 1e-9);
+  EXPECT_NEAR(together.median.upper, alone.median.upper, 1e-9);
+  EXPECT_LT(apart.median.upper - apart.median.lower, 0.9 * (alone.median.upper - alone.median.lower));
+  twice.together = 3;
+  EXPECT_THROW((void)fit_case(twice, 0, {}), InvalidParameter);
+}
+
 TEST(IdaFragility, CountsAreThoseOfTheTableWithoutFailedRuns) {
   OutcomeTable table = synthetic({0.3}, 0.3, 10);
   table.outcomes[3] = Outcome::failed;
