@@ -9,7 +9,7 @@
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/solve/solver.h"
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 
 namespace bentur {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bentur/io/results/temporary_folder.h"
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 
 namespace bentur {
 namespace {

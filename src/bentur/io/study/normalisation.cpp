@@ -11,7 +11,7 @@
 #include "bentur/excitation/motion_measures.h"
 #include "bentur/io/case_parts.h"
 #include "bentur/io/input_file.h"
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 
 namespace bentur {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "bentur/io/results/temporary_folder.h"
 #include "bentur/io/study/study_check.h"
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 
 namespace bentur {
 namespace {

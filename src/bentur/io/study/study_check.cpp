@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "bentur/core/errors.h"
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 #include "bentur/study/sweep/sweep_row.h"
 
 namespace bentur {

@@ -1,4 +1,4 @@
-#include "bentur/study/quantiles.h"
+#include "bentur/study/statistics/quantiles.h"
 
 #include <gtest/gtest.h>
 
