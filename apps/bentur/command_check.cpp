@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "effort_text.h"
 #include "session.h"
 #include "table.h"
 
@@ -34,7 +35,13 @@ void run(const std::string& file) {
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
-  print(text);
+  SolveOptions options;
+  options.output_step = loaded.c.analysis.output_step;
+  options.energy_audit = loaded.c.analysis.energy_audit;
+  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
+  const std::string refusal = beyond_limits(loaded, needed);
+  if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
+  print(text + effort_text(loaded, needed));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signal.h>
+
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
@@ -56,9 +58,24 @@ struct Loaded {
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);
 
-/// Solves with the solver of the case; with histories every `output_step` [s] unless 0. With `progress`, work of more
-/// than two seconds shows how far it is, if standard error is a terminal. @throws Failure when the numbers fail
-/// (exit_numbers_failed).
+/// While it lives, Ctrl-C (or whoever ends the job) asks for a stop; a second one ends the program as ever.
+class StopOnSignal {
+ public:
+  StopOnSignal();
+  ~StopOnSignal();
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+  [[nodiscard]] static bool asked();
+
+ private:
+  struct sigaction interrupt_ = {}, terminate_ = {};  ///< as they were
+};
+
+/// Solves with the solver of the case; with histories every `output_step` [s] unless 0. Says so beforehand where it may
+/// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
+/// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
+/// (exit_numbers_failed) and when it is stopped (exit_other).
 [[nodiscard]] Response simulate(const Loaded& loaded, double output_step, bool progress);
 
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".

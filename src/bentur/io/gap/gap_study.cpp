@@ -147,7 +147,7 @@ class Work {
     for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
     Problem problem = make_problem(read.c, std::move(buildings));
     for (ContactPoint& point : problem.points) point.width = 0;
-    const FreeResponse free(problem, read.c.analysis.solver);
+    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
     double height = 0;
     for (const ReadBuilding& building : read.buildings) height = std::max(height, height_of(building));
     for (ContactPoint& point : problem.points) point.width = far_apart * height;
