@@ -23,9 +23,10 @@ void run(const std::string& file) {
   }
   text += excitation_line(loaded.c) + "\n";
   for (const Building& building : loaded.problem.buildings) {
-    text += fmt::format("{}: {}, {} of freedom\n", building.name,
-                        count(building.model.elevations.size(), "floor", "floors"),
-                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"));
+    text += fmt::format(
+        "{}: {}, {} of freedom, {}\n", building.name, count(building.model.elevations.size(), "floor", "floors"),
+        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
   }
   for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
@@ -41,7 +42,7 @@ void run(const std::string& file) {
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
-  print(text + effort_text(loaded, needed));
+  print(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem)));
 }
 
 }  // namespace

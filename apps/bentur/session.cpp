@@ -13,6 +13,7 @@
 #include "bentur/io/case_toml.h"
 #include "bentur/io/examples/example_files.h"
 #include "bentur/io/results/temporary_folder.h"
+#include "bentur/report/html/remark_text.h"
 #include "bentur/solve/solver.h"
 #include "effort_text.h"
 #include "table.h"
@@ -163,6 +164,18 @@ std::string excitation_line(const Case& c) {
 std::string gap_name(const Problem& problem, int gap) {
   const auto left = static_cast<std::size_t>(gap);
   return problem.buildings.at(left).name + " | " + problem.buildings.at(left + 1).name;
+}
+
+std::string remarks_text(const std::vector<Remark>& remarks) {
+  std::string text;
+  for (const Remark& remark : remarks) text += "remark: " + remark_text(remark) + "\n";
+  return text;
+}
+
+std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
+  const double period = found.period_per_storey * static_cast<double>(building.model.elevations.size());
+  return fmt::format("weight {} {}, first period {} s, {} s per storey", number(found.weight), units.force,
+                     number(period), number(found.period_per_storey));
 }
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }

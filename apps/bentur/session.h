@@ -10,6 +10,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
+#include "bentur/study/remarks.h"
 
 namespace bentur::cli {
 
@@ -86,6 +87,12 @@ class StopOnSignal {
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, int gap);
+
+/// "remark: …" a line each, and nothing where there is none.
+[[nodiscard]] std::string remarks_text(const std::vector<Remark>& remarks);
+
+/// "743 kgf, first period 0.164 s, 0.05467 s per storey".
+[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units);
 
 void print(const std::string& text);    ///< to standard output
 void message(const std::string& text);  ///< a line to standard error

@@ -131,10 +131,11 @@ base_coupling = false
   ASSERT_EQ(f.beams.size(), 2U);
   EXPECT_DOUBLE_EQ(f.columns[0].area, 0.12);
   EXPECT_DOUBLE_EQ(f.columns[0].inertia, 0.3 * 0.4 * 0.4 * 0.4 / 12);  // depth is in the plane of the frame
-  EXPECT_DOUBLE_EQ(f.columns[0].mass, 2.5 * 0.12 * 4.0);               // a column is as long as its storey is high
-  EXPECT_DOUBLE_EQ(f.columns[1].mass, 2.5 * 0.12 * 3.0);
-  EXPECT_DOUBLE_EQ(f.beams[0].mass, 24.0 / 10.0 * 0.12 * 5.0);  // unit weight over the case's gravity
+  EXPECT_EQ(f.columns[0].mass, 0);
+  EXPECT_DOUBLE_EQ(f.columns[0].line_mass, 2.5 * 0.12);
+  EXPECT_DOUBLE_EQ(f.beams[0].line_mass, 24.0 / 10.0 * 0.12);  // unit weight over the case's gravity
   EXPECT_EQ(f.beams[1].mass, 1.5);
+  EXPECT_EQ(f.beams[1].line_mass, 0);
   EXPECT_EQ(f.floor_masses, (std::vector<double>{10, 0}));
   EXPECT_EQ(f.mass_matrix, MassMatrix::lumped);
   EXPECT_EQ(f.condensation, Condensation::dynamic);

@@ -5,6 +5,7 @@
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
+#include "bentur/study/remarks.h"
 
 namespace bentur {
 
@@ -12,6 +13,7 @@ namespace bentur {
 struct RunResults {
   Case c;             ///< title, units, excitation echo, gaps with their laws, solver; no buildings, no code
   Problem problem;    ///< buildings with names, elevations, periods and shapes; contact points without laws
+  std::vector<Remark> remarks;  ///< as the run made them
   Response response;  ///< peaks, points, impacts; of the histories displacement, opening and force
 };
 
