@@ -12,7 +12,7 @@
 #include "bentur/io/results/result_netcdf.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
-#include "bentur/report/html/words.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/study/restitution.h"
 #include "commands.h"
 #include "session.h"
@@ -217,7 +217,7 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
                         proportions_text(building, found, loaded.c.units));
   }
   const std::string unusual = remarks_text(remarks(loaded.c, problem, response));
-  text += "\n" + unusual + html::Words("en")("remarks.model") + "\n";
+  text += "\n" + unusual + wrapped(model_text()) + "\n";
   if (response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
                         number(response.energy->peak_input), loaded.c.units.force, loaded.c.units.length,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "table.h"
 
 namespace bentur::cli {
 namespace {
@@ -51,15 +52,16 @@ bool same(const Effort::Fastest& a, const Effort::Fastest& b) { return a.frequen
 std::string effort_text(const Loaded& loaded, const Effort& effort) {
   std::string text = "Fastest: " + fastest_text(loaded, effort.apart);
   if (!same(effort.apart, effort.in_contact)) {
-    text += fmt::format("; in contact {}", fastest_text(loaded, effort.in_contact));
+    text += fmt::format("\nFastest in contact: {}", fastest_text(loaded, effort.in_contact));
   }
   text += fmt::format("\nA run takes {} steps, and {} for every second in contact", number(effort.steps),
                       number(effort.steps_in_contact));
   if (effort.samples > 0) text += fmt::format("; histories {} samples", number(effort.samples));
   text += fmt::format("; memory {} MB\n", number(std::ceil(effort.memory / 1e6)));
   if (effort.growing_step > 0 && std::get<RungeKuttaSolver>(loaded.c.analysis.solver).step > effort.growing_step) {
-    text += fmt::format("warning: with steps over {} s the runge-kutta solver makes {} grow without end\n",
-                        number(effort.growing_step), source_text(loaded, effort.apart));
+    text += wrapped(fmt::format("warning: with steps over {} s the runge-kutta solver makes {} grow without end",
+                                number(effort.growing_step), source_text(loaded, effort.apart))) +
+            "\n";
   }
   const std::string warning = long_run_text(loaded, effort);
   return warning.empty() ? text : text + warning + "\n";
@@ -85,8 +87,8 @@ std::string beyond_limits(const Loaded& loaded, const Effort& effort) {
 std::string long_run_text(const Loaded& loaded, const Effort& effort) {
   const double most = std::min(effort.seconds, effort.seconds * loaded.c.analysis.limits.steps / effort.most_steps);
   if (most < long_run) return {};
-  return fmt::format("This may take up to some {} where floors stay in contact: the fastest motion is {}",
-                     time_text(most), fastest_text(loaded, effort.in_contact));
+  return wrapped(fmt::format("This may take up to some {} where floors stay in contact: the fastest motion is {}",
+                             time_text(most), fastest_text(loaded, effort.in_contact)));
 }
 
 }  // namespace bentur::cli

@@ -13,7 +13,7 @@
 #include "bentur/io/case_toml.h"
 #include "bentur/io/examples/example_files.h"
 #include "bentur/io/results/temporary_folder.h"
-#include "bentur/report/html/remark_text.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/solve/solver.h"
 #include "effort_text.h"
 #include "table.h"
@@ -168,7 +168,7 @@ std::string gap_name(const Problem& problem, int gap) {
 
 std::string remarks_text(const std::vector<Remark>& remarks) {
   std::string text;
-  for (const Remark& remark : remarks) text += "remark: " + remark_text(remark) + "\n";
+  for (const Remark& remark : remarks) text += wrapped("remark: " + remark_text(remark)) + "\n";
   return text;
 }
 

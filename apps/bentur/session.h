@@ -10,7 +10,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur::cli {
 

@@ -146,6 +146,28 @@ base_coupling = false
   EXPECT_EQ(std::get<MassProportionalDamping>(c.buildings[1].damping).ratio, 0.03);
 }
 
+// 5 and 4 kN/m² on a strip of 6 m over bays of 4 and 7 m, and 2 t on either floor.
+TEST(CaseReading, FloorLoadsAreMassesOfTheirStrip) {
+  const auto frame = [](const std::string& masses) {
+    return "[[building]]\nname = \"A\"\ndamping = 0.05\n[building.frame]\nelastic_modulus = 2.5e7\nstorey_heights = "
+           "[4.0, 3.0]\nbay_widths = [4, 7]\ncolumns = [{ width = 0.3, depth = 0.4, density = 2.5 }]\nbeams = [{ width "
+           "= 0.3, depth = 0.5, unit_weight = 24 }]\n" +
+           masses;
+  };
+  const std::string b =
+      "[[building]]\nname = \"B\"\ndamping = 0.05\nstick = { storey_heights = [4.0], masses = [20], stiffnesses = [6e4] "
+      "}\n";
+  const auto masses = [&](const std::string& given) {
+    const Case c = read("[units]\nforce = \"kN\"\ngravity = 10.0\n" + frame(given) + b + gap + harmonic + analysis);
+    return std::get<PlaneFrame>(c.buildings[0].structure).floor_masses;
+  };
+  EXPECT_EQ(masses(""), (std::vector<double>{0, 0}));
+  EXPECT_EQ(masses("floor_masses = 3\n"), (std::vector<double>{3, 3}));
+  EXPECT_EQ(masses("floor_masses = 2\nfloor_load = { pressure = [5, 4], width = 6 }\n"),
+            (std::vector<double>{2 + 33.0, 2 + 26.4}));
+  EXPECT_EQ(masses("floor_load = { pressure = 5, width = [6, 3] }\n"), (std::vector<double>{33.0, 16.5}));
+}
+
 TEST(CaseReading, MatricesWithADiagonalOrAFullMass) {
   const auto building = [](const std::string& mass) {
     return "[[building]]\nname = \"A\"\n[building.matrices]\nelevations = [3.0, 6.0]\nmass = " + mass +

@@ -114,7 +114,8 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
     halved += std::exp2(std::ceil(std::log2(std::max(1.0, product))));
   }
   const double periods = problem.duration / period;
-  const double segments = std::ceil(periods * static_cast<double>(grid.kinds()));
+  constexpr double round_off = 1e-12;
+  const double segments = std::ceil(periods * static_cast<double>(grid.kinds()) * (1.0 - round_off));
   if (options.output_step > 0.0) result.samples = std::floor(problem.duration / options.output_step) + 1.0;
   if (exact) {
     result.steps = system.classical ? segments : periods * series;

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "bentur/structure/modes.h"
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur {

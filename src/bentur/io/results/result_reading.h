@@ -5,7 +5,7 @@
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/html/remark_text.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/report/html/sections.h"
 #include "bentur/study/restitution.h"
 
@@ -140,9 +140,9 @@ Html proportions_text(const Story& story, std::size_t b) {
 
 Html remarks_section(const Story& story) {
   Html content;
-  for (const Remark& remark : story.remarks) content += element("li", Html::text(remark_text(remark, story.say)));
+  for (const Remark& remark : story.remarks) content += element("li", Html::text(remark_text(remark, story.say.language())));
   if (!story.remarks.empty()) content = element("ul", content);
-  content += element("p", Html::text(story.say("remarks.model")));
+  content += element("p", Html::text(model_text(story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);
 }
 

@@ -7,7 +7,7 @@
 #include "bentur/report/html/words.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur {
 

@@ -8,7 +8,7 @@
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
 #include "bentur/study/minimum_gap.h"
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur::html {
 

@@ -1,6 +1,7 @@
-#include "bentur/report/html/remark_text.h"
+#include "bentur/report/remark_text.h"
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/html/words.h"
 
 namespace bentur {
 namespace {
@@ -20,10 +21,13 @@ std::string usual_text(const Remark& remark, const html::Words& say) {
 
 }  // namespace
 
-std::string remark_text(const Remark& remark, const html::Words& say) {
+std::string remark_text(const Remark& remark, std::string_view language) {
+  const html::Words say(language);
   const std::string text = say("remark." + remark.key, {{"value", with_unit(number(remark.value), remark.unit)},
                                                         {"usual", usual_text(remark, say)}});
   return remark.subject.empty() ? text : remark.subject + ": " + text;
 }
+
+std::string model_text(std::string_view language) { return html::Words(language)("remarks.model"); }
 
 }  // namespace bentur

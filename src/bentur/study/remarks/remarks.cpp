@@ -1,4 +1,4 @@
-#include "bentur/study/remarks.h"
+#include "bentur/study/remarks/remarks.h"
 
 #include <algorithm>
 #include <cmath>
