@@ -23,10 +23,10 @@ void run(const std::string& file) {
   }
   text += excitation_line(loaded.c) + "\n";
   for (const Building& building : loaded.problem.buildings) {
-    text += fmt::format(
-        "{}: {}, {} of freedom, {}\n", building.name, count(building.model.elevations.size(), "floor", "floors"),
-        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
-        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
+    text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
+                        count(building.model.elevations.size(), "floor", "floors"),
+                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+                        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
   }
   for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];

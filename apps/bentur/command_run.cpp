@@ -204,7 +204,8 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
     text += verdict(loaded, response, gap);
   }
   for (int gap = 0; gap < gaps; ++gap) {
-    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
+    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap),
+                        contact_table(loaded, response, gap).text());
   }
   text += law_text(loaded, response);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {

@@ -69,17 +69,18 @@ std::string effort_text(const Loaded& loaded, const Effort& effort) {
 
 std::string beyond_limits(const Loaded& loaded, const Effort& effort) {
   const LimitsSpec& limits = loaded.c.analysis.limits;
-  if (effort.steps > limits.steps) {
-    return fmt::format("a run takes {:.3g} steps or more, over the limit of {:.3g}. The fastest motion is {}. "
-                       "Is that meant? [analysis] limits = {{ steps = {:.1e} }} lets it run",
-                       effort.steps, limits.steps, fastest_text(loaded, effort.apart), 2 * effort.most_steps);
+  if (effort.certain_steps > limits.steps) {
+    return fmt::format(
+        "a run takes {:.3g} steps or more, over the limit of {:.3g}. The fastest motion is {}. "
+        "Is that meant? [analysis] limits = {{ steps = {:.1e} }} lets it run",
+        effort.certain_steps, limits.steps, fastest_text(loaded, effort.apart), 2 * effort.most_steps);
   }
   if (effort.memory > 1e6 * limits.memory) {
-    return fmt::format("a run takes {:.3g} MB of memory, over the limit of {:.3g}, for {:.3g} steps and histories of "
-                       "{:.3g} samples. Make output_step larger or duration shorter, or let it run with [analysis] "
-                       "limits = {{ memory = {:.0f} }}",
-                       effort.memory / 1e6, limits.memory, effort.steps, effort.samples,
-                       std::ceil(effort.memory / 1e6));
+    return fmt::format(
+        "a run takes {:.3g} MB of memory, over the limit of {:.3g}, for {:.3g} steps and histories of "
+        "{:.3g} samples. Make output_step larger or duration shorter, or let it run with [analysis] "
+        "limits = {{ memory = {:.0f} }}",
+        effort.memory / 1e6, limits.memory, effort.steps, effort.samples, std::ceil(effort.memory / 1e6));
   }
   return {};
 }
@@ -87,8 +88,10 @@ std::string beyond_limits(const Loaded& loaded, const Effort& effort) {
 std::string long_run_text(const Loaded& loaded, const Effort& effort) {
   const double most = std::min(effort.seconds, effort.seconds * loaded.c.analysis.limits.steps / effort.most_steps);
   if (most < long_run) return {};
-  return wrapped(fmt::format("This may take up to some {} where floors stay in contact: the fastest motion is {}",
-                             time_text(most), fastest_text(loaded, effort.in_contact)));
+  const double certain = effort.seconds * effort.certain_steps / effort.most_steps;
+  return wrapped(fmt::format("This may take up to some {}{}: the fastest motion is {}", time_text(most),
+                             certain < long_run ? " if floors stay in contact" : "",
+                             fastest_text(loaded, effort.in_contact)));
 }
 
 }  // namespace bentur::cli

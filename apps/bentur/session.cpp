@@ -113,9 +113,10 @@ Response simulate(const Loaded& loaded, double output_step, bool progress) {
     response = solve(loaded.problem, loaded.c.analysis.solver, options);
   }
   if (response.status == Status::stopped) {
-    throw Failure(exit_other, fmt::format("Stopped at {:.0f} % of the work. Nothing is written; results written before are "
-                                          "as they were",
-                                          100 * done));
+    throw Failure(exit_other,
+                  fmt::format("Stopped at {:.0f} % of the work. Nothing is written; results written before are "
+                              "as they were",
+                              100 * done));
   }
   if (response.status != Status::done) {
     throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);

@@ -21,9 +21,13 @@ const std::vector<std::pair<std::string, double>>& lengths() {
 
 // Newtons in one unit; the pound is 0.45359237 kg, by the same agreement.
 const std::vector<std::pair<std::string, double>>& forces() {
-  static const std::vector<std::pair<std::string, double>> table = {
-      {"N", 1.0},         {"kN", 1e3}, {"MN", 1e6}, {"kgf", standard_gravity_si}, {"tf", 1e3 * standard_gravity_si},
-      {"lbf", 0.45359237 * standard_gravity_si}, {"kip", 453.59237 * standard_gravity_si}};
+  static const std::vector<std::pair<std::string, double>> table = {{"N", 1.0},
+                                                                    {"kN", 1e3},
+                                                                    {"MN", 1e6},
+                                                                    {"kgf", standard_gravity_si},
+                                                                    {"tf", 1e3 * standard_gravity_si},
+                                                                    {"lbf", 0.45359237 * standard_gravity_si},
+                                                                    {"kip", 453.59237 * standard_gravity_si}};
   return table;
 }
 

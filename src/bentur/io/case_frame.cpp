@@ -69,13 +69,13 @@ std::vector<double> read_per_floor(const TomlView& view, const std::string& key,
   return *numbers;
 }
 
-/// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ bays/g.
+/// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ
+/// bays/g.
 std::vector<double> read_floor_masses(const TomlView& view, double gravity, std::size_t floors, double length) {
   std::vector<double> masses = read_per_floor(view, "floor_masses", Rule::not_negative, floors, Need::optional);
   const auto load = view.find("floor_load");
   if (!load || !load->is_table_of({"pressure", "width"})) return masses;
-  const std::vector<double> pressure =
-      read_per_floor(*load, "pressure", Rule::not_negative, floors, Need::required);
+  const std::vector<double> pressure = read_per_floor(*load, "pressure", Rule::not_negative, floors, Need::required);
   const std::vector<double> width = read_per_floor(*load, "width", Rule::positive, floors, Need::required);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (i < pressure.size() && i < width.size()) masses[i] += pressure[i] * width[i] * length / gravity;

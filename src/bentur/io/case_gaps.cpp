@@ -252,8 +252,7 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
   const std::size_t points = spec.elevations.size();
   const GapSides sides{left, right, spec.elevations};
   if (const auto width = gap.get("width", Need::required)) {
-    spec.widths =
-        width->as_number_or_numbers(Rule::not_negative, sides.points()).value_or(std::vector<double>{});
+    spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points()).value_or(std::vector<double>{});
     if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
   }
   if (const auto contact = read_contact(gap, sides)) {

@@ -155,7 +155,8 @@ TEST(CaseReading, FloorLoadsAreMassesOfTheirStrip) {
            masses;
   };
   const std::string b =
-      "[[building]]\nname = \"B\"\ndamping = 0.05\nstick = { storey_heights = [4.0], masses = [20], stiffnesses = [6e4] "
+      "[[building]]\nname = \"B\"\ndamping = 0.05\nstick = { storey_heights = [4.0], masses = [20], stiffnesses = "
+      "[6e4] "
       "}\n";
   const auto masses = [&](const std::string& given) {
     const Case c = read("[units]\nforce = \"kN\"\ngravity = 10.0\n" + frame(given) + b + gap + harmonic + analysis);

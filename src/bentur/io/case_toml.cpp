@@ -156,16 +156,17 @@ void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuil
     root.find("building")
         ->item(b)
         .renamed(buildings[b].path)
-        .error(fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
-                           "the case?",
-                           what, std::max(fastest, damping), c.analysis.duration));
+        .error(
+            fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                        "the case?",
+                        what, std::max(fastest, damping), c.analysis.duration));
   }
   const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
   if (harmonic == nullptr) return;
   const TomlView excitation = *root.find("excitation");
   if (harmonic->period < shortest) {
-    excitation.find("period")->error_value(fmt::format("must be >= {:.3g} for a duration of {} s", shortest,
-                                                       c.analysis.duration));
+    excitation.find("period")->error_value(
+        fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
   } else if (!std::isfinite(peak_acceleration(c.excitation.motion))) {
     excitation.error("asks for a ground acceleration beyond what can be computed with");
   }

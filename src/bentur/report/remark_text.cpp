@@ -12,8 +12,8 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 std::string usual_text(const Remark& remark, const html::Words& say) {
   if (remark.usual_from && remark.usual_to) {
-    return say("remark.between", {{"from", number(*remark.usual_from)},
-                                  {"to", with_unit(number(*remark.usual_to), remark.unit)}});
+    return say("remark.between",
+               {{"from", number(*remark.usual_from)}, {"to", with_unit(number(*remark.usual_to), remark.unit)}});
   }
   if (remark.usual_to) return say("remark.up_to", {{"to", with_unit(number(*remark.usual_to), remark.unit)}});
   return say("remark.at_least", {{"from", with_unit(number(remark.usual_from.value_or(0)), remark.unit)}});

@@ -19,11 +19,11 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 // By measurement (effort_test.cpp): what the pair takes in radians of the fastest mode, from slow to damped ones.
 constexpr double pair_least = 5.5;
 constexpr double pair_most = 1.0;
-constexpr double unstable = 2.83;      // ω · step beyond which the rule of order four lets an oscillator grow [-]
-constexpr double seconds_a_step = 3e-6;        // in contact; by measurement, as the next one
+constexpr double unstable = 2.83;        // ω · step beyond which the rule of order four lets an oscillator grow [-]
+constexpr double seconds_a_step = 3e-6;  // in contact; by measurement, as the next one
 constexpr double seconds_a_coordinate = 3e-7;  // of a step
-constexpr double copies = 4.0;         // of histories while their file is made, and of a record
-constexpr double room = 48e6;          // [byte] of the program and of what its search for peaks keeps
+constexpr double copies = 4.0;                 // of histories while their file is made, and of a record
+constexpr double room = 48e6;                  // [byte] of the program and of what its search for peaks keeps
 
 /// The force of every point while its bodies touch.
 engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
@@ -120,8 +120,10 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
   if (exact) {
     result.steps = system.classical ? segments : periods * series;
     // Contact cuts steps short, and what is near to one is halved.
-    result.steps_in_contact = (nonlinear ? engine::series_reach / pair_most : 1.0) * contact_rate / engine::series_reach;
+    result.steps_in_contact =
+        (nonlinear ? engine::series_reach / pair_most : 1.0) * contact_rate / engine::series_reach;
     const double audited = options.energy_audit ? periods * halved : 0.0;
+    result.certain_steps = result.steps + audited;
     result.most_steps = 2.0 * (result.steps + result.samples) + audited + problem.duration * result.steps_in_contact;
   } else if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) {
     result.growing_step = unstable / (two_pi * result.apart.frequency);
@@ -133,9 +135,9 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
     result.steps_in_contact = contact_rate / pair_most + segments / problem.duration;
     result.most_steps = 2.0 * problem.duration * result.steps_in_contact;
   }
+  result.certain_steps = std::max(result.certain_steps, result.steps);
   result.memory = memory(problem, system, exact && system.classical ? segments : 0.0, result.samples);
-  result.seconds =
-      result.most_steps * (seconds_a_step + seconds_a_coordinate * static_cast<double>(system.size));
+  result.seconds = result.most_steps * (seconds_a_step + seconds_a_coordinate * static_cast<double>(system.size));
   return result;
 }
 

@@ -24,13 +24,14 @@ struct Effort {
     std::size_t point = 0;  ///< of contact
   };
   Fastest apart, in_contact;
-  double steps = 0;              ///< [-] of the response, where no floors touch
-  double steps_in_contact = 0;   ///< [1/s] while some do; of a nonlinear law an estimate
-  double most_steps = 0;         ///< [-] were they in contact all the time, and with what is gone over again
-  double samples = 0;            ///< [-] of every history
-  double memory = 0;             ///< [byte] of the run and its histories
-  double seconds = 0;            ///< [s] of `most_steps`, on a processor of 2020: no more than its order of magnitude
-  double growing_step = 0;       ///< [s] from which on steps of "runge-kutta" make the fastest mode grow; 0: another solver
+  double steps = 0;             ///< [-] of the response, where no floors touch
+  double steps_in_contact = 0;  ///< [1/s] while some do; of a nonlinear law an estimate
+  double certain_steps = 0;     ///< [-] that are taken in any case: `steps`, and those of an energy audit
+  double most_steps = 0;        ///< [-] were they in contact all the time, and with what is gone over again
+  double samples = 0;           ///< [-] of every history
+  double memory = 0;            ///< [byte] of the run and its histories
+  double seconds = 0;           ///< [s] of `most_steps`, on a processor of 2020: no more than its order of magnitude
+  double growing_step = 0;  ///< [s] from which on steps of "runge-kutta" make the fastest mode grow; 0: another solver
 };
 
 /// @throws InvalidParameter as solve().

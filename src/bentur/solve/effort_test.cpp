@@ -90,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(, EffortOf, testing::ValuesIn(example_laws()),
 TEST(Effort, OfTheOtherSolversEnclosesTheirSteps) {
   for (const double stiff : {1e3, 1e6}) {
     const Problem problem = with_stiff_storey(example_laws().front(), stiff);
-    for (const Solver& solver : {Solver(AdaptiveSolver{1e-9}), Solver(AdaptiveSolver{1e-4}), Solver(RungeKuttaSolver{1e-3})}) {
+    for (const Solver& solver :
+         {Solver(AdaptiveSolver{1e-9}), Solver(AdaptiveSolver{1e-4}), Solver(RungeKuttaSolver{1e-3})}) {
       const Effort said = effort(problem, solver, {});
       if (said.growing_step > 0 && std::get<RungeKuttaSolver>(solver).step > said.growing_step) continue;
       const Response response = solve(problem, solver);
@@ -127,6 +128,21 @@ TEST(Effort, SaysWhatIsFastest) {
   said = effort(problem, ExactSolver{}, {});
   EXPECT_EQ(said.apart.by, By::motion);
   EXPECT_DOUBLE_EQ(said.apart.frequency, 1e4);
+}
+
+// Every stretch is gone over again in steps of a series, halved down to that: 2⁹ a segment of 0.013 or 0.007 s and
+// less.
+TEST(Effort, OfAnEnergyAuditIsCertain) {
+  Problem problem = with_stiff_storey(example_laws().front(), 1e9);
+  problem.points[0].width = 10.0;
+  SolveOptions options;
+  options.energy_audit = true;
+  const Effort said = effort(problem, ExactSolver{}, options);
+  EXPECT_GT(said.certain_steps, 100 * said.steps);
+  options.most_steps = static_cast<long>(0.9 * said.certain_steps);
+  EXPECT_EQ(solve(problem, ExactSolver{}, options).status, Status::failed);
+  options.most_steps = static_cast<long>(3 * said.certain_steps);  // halves are counted, and the series at their ends
+  EXPECT_EQ(solve(problem, ExactSolver{}, options).status, Status::done);
 }
 
 // 24 bytes of histories a floor and 16 a point, plus time and ground; four times while they are written.

@@ -90,14 +90,16 @@ const TimeGrid& affordable(const TimeGrid& grid, double duration, long most_step
   for (std::size_t kind = 0; kind < grid.kinds(); ++kind) period += grid.length(kind);
   const double segments = duration / period * static_cast<double>(grid.kinds());
   if (most_steps > 0 && segments > static_cast<double>(most_steps)) {
-    throw InvalidParameter("most_steps", fmt::format("{}", most_steps), fmt::format("must be {:.3g} at least", segments));
+    throw InvalidParameter("most_steps", fmt::format("{}", most_steps),
+                           fmt::format("must be {:.3g} at least", segments));
   }
   return grid;
 }
 
 /// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(Problem p, const Solver& s, long most) : problem(without_widths(std::move(p))), solver(s), most_steps(most) {}
+  FreeParts(Problem p, const Solver& s, long most)
+      : problem(without_widths(std::move(p))), solver(s), most_steps(most) {}
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 

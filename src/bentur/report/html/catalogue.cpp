@@ -58,8 +58,7 @@ constexpr auto entries = std::to_array<Entry>({
      {"the first period is {value} per storey, {usual}. Are modulus, stiffnesses and masses in the units of the case?",
       "periode pertama {value} per tingkat, {usual}. Apakah modulus, kekakuan dan massa dalam satuan kasus ini?"}},
     {"remark.damping",
-     {"the damping ratio of the first mode is {value}, {usual}.",
-      "rasio redaman ragam pertama {value}, {usual}."}},
+     {"the damping ratio of the first mode is {value}, {usual}.", "rasio redaman ragam pertama {value}, {usual}."}},
     {"remark.storey_height",
      {"a storey is {value} high, {usual}. Is it in the unit of the case?",
       "tinggi satu tingkat {value}, {usual}. Apakah dalam satuan kasus ini?"}},
@@ -112,7 +111,8 @@ constexpr auto entries = std::to_array<Entry>({
       "kedua benda saling menembus sedalam {value}, {usual}. Apakah kontaknya terlalu lunak?"}},
     {"remarks.heading", {"Remarks", "Catatan"}},
     {"remarks.model",
-     {"The model: linear elastic buildings that move in one horizontal line, level floors, fixed bases; no yielding, no "
+     {"The model: linear elastic buildings that move in one horizontal line, level floors, fixed bases; no yielding, "
+      "no "
       "second-order effect of gravity (P-Δ), no torsion, no soil. Forces and drifts beyond yielding are not real.",
       "Model: bangunan elastis linear yang bergerak dalam satu garis horizontal, lantai datar, dasar terjepit; tanpa "
       "pelelehan, tanpa efek orde kedua gravitasi (P-Δ), tanpa torsi, tanpa tanah. Gaya dan simpangan di atas batas "

@@ -73,9 +73,8 @@ Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
                                                                       : "input.uncondensed"));
   if (!frame.base_coupling) rows.emplace_back(say("input.base_coupling"), say("word.no"));
   const std::size_t storeys = frame.storey_heights.size();
-  const bool by_length = std::any_of(frame.beams.begin(), frame.beams.end(), [](const Section& beam) {
-    return beam.line_mass > 0;
-  });
+  const bool by_length =
+      std::any_of(frame.beams.begin(), frame.beams.end(), [](const Section& beam) { return beam.line_mass > 0; });
   const bool equal_bays = std::all_of(frame.bay_widths.begin(), frame.bay_widths.end(),
                                       [&](double bay) { return bay == frame.bay_widths.front(); });
   std::vector<double> column_masses, beam_masses;

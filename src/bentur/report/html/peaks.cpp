@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/remark_text.h"
 #include "bentur/report/html/sections.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur::html {
@@ -129,18 +129,19 @@ Html proportions_text(const Story& story, std::size_t b) {
   const Proportions found = proportions(building, story.c.units, &story.response.buildings[b]);
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const auto floors = static_cast<double>(building.model.elevations.size());
-  return element("p", Html::text(story.say("peaks.proportions",
-                                           {{"weight", quantity(found.weight, story.c.units.force)},
-                                            {"coefficient", number(*found.base_shear_coefficient)},
-                                            {"period", quantity(found.period_per_storey * floors, "s")},
-                                            {"per_storey", quantity(found.period_per_storey, "s")}})));
+  return element("p",
+                 Html::text(story.say("peaks.proportions", {{"weight", quantity(found.weight, story.c.units.force)},
+                                                            {"coefficient", number(*found.base_shear_coefficient)},
+                                                            {"period", quantity(found.period_per_storey * floors, "s")},
+                                                            {"per_storey", quantity(found.period_per_storey, "s")}})));
 }
 
 }  // namespace
 
 Html remarks_section(const Story& story) {
   Html content;
-  for (const Remark& remark : story.remarks) content += element("li", Html::text(remark_text(remark, story.say.language())));
+  for (const Remark& remark : story.remarks)
+    content += element("li", Html::text(remark_text(remark, story.say.language())));
   if (!story.remarks.empty()) content = element("ul", content);
   content += element("p", Html::text(model_text(story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);

@@ -121,18 +121,19 @@ void FreeWalk::raise(const State& from, const State& to) {
 void FreeWalk::settle() {
   for (const Unsettled& interval : unsettled_) {
     if (below(interval.reach)) continue;
-    replay({interval.flights, interval.halvings, 0.0, interval.length, interval.start, interval.inputs},
-           [this](const Part& part) {
-             bool open = false;
-             for (Gaps& gaps : gaps_) {
-               open = !gaps.look(part.from.q.data(), part.to.q.data(), part.rise.data()) || open;
-             }
-             return open;
-           },
-           [this](double, const State& from, const auto&, const State& to) {
-             (void)motion_.find_rises();
-             raise(from, to);
-           });
+    replay(
+        {interval.flights, interval.halvings, 0.0, interval.length, interval.start, interval.inputs},
+        [this](const Part& part) {
+          bool open = false;
+          for (Gaps& gaps : gaps_) {
+            open = !gaps.look(part.from.q.data(), part.to.q.data(), part.rise.data()) || open;
+          }
+          return open;
+        },
+        [this](double, const State& from, const auto&, const State& to) {
+          (void)motion_.find_rises();
+          raise(from, to);
+        });
   }
   unsettled_.clear();
 }

@@ -12,7 +12,7 @@ constexpr double end_slack = 1e-9;              // of a segment: a remainder sho
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
 constexpr long segments_between_reports = 256;
 constexpr long steps_between_reports = 4096;  // where segments take long
-constexpr Eigen::Index first_ahead = 1;  // flights that are looked at together, then twice as many, and so on
+constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
 constexpr const char* not_finite = "the response is no longer a finite number";
 
 }  // namespace
@@ -75,9 +75,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
   return status();
 }
 
-Status Walk::status() const {
-  return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done;
-}
+Status Walk::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
 
 /// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
 bool Walk::go_on(long steps) {

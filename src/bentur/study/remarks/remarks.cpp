@@ -13,20 +13,20 @@ struct Range {
   double usual_from, usual_to, least, most;
 };
 
-constexpr Range period_range = {0.05, 0.2, 0.02, 0.6};         // [s] per storey
-constexpr Range modulus_range = {1e10, 2.1e11, 5e8, 3e11};     // [N/m²]: timber, concrete, steel
-constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};         // [m]
-constexpr Range height_range = {2.5, 6.0, 0.5, 15.0};          // [m]
-constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e13};      // [N/m] of contact: by beams over half a bay, or tests
-constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};        // [-]
-constexpr Range pga_range = {0.02, 1.0, 0.001, 2.0};           // [g]
-constexpr double most_gap = 2.0;                               // [m]
-constexpr double usual_gap = 0.5;                              // [m]
-constexpr double most_drift = 1.0;                             // [%]
-constexpr double most_base_shear = 0.4;                        // [-]
-constexpr double most_penetration = 0.05;                      // [m]
-constexpr double usual_penetration = 0.02;                     // [m]
-constexpr double samples_per_period = 4.0;                     // fewer draw no curve
+constexpr Range period_range = {0.05, 0.2, 0.02, 0.6};      // [s] per storey
+constexpr Range modulus_range = {1e10, 2.1e11, 5e8, 3e11};  // [N/m²]: timber, concrete, steel
+constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};      // [m]
+constexpr Range height_range = {2.5, 6.0, 0.5, 15.0};       // [m]
+constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e13};   // [N/m] of contact: by beams over half a bay, or tests
+constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};     // [-]
+constexpr Range pga_range = {0.02, 1.0, 0.001, 2.0};        // [g]
+constexpr double most_gap = 2.0;                            // [m]
+constexpr double usual_gap = 0.5;                           // [m]
+constexpr double most_drift = 1.0;                          // [%]
+constexpr double most_base_shear = 0.4;                     // [-]
+constexpr double most_penetration = 0.05;                   // [m]
+constexpr double usual_penetration = 0.02;                  // [m]
+constexpr double samples_per_period = 4.0;                  // fewer draw no curve
 constexpr double usual_samples = 20.0;
 
 double two_digits(double x) {
