@@ -56,7 +56,8 @@ std::string modes_text(const Building& building, const Units& units) {
   table.add("mass", "%", fraction);
   table.add("mass so far", "%", cumulative);
   std::string text =
-      fmt::format("{}: first period {} s\n\n{}", building.name, number(properties.periods(0)), table.text());
+      fmt::format("{}: {}\n\n{}", building.name,
+                  proportions_text(building, proportions(building, units, nullptr), units), table.text());
   if (shown < properties.periods.size()) {
     text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
   }
@@ -77,7 +78,7 @@ void run(const ModesArguments& arguments) {
     }
   }
   if (arguments.json) {
-    print(modes_json(loaded.problem.buildings));
+    print(modes_json(loaded.problem.buildings, loaded.c.units));
     return;
   }
   std::string text;

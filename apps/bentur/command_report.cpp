@@ -26,6 +26,7 @@ std::string from_results(const std::filesystem::path& folder, ReportOptions opti
   try {
     const RunResults results = read_results(folder);
     options.figures = report_figures(NetcdfReader(folder / "histories.nc"), options.language);
+    options.remarks = results.remarks;
     return report_html(results.c, results.problem, results.response, options);
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());

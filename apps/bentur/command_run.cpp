@@ -12,6 +12,7 @@
 #include "bentur/io/results/result_netcdf.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/study/restitution.h"
 #include "commands.h"
 #include "session.h"
@@ -203,13 +204,21 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
     text += verdict(loaded, response, gap);
   }
   for (int gap = 0; gap < gaps; ++gap) {
-    text += fmt::format("\nContact {}\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
+    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap),
+                        contact_table(loaded, response, gap).text());
   }
   text += law_text(loaded, response);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    text += fmt::format("\nPeaks of {}\n\n{}", problem.buildings[b].name,
-                        building_table(loaded, problem.buildings[b], response.buildings[b]).text());
+    const Building& building = problem.buildings[b];
+    const Proportions found = proportions(building, loaded.c.units, &response.buildings[b]);
+    text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
+                        building_table(loaded, building, response.buildings[b]).text());
+    text += fmt::format("  Base shear {} of the weight; {}\n",
+                        found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
+                        proportions_text(building, found, loaded.c.units));
   }
+  const std::string unusual = remarks_text(remarks(loaded.c, problem, response));
+  text += "\n" + unusual + wrapped(model_text()) + "\n";
   if (response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
                         number(response.energy->peak_input), loaded.c.units.force, loaded.c.units.length,

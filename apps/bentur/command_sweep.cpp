@@ -2,9 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -28,19 +26,6 @@ struct SweepArguments {
 };
 
 const char* name(StudyKind kind) { return kind == StudyKind::ida ? "ida" : "sweep"; }
-
-std::atomic<bool> stop_asked = false;  // by Ctrl-C, or whoever ends the job
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void ask_stop(int) { stop_asked = true; }
-
-void listen_for_stop() {
-  struct sigaction action {};
-  action.sa_handler = ask_stop;
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);  // a second one ends the program as ever
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 std::string duration_text(double seconds) {
   const auto whole = std::lround(seconds);
@@ -108,7 +93,7 @@ void run(const SweepArguments& arguments) {
     options.resume = arguments.resume;
     options.threads = arguments.threads;
     options.version = BENTUR_VERSION;
-    options.stop = [] { return stop_asked.load(std::memory_order_relaxed); };
+    options.stop = StopOnSignal::asked;
     Line line;
     if (leads && !arguments.quiet && ::isatty(STDERR_FILENO) == 1) {
       options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
@@ -116,7 +101,7 @@ void run(const SweepArguments& arguments) {
     if (leads && arguments.resume && !std::filesystem::exists(arguments.output + ".part")) {
       message(arguments.output + ".part: not there, nothing to go on with: beginning anew");
     }
-    listen_for_stop();
+    const StopOnSignal stop;
     Diagnostics diagnostics;
     const auto report = sweep(arguments.study, options, ranks, diagnostics);
     line.clear();

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "commands.h"
 #include "session.h"
@@ -61,6 +62,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return bentur::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("bentur: the memory of this machine is not enough for this; bentur check CASE says what a run takes\n",
+               stderr);
+    return bentur::cli::exit_numbers_failed;
   } catch (const std::exception& error) {
     std::fputs("bentur: ", stderr);
     std::fputs(error.what(), stderr);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "bentur/io/examples/example_files.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/temporary_folder.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/solve/solver.h"
+#include "effort_text.h"
 #include "table.h"
 
 namespace bentur::cli {
@@ -25,7 +28,27 @@ std::string all_of(const Diagnostics& diagnostics) {
   return text;
 }
 
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void ask_stop(int) { stop_asked = true; }
+
 }  // namespace
+
+StopOnSignal::StopOnSignal() {
+  struct sigaction action {};
+  action.sa_handler = ask_stop;
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  sigaction(SIGINT, &action, &interrupt_);
+  sigaction(SIGTERM, &action, &terminate_);
+}
+
+StopOnSignal::~StopOnSignal() {
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
+}
+
+bool StopOnSignal::asked() { return stop_asked.load(std::memory_order_relaxed); }
 
 void Progress::show(double fraction) {
   const auto now = std::chrono::steady_clock::now();
@@ -72,14 +95,30 @@ Response simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
-  Progress display("of the duration simulated");
-  if (progress) {
-    options.progress = [&display](double fraction) {
-      display.show(fraction);
-      return true;
+  options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
+  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
+  const std::string refusal = beyond_limits(loaded, needed);
+  if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
+  const std::string warning = long_run_text(loaded, needed);
+  if (progress && !warning.empty()) message(warning);
+  double done = 0;
+  Response response;
+  {
+    const StopOnSignal stop;
+    Progress display("of the duration simulated");
+    options.progress = [&](double fraction) {
+      done = fraction;
+      if (progress) display.show(fraction);
+      return !StopOnSignal::asked();
     };
+    response = solve(loaded.problem, loaded.c.analysis.solver, options);
   }
-  Response response = solve(loaded.problem, loaded.c.analysis.solver, options);
+  if (response.status == Status::stopped) {
+    throw Failure(exit_other,
+                  fmt::format("Stopped at {:.0f} % of the work. Nothing is written; results written before are "
+                              "as they were",
+                              100 * done));
+  }
   if (response.status != Status::done) {
     throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
   }
@@ -131,6 +170,18 @@ std::string excitation_line(const Case& c) {
 std::string gap_name(const Problem& problem, int gap) {
   const auto left = static_cast<std::size_t>(gap);
   return problem.buildings.at(left).name + " | " + problem.buildings.at(left + 1).name;
+}
+
+std::string remarks_text(const std::vector<Remark>& remarks) {
+  std::string text;
+  for (const Remark& remark : remarks) text += wrapped("remark: " + remark_text(remark)) + "\n";
+  return text;
+}
+
+std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
+  const double period = found.period_per_storey * static_cast<double>(building.model.elevations.size());
+  return fmt::format("weight {} {}, first period {} s, {} s per storey", number(found.weight), units.force,
+                     number(period), number(found.period_per_storey));
 }
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }

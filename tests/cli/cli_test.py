@@ -9,8 +9,11 @@ import html
 import json
 import os
 import pathlib
+import pty
 import re
+import resource
 import shutil
+import signal
 import stat
 import subprocess
 import sys
@@ -66,6 +69,144 @@ class Numerics(CommandLine):
         message = self.fails(3, "run", case, "-o", self.folder / "out").stderr
         self.assertRegex(message, r"no longer a finite number at t = [0-9.]+ s")
         self.assertFalse((self.folder / "out" / "summary.json").exists())
+
+
+class Bounds(CommandLine):
+    """What a run takes is said, limited, shown and can be stopped."""
+
+    def stiff(self):
+        case = self.folder / "stiff.toml"
+        storeys = "storey_heights = [3.0, 3.0], masses = [30e3, 25e3]"
+        case.write_text(f'''
+[[building]]
+name = "A"
+damping = 0.05
+stick = {{ {storeys}, stiffnesses = [40e6, 3e21] }}
+
+[[building]]
+name = "B"
+damping = 0.05
+stick = {{ {storeys}, stiffnesses = [60e6, 50e6] }}
+
+[[gap]]
+between = ["A", "B"]
+width = 0.001
+contact = {{ law = "linear", stiffness = 3e8 }}
+
+[excitation]
+kind = "harmonic"
+period = 0.4
+displacement_amplitude = 0.05
+
+[analysis]
+duration = 5.0
+''')
+        return case
+
+    def with_duration(self, text):
+        case = self.written("m12-harmonic")
+        kept = [line for line in case.read_text().splitlines() if not line.startswith(("duration", "output_step"))]
+        case.write_text("\n".join(kept).replace("[analysis]", f"[analysis]\nduration = {text}") + "\n")
+        return case
+
+    def test_check_says_what_a_run_takes(self):
+        text = self.done("check", self.written("m12-el-centro")).stdout
+        self.assertRegex(text, r"\nFastest: [0-9.]+ Hz, mode 3 of Model [12]\nFastest in contact: [0-9.]+ Hz, the contact of")
+        steps = float(re.search(r"\nA run takes ([0-9.]+) steps,", text)[1])
+        taken = json.loads(self.done("run", self.folder / "m12-el-centro.toml", "--json").stdout)["solver"]["steps"]
+        self.assertLessEqual(steps, taken)
+        self.assertLess(taken, 1.3 * steps)
+        self.assertRegex(text, r"histories [0-9]+ samples; memory [0-9]+ MB\n")
+        self.assertNotIn("may take", text)
+
+    def test_a_long_run_is_announced_and_ends_at_its_limit(self):
+        case = self.stiff()
+        self.assertRegex(self.done("check", case).stdout, r"(?s)may take up to some [0-9]+ (s|min) .*mode\s+2\s+of\s+A")
+        case.write_text(case.read_text() + "limits = { steps = 1e5 }\n")
+        message = self.fails(3, "run", case).stderr
+        self.assertIn("the limit of 100000 steps is reached at t = ", message)
+
+    def test_what_certainly_exceeds_a_limit_is_refused_before_work(self):
+        for limit in ("output_step = 1.1e-5\nlimits = { memory = 100 }", "limits = { steps = 100 }"):
+            with self.subTest(limit):
+                case = self.with_duration("20.0\n" + limit)
+                for command in (["check", case], ["run", case, "-o", self.folder / "out"]):
+                    message = self.fails(2, *command).stderr
+                    self.assertRegex(message, r"over the limit of 100\b")
+                    self.assertIn("limits = {", message)
+
+    def test_memory_that_is_not_there_is_said(self):
+        case = self.with_duration("100.0\noutput_step = 1.1e-5\nlimits = { memory = 1e6 }")
+        size = 600 << 20
+        result = subprocess.run([BENTUR, "run", case, "-o", self.folder / "out"], capture_output=True, text=True,
+                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size)))
+        self.assertEqual((result.returncode, result.stdout), (3, ""), result.stderr)
+        self.assertIn("the memory of this machine is not enough", result.stderr)
+        self.assertFalse((self.folder / "out" / "summary.json").exists())
+
+    def start_on_terminal(self, *arguments):
+        ours, theirs = pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = subprocess.Popen([BENTUR, *map(str, arguments)], stdout=subprocess.PIPE, stderr=theirs)
+        os.close(theirs)
+        return process, ours
+
+    def read_until(self, terminal, pattern):
+        text = ""
+        while not re.search(pattern, text):
+            try:
+                text += os.read(terminal, 4096).decode()
+            except OSError:  # the other side is closed
+                break
+        self.assertRegex(text, pattern)
+        return text
+
+    def test_progress_on_a_terminal_and_what_a_stop_leaves(self):
+        case = self.stiff()
+        process, terminal = self.start_on_terminal("run", case, "-o", self.folder / "out")
+        self.addCleanup(process.stdout.close)
+        self.read_until(terminal, r"[0-9]+ % of the duration simulated")
+        process.send_signal(signal.SIGINT)
+        self.read_until(terminal, r"Stopped at [0-9]+ % of the work. Nothing is written")
+        self.assertEqual(process.wait(timeout=60), 1)
+        self.assertFalse((self.folder / "out" / "summary.json").exists())
+
+    def test_no_progress_in_a_pipe(self):
+        case = self.stiff()
+        process = subprocess.Popen([BENTUR, "run", case], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(4)
+        process.send_signal(signal.SIGTERM)
+        _, message = process.communicate(timeout=60)
+        self.assertNotIn("\r", message)
+        self.assertIn("Stopped at", message)
+
+
+class Remarks(CommandLine):
+    def test_what_is_unusual_is_said_everywhere(self):
+        case = self.edited("m12-el-centro", "elastic_modulus = 2.1e5", "elastic_modulus = 2.1e3")
+        expected = r"remark: Model 1: the elastic modulus is 2100 kgf/cm², usual are 102000 to 2100000 kgf/cm²"
+        self.assertRegex(self.done("check", case).stdout, expected)
+        self.assertRegex(self.done("run", case).stdout, expected)
+        keys = [remark["key"] for remark in json.loads(self.done("run", case, "--json").stdout)["remarks"]]
+        self.assertIn("elastic_modulus", keys)
+        for language, word in [("en", "usual are 102000 to"), ("id", "lazimnya 102000 sampai")]:
+            file = self.folder / f"{language}.html"
+            self.done("report", case, "-o", file, "--lang", language)
+            self.assertIn(word, file.read_text())
+
+    def test_the_model_is_stated(self):
+        self.assertIn("The model: linear elastic buildings", self.done("run").stdout)
+
+    def test_weight_and_base_shear(self):
+        document = json.loads(self.done("run", "--json").stdout)
+        building = document["buildings"][0]
+        # Three beams and five halves of two columns, in kgf: 0.612 + 2 · 0.024 · 2.5 times 980.
+        gravity = 980.0
+        self.assertAlmostEqual(building["weight"] / ((0.206 + 2 * 0.203 + 0.024 * 2 * 2.5) * gravity), 1, delta=1e-12)
+        self.assertAlmostEqual(building["base_shear_coefficient"], building["peak_storey_shear"][0] / building["weight"])
+        self.assertAlmostEqual(building["period_per_storey"], building["periods"][0] / 3)
+        self.assertIn(f"Base shear {building['base_shear_coefficient']:.4g} of the weight; weight",
+                      self.done("run").stdout)
 
 
 class Readme(CommandLine):

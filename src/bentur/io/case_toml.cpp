@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <utility>
@@ -14,7 +15,10 @@
 namespace bentur {
 namespace {
 
-constexpr double most_samples = 1e7;  // of one history [-]
+constexpr double shortest_time = 1e-15;             // of the duration: less has no phase left in a number [-]
+constexpr double most_samples = 1e7;                // of one history [-]
+constexpr double most_steps = 1e15;                 // that a limit can be raised to [-]
+constexpr double most_memory = 1e9;                 // the same [MB]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
 std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
@@ -77,6 +81,16 @@ Solver read_solver(const TomlView& view) {
   return ExactSolver{};
 }
 
+LimitsSpec read_limits(const TomlView& view) {
+  LimitsSpec limits;
+  if (!view.is_table_of({"steps", "memory"})) return limits;
+  limits.steps = view.number("steps", Rule::positive, Need::optional).value_or(limits.steps);
+  limits.memory = view.number("memory", Rule::positive, Need::optional).value_or(limits.memory);
+  if (limits.steps < 1 || limits.steps > most_steps) view.find("steps")->error_value("must be in [1, 1e15]");
+  if (limits.memory > most_memory) view.find("memory")->error_value("must be at most 1e9 (MB)");
+  return limits;
+}
+
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
   if (excitation.record) analysis.duration = excitation.record->duration;
@@ -91,13 +105,16 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit"})) return analysis;
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits"})) {
+    return analysis;
+  }
   if (const auto duration = view->find("duration")) {
     analysis.duration = duration->as_number(Rule::positive).value_or(0);
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }
   analysis.solver = read_solver(*view);
+  if (const auto limits = view->find("limits")) analysis.limits = read_limits(*limits);
   analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
   analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
@@ -144,6 +161,33 @@ void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadB
   }
 }
 
+/// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
+void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  const double shortest = c.analysis.duration * shortest_time;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const double fastest = buildings[b].made->modes.omega.maxCoeff();
+    const double damping = buildings[b].made->modal_damping.norm();
+    if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
+    const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
+    root.find("building")
+        ->item(b)
+        .renamed(buildings[b].path)
+        .error(
+            fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                        "the case?",
+                        what, std::max(fastest, damping), c.analysis.duration));
+  }
+  const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
+  if (harmonic == nullptr) return;
+  const TomlView excitation = *root.find("excitation");
+  if (harmonic->period < shortest) {
+    excitation.find("period")->error_value(
+        fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
+  } else if (!std::isfinite(peak_acceleration(c.excitation.motion))) {
+    excitation.error("asks for a ground acceleration beyond what can be computed with");
+  }
+}
+
 }  // namespace
 
 ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
@@ -169,7 +213,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
   check_assembled(root, buildings);
-  if (diagnostics.ok()) check_overlaps(root, c, buildings);
+  if (diagnostics.ok()) {
+    check_overlaps(root, c, buildings);
+    check_times(root, c, buildings);
+  }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
 }

@@ -87,11 +87,18 @@ struct InitialSpec {  ///< per building, per floor; empty: at rest
   std::vector<std::vector<double>> displacements, velocities;
 };
 
+/// What a run may take (solve/effort.h). More is refused beforehand where that is certain, else the run ends there.
+struct LimitsSpec {
+  double steps = 2e7;    ///< [-] minutes of a case of some floors
+  double memory = 1000;  ///< [MB]
+};
+
 struct AnalysisSpec {
   double duration = 0;  ///< [s]
   Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;
+  LimitsSpec limits = {};
 };
 
 /// A case as plain data, validated, in its own consistent units.

@@ -8,6 +8,7 @@
 
 #include "bentur/io/results/record_json.h"
 #include "bentur/structure/modes.h"
+#include "bentur/study/remarks/remarks.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur {
@@ -40,7 +41,10 @@ Json excitation_json(const ExcitationSpec& excitation) {
   return json;
 }
 
-Json building_json(const Building& building, const BuildingPeaks& peaks) {
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json building_json(const Building& building, const BuildingPeaks& peaks, const Units& units) {
+  const Proportions found = proportions(building, units, &peaks);
   const Eigen::VectorXd periods = modal_properties(building.modes, building.model.load).periods;
   Json amplification = Json::array();
   for (Eigen::Index i = 0; i < peaks.displacement.size(); ++i) {
@@ -50,6 +54,9 @@ Json building_json(const Building& building, const BuildingPeaks& peaks) {
   return {{"name", building.name},
           {"elevations", building.model.elevations},
           {"periods", list(periods)},
+          {"weight", found.weight},
+          {"base_shear_coefficient", or_null(found.base_shear_coefficient)},
+          {"period_per_storey", found.period_per_storey},
           {"peak_displacement", list(peaks.displacement)},
           {"peak_displacement_no_contact", list(peaks.displacement_no_contact)},
           {"amplification", amplification},
@@ -58,7 +65,18 @@ Json building_json(const Building& building, const BuildingPeaks& peaks) {
           {"peak_storey_shear", list(peaks.storey_shear)}};
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+/// What is unusual, with what is usual: [from, to], null where a side is open.
+Json remarks_json(const std::vector<Remark>& remarks) {
+  Json json = Json::array();
+  for (const Remark& remark : remarks) {
+    json.push_back({{"key", remark.key},
+                    {"subject", remark.subject},
+                    {"value", remark.value},
+                    {"unit", remark.unit},
+                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}}});
+  }
+  return json;
+}
 
 /// The law with everything it works with, given or derived, and the choices that apply.
 Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
@@ -112,7 +130,7 @@ Json between(const Problem& problem, std::size_t gap) {
 std::string summary_json(const Case& c, const Problem& problem, const Response& response, std::string_view version) {
   Json buildings = Json::array();
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b)));
+    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b), c.units));
   }
   const std::vector<PointRestitution> restitution = restitutions(problem, response);
   Json gaps = Json::array();
@@ -132,11 +150,12 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
                {"version", version},
                {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
+               {"remarks", remarks_json(remarks(c, problem, response))},
                {"buildings", buildings},
                {"gaps", gaps}});
 }
 
-std::string modes_json(const std::vector<Building>& buildings) {
+std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
   Json all = Json::array();
   for (const Building& building : buildings) {
     const ModalProperties properties = modal_properties(building.modes, building.model.load);
@@ -144,8 +163,11 @@ std::string modes_json(const std::vector<Building>& buildings) {
     for (Eigen::Index mode = 0; mode < building.modes.shapes.cols(); ++mode) {
       shapes.push_back(list(building.modes.shapes.col(mode)));
     }
+    const Proportions found = proportions(building, units, nullptr);
     all.push_back({{"name", building.name},
                    {"periods", list(properties.periods)},
+                   {"weight", found.weight},
+                   {"period_per_storey", found.period_per_storey},
                    {"participation", list(properties.participation)},
                    {"effective_mass_fraction", list(properties.effective_mass_fraction)},
                    {"shapes", shapes}});

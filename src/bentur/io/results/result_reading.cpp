@@ -120,6 +120,14 @@ PointSummary point_summary(const UnorderedJson& json) {
   return point;
 }
 
+Remark remark(const UnorderedJson& json) {
+  const auto side = [&](std::size_t i) {
+    const UnorderedJson& value = json.at("usual").at(i);
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+  };
+  return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1)};
+}
+
 void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
   GapSpec spec;
   for (const UnorderedJson& entry : json.at("points")) {
@@ -164,6 +172,7 @@ void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunR
     audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
     results.response.energy = audit;
   }
+  for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
   for (const UnorderedJson& entry : json.at("buildings")) {
     results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
     results.response.buildings.push_back(peaks(entry));
