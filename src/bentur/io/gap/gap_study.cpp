@@ -10,6 +10,7 @@
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/solve/solver.h"
+#include "bentur/study/gap/gap_outcome.h"
 
 namespace bentur {
 namespace {
@@ -23,11 +24,12 @@ double median_of(std::vector<double> values) {
 }
 
 /// The largest of the points of gap `gap`.
-GapNeed need_of(const Problem& problem, const std::vector<PointSeparation>& separations, std::size_t gap) {
+GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
+                std::size_t gap) {
   GapNeed need;
+  need.simulated = gap_needed(problem, response, gap);
   for (const PointSeparation& one : separations) {
     if (problem.points[static_cast<std::size_t>(one.point)].left != static_cast<int>(gap)) continue;
-    need.simulated = std::max(need.simulated, one.simulated);
     need.abs = std::max(need.abs, one.abs);
     need.srss = std::max(need.srss, one.srss);
     need.ddc = std::max(need.ddc, one.ddc);
@@ -155,7 +157,7 @@ class Work {
     if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
     for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
-      result.gaps.push_back(need_of(problem, result.separations, gap));
+      result.gaps.push_back(need_of(problem, response, result.separations, gap));
     }
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = read.c.title;
