@@ -10,6 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/solve/same_but_gaps.h"
 #include "bentur/solve/walk/free_walk.h"
 #include "bentur/solve/walk/pounding_walk.h"
 
@@ -179,10 +180,7 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
 
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
-  if (problem.watched.size() != parts_->problem.watched.size()) {
-    throw InvalidParameter("watched", fmt::format("{} floors", problem.watched.size()),
-                           "must be those of the free response");
-  }
+  require_same_but_gaps(parts_->problem, problem);
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;

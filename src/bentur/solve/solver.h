@@ -61,6 +61,7 @@ class FreeResponse {
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
+  /// @throws InvalidParameter when anything else differs.
   [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
 
  private:
