@@ -18,8 +18,10 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
     rows.push_back(&record.gaps[gap]);
   }
   if (rows.size() > 1) {
-    names.insert(names.end(), {"◄ largest", "◄ median"});
-    rows.insert(rows.end(), {&needs.largest[gap], &needs.median[gap]});
+    names.emplace_back("◄ largest");
+    rows.push_back(&needs.largest[gap]);
+    names.emplace_back("◄ median");
+    rows.push_back(&needs.median[gap]);
   }
   const auto numbers = [&](auto value) {
     std::vector<double> result;
