@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
@@ -48,6 +49,7 @@ class Progress {
 struct Loaded {
   Case c;
   Problem problem;
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 /// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
@@ -70,7 +72,11 @@ struct Loaded {
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, int gap);
 
-void print(const std::string& text);    ///< to standard output
-void message(const std::string& text);  ///< a line to standard error
+/// Text as a terminal may get it: control characters but for line ends and tabs, which could do anything to it, are
+/// written out as \u001b, and what is not UTF-8 as \ufffd.
+[[nodiscard]] std::string harmless(const std::string& text);
+
+void print(const std::string& text);    ///< harmless(), to standard output
+void message(const std::string& text);  ///< harmless(), a line to standard error
 
 }  // namespace bentur::cli

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "bentur/io/case_parts.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/io/record_files.h"
 #include "bentur/io/study/case_memo.h"
 
@@ -119,6 +120,12 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   }
   SampledMotion motion{record->time_step, std::move(record->values)};
   echo.file = *name;
+  echo.path = (folder / *name).string();
+  if (memo == nullptr) {  // else many runs, whose study keeps the hashes
+    FileIdentity identity = identify(echo.path);
+    echo.size = identity.size;
+    echo.sha256 = std::move(identity.sha256);
+  }
   echo.format = record->format;
   echo.time_step = motion.time_step;
   echo.count = static_cast<long>(motion.acceleration.size());

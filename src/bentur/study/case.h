@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -62,10 +63,13 @@ struct GapSpec {
 
 /// What was read from a record file, echoed to the user.
 struct RecordEcho {
-  std::string file;      ///< as the case names it
-  std::string format;    ///< peer-at2 two-column one-column
-  std::string unit;      ///< of the file
-  double time_step = 0;  ///< [s]
+  std::string file;        ///< as the case names it
+  std::string path;        ///< where it was read; no result holds that
+  std::uint64_t size = 0;  ///< bytes
+  std::string sha256;      ///< of them; empty where nobody has asked
+  std::string format;      ///< peer-at2 two-column one-column
+  std::string unit;        ///< of the file
+  double time_step = 0;    ///< [s]
   long count = 0;
   double duration = 0;  ///< (count − 1) · step [s]
   double pga_read = 0;  ///< largest |a| in the file's unit
@@ -90,6 +94,14 @@ struct AnalysisSpec {
   bool energy_audit = false;
 };
 
+/// The file a case was read from.
+struct CaseSource {
+  std::string file;  ///< its name, without folders
+  std::string text;
+  std::string sha256;   ///< of the text
+  bool copied = false;  ///< a copy stands with the results
+};
+
 /// A case as plain data, validated, in its own consistent units.
 struct Case {
   std::string title;
@@ -99,7 +111,8 @@ struct Case {
   ExcitationSpec excitation;
   InitialSpec initial;
   AnalysisSpec analysis;
-  CodeSpec code = {};  ///< without rules: none were given
+  CodeSpec code = {};                     ///< without rules: none were given
+  std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
 };
 
 /// Mass, stiffness and load of one building, condensed and calibrated.

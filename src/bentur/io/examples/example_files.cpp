@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 namespace bentur {
 namespace {
@@ -44,19 +43,17 @@ std::vector<Example> examples() {
   return result;
 }
 
-std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory) {
-  AtomicFiles output(directory);
+std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
+                                    const OutputRules& rules) {
+  AtomicFiles output(directory, rules);
   for (const EmbeddedFile* file : example.files) {
     const std::filesystem::path path = directory / file->name;
-    if (std::filesystem::exists(path)) {
+    if (std::filesystem::is_regular_file(path)) {
       std::ifstream stream(path, std::ios::binary);
       const std::string there{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-      if (there == file->content) {
-        continue;
-      }
-      throw std::runtime_error(path.string() + ": exists and differs; not overwritten");
+      if (there == file->content) continue;
     }
-    output.add(std::string(file->name), file->content);
+    output.add(std::string(file->name), file->content, ResultKind::example);
   }
   output.commit();
   return directory / example.files.front()->name;

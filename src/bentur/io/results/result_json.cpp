@@ -32,7 +32,9 @@ Json excitation_json(const ExcitationSpec& excitation) {
             {"count", record.count},
             {"duration", record.duration},
             {"pga_read", record.pga_read},
-            {"pga", record.pga}};
+            {"pga", record.pga},
+            {"size", record.size},
+            {"sha256", record.sha256}};
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     json = {{"kind", "harmonic"},
             {"period", harmonic->period},
@@ -45,6 +47,13 @@ Json excitation_json(const ExcitationSpec& excitation) {
   json["delays"] = excitation.delays;
   json["kinematics"] = excitation.kinematics == Kinematics::relative ? "relative" : "absolute";
   return json;
+}
+
+/// The file the case was read from, as far as it can be told apart from others.
+Json source_json(const std::optional<CaseSource>& source) {
+  if (!source) return nullptr;
+  return {
+      {"file", source->file}, {"size", source->text.size()}, {"sha256", source->sha256}, {"copied", source->copied}};
 }
 
 Json building_json(const Building& building, const BuildingPeaks& peaks) {
@@ -137,6 +146,7 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
+               {"case", source_json(c.source)},
                {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
                {"buildings", buildings},
