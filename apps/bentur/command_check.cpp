@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "effort_text.h"
 #include "session.h"
@@ -50,7 +51,7 @@ void run(const std::string& file) {
 void add_check_command(CLI::App& app) {
   auto file = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("check", "Read and validate a case, simulate nothing");
-  command->add_option("CASE", *file, "the case file (TOML)")->required();
+  command->add_option("CASE", *file, "the case file (TOML)")->required()->check(not_empty());
   command->footer("Example: bentur check case.toml");
   command->callback([file] { run(*file); });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "arguments.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
 #include "commands.h"
@@ -93,7 +94,7 @@ void run(const ModesArguments& arguments) {
 void add_modes_command(CLI::App& app) {
   auto arguments = std::make_shared<ModesArguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, participation and shapes of each building");
-  command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
+  command->add_option("CASE", arguments->file, "the case file (TOML)")->required()->check(not_empty());
   command->add_flag("--json", arguments->json, "JSON instead of tables; shapes mass-normalised");
   command
       ->add_option("--method", arguments->method,

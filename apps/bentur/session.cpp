@@ -22,9 +22,15 @@
 namespace bentur::cli {
 namespace {
 
+constexpr std::size_t most_errors_shown = 100;
+
 std::string all_of(const Diagnostics& diagnostics) {
+  const std::vector<Diagnostic> errors = diagnostics.errors();
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics.errors()) text += (text.empty() ? "" : "\n") + diagnostic.text();
+  for (std::size_t i = 0; i < std::min(errors.size(), most_errors_shown); ++i) {
+    text += (text.empty() ? "" : "\n") + errors[i].text();
+  }
+  if (errors.size() > most_errors_shown) text += fmt::format("\nand {} more errors", errors.size() - most_errors_shown);
   return text;
 }
 
@@ -32,6 +38,21 @@ std::atomic<bool> stop_asked = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void ask_stop(int) { stop_asked = true; }
+/// Bytes of the character that begins at `at`, by its first one and the ones that must follow; 0 where it is none.
+std::size_t character_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned lead = byte(at);
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
+}
 
 }  // namespace
 
@@ -73,7 +94,9 @@ Loaded load(const std::filesystem::path& file) {
   if (!c) throw Failure(diagnostics);
   try {
     Problem problem = make_problem(*c);
-    return {std::move(*c), std::move(problem)};
+    std::vector<std::filesystem::path> files = {file};
+    if (c->excitation.record) files.emplace_back(c->excitation.record->path);
+    return {std::move(*c), std::move(problem), std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, file.string() + ": error: " + error.what());
   }
@@ -184,8 +207,30 @@ std::string proportions_text(const Building& building, const Proportions& found,
                      number(period), number(found.period_per_storey));
 }
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+std::string harmless(const std::string& text) {
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const bool c0 = length == 1 && (lead < 0x20 || lead == 0x7F) && lead != '\n' && lead != '\t';
+    const bool c1 = length == 2 && lead == 0xC2 && static_cast<unsigned char>(text[at + 1]) < 0xA0;
+    if (length == 0) {
+      shown += "\\ufffd";
+    } else if (c0 || c1) {
+      shown += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[at + length - 1]));
+    } else {
+      shown.append(text, at, length);
+    }
+    at += std::max<std::size_t>(1, length);
+  }
+  return shown;
+}
 
-void message(const std::string& text) { fmt::print(stderr, "{}\n", text); }
+void print(const std::string& text) {
+  const std::string shown = harmless(text);
+  std::fwrite(shown.data(), 1, shown.size(), stdout);
+}
+
+void message(const std::string& text) { fmt::print(stderr, "{}\n", harmless(text)); }
 
 }  // namespace bentur::cli

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
@@ -51,6 +52,7 @@ class Progress {
 struct Loaded {
   Case c;
   Problem problem;
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 /// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
@@ -96,7 +98,11 @@ class StopOnSignal {
 /// "743 kgf, first period 0.164 s, 0.05467 s per storey".
 [[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units);
 
-void print(const std::string& text);    ///< to standard output
-void message(const std::string& text);  ///< a line to standard error
+/// Text as a terminal may get it: control characters but for line ends and tabs, which could do anything to it, are
+/// written out as \u001b, and what is not UTF-8 as \ufffd.
+[[nodiscard]] std::string harmless(const std::string& text);
+
+void print(const std::string& text);    ///< harmless(), to standard output
+void message(const std::string& text);  ///< harmless(), a line to standard error
 
 }  // namespace bentur::cli

@@ -26,6 +26,7 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 EXAMPLES = ["m12-el-centro", "free-impact", "kelvin-voigt-pair", "m12-harmonic", "m12-runge-kutta", "restitution-asked",
             "row-of-three", "two-frames-si"]
+EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
 COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
 
 
@@ -342,6 +343,7 @@ class Example(CommandLine):
                 for summary in summaries:
                     del summary["solver"]["wall_time"]
                     summary["excitation"].pop("file", None)
+                    del summary["case"]  # it names the record in another folder
                 self.assertEqual(*summaries)
 
     def test_default_folder_is_the_current_one(self):
@@ -352,7 +354,7 @@ class Example(CommandLine):
         case = self.written("m12-el-centro")
         self.done("example", "m12-el-centro", "-o", self.folder)
         case.write_text("mine")
-        self.assertIn("not overwritten", self.fails(1, "example", "m12-el-centro", "-o", self.folder).stderr)
+        self.assertIn("not written", self.fails(2, "example", "m12-el-centro", "-o", self.folder).stderr)
         self.assertEqual(case.read_text(), "mine")
 
     def test_unknown_name(self):
@@ -370,6 +372,14 @@ class Run(CommandLine):
         left = set(pathlib.Path(tempfile.gettempdir()).glob("bentur-*")) - before
         self.assertFalse([path for path in left if (path / "m12-el-centro.toml").exists()])
 
+    def test_only_a_bare_run_is_that_of_the_example(self):
+        for wrong in [""], ["", "--json"], ["-o", self.folder / "out"], ["--figures", "svg", "-o", self.folder / "out"]:
+            with self.subTest(wrong):
+                self.fails(2, "run", *wrong)
+        self.assertIn("bentur example m12-el-centro", self.fails(2, "run", "-o", self.folder / "out").stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertEqual(self.done("run", "--quiet").stderr, "")
+
     def test_tables_echo_the_record_and_give_units(self):
         text = self.done("run").stdout
         for word in ["1560 values every 0.02 s", "peak 0.3188 g", "applied 341.7 cm/s²", "POUNDING", "elevation",
@@ -380,7 +390,7 @@ class Run(CommandLine):
     def test_json_has_every_key(self):
         result = self.done("run", "--json")
         summary = json.loads(result.stdout)
-        self.assertEqual(list(summary), ["title", "units", "version", "solver", "excitation", "buildings", "gaps"])
+        self.assertEqual(list(summary), ["title", "units", "version", "case", "solver", "excitation", "buildings", "gaps"])
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
         self.assertEqual(set(summary["solver"]), {
             "name", "steps", "events", "wall_time", "energy_residual", "peak_input_energy"})
@@ -414,7 +424,7 @@ class Run(CommandLine):
         self.assertEqual((point["impacts"], point["peak_force"], point["peak_force_time"]), (0, 0, None))
 
     def test_quiet_says_nothing(self):
-        result = self.done("run", "--quiet", "-o", self.folder / "out")
+        result = self.done("run", EL_CENTRO, "--quiet", "-o", self.folder / "out")
         self.assertEqual((result.stdout, result.stderr), ("", ""))
         self.assertTrue((self.folder / "out" / "summary.json").exists())
 
@@ -441,8 +451,8 @@ class ResultFiles(CommandLine):
 
     def test_three_files_that_agree(self):
         folder = self.folder / "a" / "b"
-        summary = json.loads(self.done("run", "-o", folder, "--json").stdout)
-        self.assertEqual(sorted(file.name for file in folder.iterdir()), ["histories.nc", "impacts.csv", "summary.json"])
+        summary = json.loads(self.done("run", EL_CENTRO, "-o", folder, "--json").stdout)
+        self.assertEqual(sorted(file.name for file in folder.iterdir()), ["case.toml", "histories.nc", "impacts.csv", "summary.json"])
         self.assertEqual(json.loads((folder / "summary.json").read_text()), summary)
         with open(folder / "impacts.csv", newline="") as stream:
             rows = list(csv.DictReader(stream))
@@ -466,7 +476,7 @@ class ResultFiles(CommandLine):
 
     def test_the_same_run_gives_the_same_bytes(self):
         for name in "one", "two":
-            self.done("run", "-o", self.folder / name)
+            self.done("run", EL_CENTRO, "-o", self.folder / name)
         for name in "impacts.csv", "histories.nc":
             self.assertEqual((self.folder / "one" / name).read_bytes(), (self.folder / "two" / name).read_bytes())
 
@@ -487,8 +497,19 @@ class ResultFiles(CommandLine):
             "for i, point in enumerate(summary['gaps'][0]['points']):\n"
             "    assert float(d.force[:, i].max()) <= point['peak_force'] * (1 + 1e-9)\n"
             "    assert float(d.opening[0, i]) == point['width']\n"
-            "assert list(d.building_name.values) == ['Model 1', 'Model 2']\n")
-        self.done("run", "-o", self.folder)
+            "assert list(d.building_name.values) == ['Model 1', 'Model 2']\n"
+            "for b, building in enumerate(summary['buildings'], 1):\n"
+            "    for name in 'drift_ratio', 'storey_shear':\n"
+            "        for floor, peak in enumerate(building[f'peak_{name}']):\n"
+            "            seen = float(abs(d[f'{name}_{b}'].isel({f'elevation_{b}': floor})).max())\n"
+            "            assert 0.9 * peak < seen <= peak * (1 + 1e-9), (name, seen, peak)\n"
+            "    assert (d[f'base_shear_{b}'] == d[f'storey_shear_{b}'][:, 0]).all() and d[f'base_shear_{b}'].dims == ('time',)\n"
+            "    heights = d[f'elevation_{b}'].diff(f'elevation_{b}').values\n"
+            "    drift = d[f'displacement_{b}'].diff(f'elevation_{b}').values / heights\n"
+            "    assert abs(d[f'drift_ratio_{b}'][:, 1:].values - drift).max() < 1e-12\n"
+            "assert d.case_file == 'm12-el-centro.toml' and d.case_sha256 == summary['case']['sha256']\n"
+            "assert d.record_sha256 == summary['excitation']['sha256'] and d.storey_shear_1.units == 'kgf'\n")
+        self.done("run", EL_CENTRO, "-o", self.folder)
         self.python_with_xarray(script)
 
     def test_histories_hold_the_energies_of_an_audit(self):
@@ -507,8 +528,8 @@ class ResultFiles(CommandLine):
 
     def test_a_file_in_place_of_the_folder(self):
         (self.folder / "plain").write_text("mine")
-        self.assertIn("plain", self.fails(1, "run", "-q", "-o", self.folder / "plain").stderr)
-        self.assertIn("plain", self.fails(1, "run", "-q", "-o", self.folder / "plain" / "below").stderr)
+        self.assertIn("plain", self.fails(2, "run", EL_CENTRO, "-q", "-o", self.folder / "plain").stderr)
+        self.assertIn("plain", self.fails(2, "run", EL_CENTRO, "-q", "-o", self.folder / "plain" / "below").stderr)
         self.assertEqual((self.folder / "plain").read_text(), "mine")
 
     def test_a_folder_that_cannot_be_written(self):
@@ -518,7 +539,7 @@ class ResultFiles(CommandLine):
         other_user = {"user": 65534} if os.geteuid() == 0 else {}  # root may write anywhere
         try:
             for target in locked, locked / "below":
-                result = subprocess.run([BENTUR, "run", "-q", "-o", target], capture_output=True, text=True, **other_user)
+                result = subprocess.run([BENTUR, "run", EL_CENTRO, "-q", "-o", target], capture_output=True, text=True, **other_user)
                 self.assertEqual(result.returncode, 1, result.stderr)
                 self.assertIn(str(target), result.stderr)
         except PermissionError:
@@ -529,7 +550,7 @@ class ResultFiles(CommandLine):
         """histories.nc cannot be replaced, so the other two must not be either."""
         (self.folder / "histories.nc").mkdir()
         (self.folder / "summary.json").write_text("old")
-        self.fails(1, "run", "-q", "-o", self.folder)
+        self.fails(2, "run", EL_CENTRO, "-q", "-o", self.folder, "--force")
         self.assertEqual((self.folder / "summary.json").read_text(), "old")
         self.assertEqual(sorted(file.name for file in self.folder.iterdir()), ["histories.nc", "summary.json"])
 
@@ -548,7 +569,7 @@ class ResultFiles(CommandLine):
         process.wait()
         if folder.exists():
             visible = [file.name for file in folder.iterdir() if not file.name.startswith(".")]
-            self.assertIn(sorted(visible), [[], ["histories.nc", "impacts.csv", "summary.json"]])
+            self.assertIn(sorted(visible), [[], ["case.toml", "histories.nc", "impacts.csv", "summary.json"]])
 
 
 class BadInput(CommandLine):
@@ -600,6 +621,71 @@ class BadInput(CommandLine):
         case = self.written("m12-el-centro")
         (self.folder / "el-centro-1940-ns.csv").unlink()
         self.assertIn("el-centro-1940-ns.csv", self.fails(2, "check", case).stderr)
+
+
+class Messages(CommandLine):
+    def test_names_that_are_not_given(self):
+        for command in ["run", ""], ["check", ""], ["modes", ""], ["gap", ""], ["report", "", "-o", "x"], ["plot", ""], \
+                ["report", EL_CENTRO, "-o", ""], ["run", EL_CENTRO, "-o", ""], ["sweep", "", "-o", "x"], ["fragility", ""], \
+                ["spectrum", ""], ["example", "free-impact", "-o", ""]:
+            with self.subTest(command):
+                self.assertIn("must not be empty", self.fails(2, *command, cwd=self.folder).stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_mistyped_command_or_option(self):
+        self.assertIn('did you mean "run"?', self.fails(2, "runn", EL_CENTRO).stderr)
+        self.assertIn('did you mean "report"?', self.fails(2, "repotr").stderr)
+        self.assertNotIn("did you mean", self.fails(2, "xylophone").stderr)
+        self.assertIn('did you mean "--figures"?', self.fails(2, "run", EL_CENTRO, "--figure=svg").stderr)
+
+    def test_numbers_that_must_be_positive(self):
+        for command in ["gap", EL_CENTRO, "--at"], ["spectrum", EL_CENTRO, "--time-step"]:
+            for wrong in "0", "-1", "x", "1e999", "":
+                message = self.fails(2, *command, wrong).stderr
+                self.assertIn("must be a number above 0", message)
+                self.assertLess(len(message), 200)
+
+    def test_control_characters_of_a_case_never_reach_a_terminal(self):
+        nasty = "\\u001b]0;pwned\\u0007\\u001b[2J\\u009b31m\\u007f"
+        case = self.edited("m12-el-centro", '"Model 1"', f'"Model {nasty}"')
+        case.write_text(re.sub("^title = .*", f'title = "{nasty}"', case.read_text(), flags=re.MULTILINE))
+        control = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+        for command in ["run", case], ["run", case, "--json"], ["check", case], ["modes", case], ["gap", case]:
+            output = self.done(*command)
+            self.assertIsNone(control.search(output.stdout + output.stderr), command)
+            self.assertIn("\\u001b]0;pwned", output.stdout)
+        summary = json.loads(self.done("run", case, "--json").stdout)
+        self.assertEqual(summary["title"], json.loads(f'"{nasty}"'), "JSON says the same in its own way")
+        self.done("run", case, "-q", "-o", self.folder / "out")
+        self.assertEqual(json.loads((self.folder / "out" / "summary.json").read_text())["title"], summary["title"])
+        broken = self.folder / "\x1b[2Jbroken.toml"
+        broken.write_text("x = 1")
+        self.assertIsNone(control.search(self.fails(2, "check", broken).stderr))
+
+    def test_errors_end_after_a_hundred(self):
+        case = self.written("m12-el-centro")
+        case.write_text("".join(f"unknown_{i} = 1\n" for i in range(250)) + case.read_text())
+        lines = self.fails(2, "check", case).stderr.splitlines()
+        self.assertEqual(len(lines), 101)
+        self.assertEqual(lines[-1], "and 150 more errors")
+        self.assertIn("unknown_99 ", lines[99])
+
+    def test_results_that_cannot_be_read_are_bad_input_for_every_command(self):
+        self.done("run", EL_CENTRO, "-q", "-o", self.folder)
+        whole = (self.folder / "histories.nc").read_bytes()
+        for content, word in (b"text", "is not a NetCDF file"), (whole[:len(whole) // 2], "cut short or damaged"):
+            (self.folder / "histories.nc").write_bytes(content)
+            for command in ["plot", self.folder, "opening"], ["plot", self.folder / "histories.nc", "--list"], \
+                    ["report", self.folder, "-o", self.folder / "x.html"], ["fragility", self.folder / "histories.nc"]:
+                message = self.fails(2, *command).stderr
+                self.assertIn(word, message)
+                self.assertNotIn("HDF", message)
+
+    def test_no_zero_has_a_sign(self):
+        for case in EXAMPLES:
+            self.done("run", SOURCE / "examples" / f"{case}.toml", "-q", "-o", self.folder / case)
+            for row in (self.folder / case / "impacts.csv").read_text().splitlines():
+                self.assertNotIn("-0", row.split(","))
 
 
 class Modes(CommandLine):
@@ -920,8 +1006,12 @@ class Report(CommandLine):
             self.assertEqual(from_case, from_results)
             lists = [re.search('<table id="impact-list".*?</table>', page, re.DOTALL)[0] for page in pages]
             self.assertEqual(*lists)
-            self.assertIn("DDC", pages[0])
-            self.assertIn("DDC and the rules of building codes are in a report made from the case", pages[1])
+            for text in pages:
+                self.assertIn("DDC", text)
+            # Without the case's copy there is less to tell.
+            (self.folder / name / "case.toml").unlink()
+            self.done("report", self.folder / name, "-o", page)
+            self.assertIn("DDC and the rules of building codes are in a report made from the case", page.read_text())
 
     def test_a_sweep_counts_the_runs_that_collide(self):
         case = self.written("m12-el-centro")
@@ -948,8 +1038,8 @@ class Report(CommandLine):
 
     def test_results_that_are_none(self):
         page, folder = self.folder / "report.html", self.folder / "results"
-        self.done("run", "-q", "-o", folder)
-        whole = {file.name: file.read_bytes() for file in folder.iterdir()}
+        self.done("run", EL_CENTRO, "-q", "-o", folder)
+        whole = {file.name: file.read_bytes() for file in folder.iterdir() if file.name != "case.toml"}
         self.done("run", "-q", self.written("free-impact"), "-o", self.folder / "other")
         for name in whole:
             for content in None, b"", b"nonsense", (self.folder / "other" / name).read_bytes():
@@ -973,7 +1063,7 @@ class Report(CommandLine):
 
     def test_an_output_that_cannot_be_written(self):
         case = self.written("free-impact")
-        self.assertIn("is a folder", self.fails(1, "report", case, "-o", self.folder).stderr)
+        self.assertIn("is a folder", self.fails(2, "report", case, "-o", self.folder).stderr)
         self.fails(1, "report", case, "-o", "/proc/none/report.html")
 
 
@@ -1013,7 +1103,7 @@ class Completion(CommandLine):
         self.assertEqual(self.complete("example", "m12-h"), ["m12-harmonic"])
         (self.folder / "results.nc").touch()
         self.assertEqual(self.complete("plot", ""), ["cases", "results.nc"])
-        self.done("run", "-o", self.folder)
+        self.done("run", EL_CENTRO, "-o", self.folder)
         self.assertEqual(self.complete("plot", "histories.nc", "e"), ["envelope"])
 
 

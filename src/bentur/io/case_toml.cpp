@@ -10,7 +10,10 @@
 
 #include "bentur/io/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/io/study/case_memo.h"
+#include "bentur/io/study/parameter_path.h"
+#include "bentur/io/study/vary_toml.h"
 
 namespace bentur {
 namespace {
@@ -231,16 +234,62 @@ Units read_units(const TomlView& root) {
   return units;
 }
 
-std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
-                                   Diagnostics& diagnostics) {
-  Diagnostics found;  // those of this file decide, whatever the caller has collected before
+namespace {
+
+/// Whatever happens, errors are those of this file alone, whatever the caller has collected before.
+template <typename Read>
+std::optional<Case> read_parsed(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
+                                const Read& read) {
+  Diagnostics found;
   const std::string name = file.string();
   std::optional<Case> c;
-  if (const auto root = parse_toml(text, name, found)) {
-    c = read_case_parts(TomlView(*root, "", name, found), file.parent_path(), found).c;
-  }
+  if (auto root = parse_toml(text, name, found)) c = read(*root, name, found);
   for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
-  return found.ok() ? std::move(c) : std::nullopt;
+  if (!found.ok()) return std::nullopt;
+  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return c;
+}
+
+/// Puts a harmonic motion in place of a record. @return whether there was one.
+bool take_record_out(TomlValue& root) {
+  for (TomlMember& table : root.members) {
+    if (table.key != "excitation") continue;
+    std::vector<TomlMember>& members = table.value.members;
+    const auto is_record = [](const TomlMember& one) { return one.key == "kind" && one.value.text == "record"; };
+    if (std::none_of(members.begin(), members.end(), is_record)) return false;
+    std::erase_if(members, [](const TomlMember& one) {
+      return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
+    });
+  }
+  TomlValue kind;
+  kind.kind = TomlValue::Kind::text;
+  kind.text = "harmonic";
+  put_value(root, {"excitation", "kind"}, kind, 0, 0);
+  for (const char* key : {"period", "displacement_amplitude"}) {
+    put_value(root, {"excitation", key}, toml_number(1), 0, 0);
+  }
+  // The duration is a record's own where none is given.
+  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1), 0, 0);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
+    return read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
+  });
+}
+
+std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
+                                             Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [](TomlValue& root, const std::string& name, Diagnostics& found) {
+    const bool taken = take_record_out(root);
+    Case c = read_case_parts(TomlView(root, "", name, found), {}, found).c;
+    if (taken) c.excitation.motion = NoMotion{};
+    return c;
+  });
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {

@@ -28,6 +28,8 @@ Json excitation_json(const ExcitationSpec& excitation) {
   if (excitation.record) {
     json = {{"kind", "record"}};
     put_record(*excitation.record, json);
+    json["size"] = excitation.record->size;
+    json["sha256"] = excitation.record->sha256;
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     json = {{"kind", "harmonic"},
             {"period", harmonic->period},
@@ -43,6 +45,13 @@ Json excitation_json(const ExcitationSpec& excitation) {
 }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+/// The file the case was read from, as far as it can be told apart from others.
+Json source_json(const std::optional<CaseSource>& source) {
+  if (!source) return nullptr;
+  return {
+      {"file", source->file}, {"size", source->text.size()}, {"sha256", source->sha256}, {"copied", source->copied}};
+}
 
 Json building_json(const Building& building, const BuildingPeaks& peaks, const Units& units) {
   const Proportions found = proportions(building, units, &peaks);
@@ -192,6 +201,7 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
+               {"case", source_json(c.source)},
                {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
                {"remarks", remarks_json(remarks(c, problem, response))},
