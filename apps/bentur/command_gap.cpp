@@ -11,6 +11,7 @@
 
 #include "bentur/io/gap/gap_study.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/minimum_gap.h"
 #include "commands.h"
 #include "gap_study_text.h"
@@ -112,7 +113,32 @@ std::string codes_note(const CodeSpec& code) {
   return text;
 }
 
-std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSeparation>& all) {
+/// The floors that face a column, or a floor that no contact point is at.
+std::string watched_text(const Problem& problem, const Response& response, std::size_t gap,
+                         const GoverningLevel& governing, const std::string& length) {
+  const std::vector<std::size_t> watched = watched_of(problem, gap);
+  std::vector<double> elevations, widths, simulated;
+  std::vector<std::string> owners, faces, marks;
+  for (auto i = watched.rbegin(); i != watched.rend(); ++i) {
+    const WatchedFloor& floor = problem.watched[*i];
+    elevations.push_back(floor.elevation);
+    widths.push_back(floor.width);
+    simulated.push_back(response.watched[*i].needed);
+    owners.push_back(problem.buildings[static_cast<std::size_t>(floor.floor_of)].name);
+    faces.emplace_back(floor.facing_floor >= 0 ? "floor" : "column");
+    marks.emplace_back(governing.watched == *i ? "◄ governs" : "");
+  }
+  Table table;
+  table.add("elevation", length, elevations);
+  table.add("floor of", "", owners);
+  table.add("faces a", "", faces);
+  table.add("given", length, widths);
+  table.add("simulated", length, simulated);
+  table.add("", "", marks);
+  return "\nFloors that face their neighbour where no contact is modelled\n\n" + table.text();
+}
+
+std::string gap_text(const Loaded& loaded, const Response& response, int gap, const std::vector<PointSeparation>& all) {
   const Problem& problem = loaded.problem;
   const std::string& length = loaded.c.units.length;
   std::vector<PointSeparation> points;
@@ -125,20 +151,18 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
   const auto point_of = [&](const PointSeparation& s) -> const ContactPoint& {
     return problem.points[static_cast<std::size_t>(s.point)];
   };
-  const auto shortfall = [&](const PointSeparation& s) { return s.simulated - point_of(s).width; };
-  const auto governing =
-      std::max_element(points.begin(), points.end(),
-                       [&](const PointSeparation& a, const PointSeparation& b) { return shortfall(a) < shortfall(b); });
-
-  std::string text = fmt::format(
-      "{}: {}\n", gap_name(problem, gap),
-      shortfall(*governing) > 0
-          ? fmt::format("too close. {} {} is needed at elevation {} {}, {} {} given: {} {} short",
-                        number(governing->simulated), length, number(point_of(*governing).elevation), length,
-                        number(point_of(*governing).width), length, number(shortfall(*governing)), length)
-          : fmt::format("wide enough. {} {} is needed at elevation {} {}, {} {} given", number(governing->simulated),
-                        length, number(point_of(*governing).elevation), length, number(point_of(*governing).width),
-                        length));
+  const GoverningLevel governing = governing_level(problem, response, static_cast<std::size_t>(gap));
+  const bool too_close = governing.needed > governing.width;
+  std::string text =
+      fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap),
+                  too_close ? "too close" : "wide enough", number(governing.needed), length,
+                  number(governing.elevation), length, number(governing.width), length,
+                  too_close ? fmt::format(": {} {} short", number(governing.needed - governing.width), length) : "");
+  if (governing.watched) {
+    const WatchedFloor& floor = problem.watched[*governing.watched];
+    text += fmt::format("  There {} faces {}, and no contact is modelled.\n", floor_text(problem, floor),
+                        faced_text(problem, floor));
+  }
   std::vector<double> elevations, widths, simulated, abs, srss, ddc;
   std::vector<std::string> marks;
   for (const PointSeparation& s : points) {
@@ -148,7 +172,7 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
     abs.push_back(s.abs);
     srss.push_back(s.srss);
     ddc.push_back(s.ddc);
-    marks.push_back(&s == &*governing ? "◄ governs" : "");
+    marks.push_back(!governing.watched && point_of(s).elevation == governing.elevation ? "◄ governs" : "");
   }
   Table table;
   table.add("elevation", length, elevations);
@@ -158,7 +182,12 @@ std::string gap_text(const Loaded& loaded, int gap, const std::vector<PointSepar
   table.add("SRSS", length, srss);
   table.add("DDC", length, ddc);
   table.add("", "", marks);
-  text += "\n" + table.text();
+  if (!points.empty()) text += "\n" + table.text();
+  if (!watched_of(problem, static_cast<std::size_t>(gap)).empty()) {
+    text += watched_text(problem, response, static_cast<std::size_t>(gap), governing, length);
+  }
+  if (points.empty())
+    return text + "  No floors meet here: the rules, which compare floors that do, have nothing to say.\n";
   if (!points.front().codes.empty()) text += "\n" + codes_text(problem, points, length);
   const std::string unsafe = rules_that_fall_short(points);
   if (!unsafe.empty()) {
@@ -188,13 +217,13 @@ void run(const GapArguments& arguments) {
   const Response response = simulate(loaded, 0, true);
   const std::vector<PointSeparation> needed = separations(loaded.problem, response, loaded.c.code, loaded.c.units);
   if (arguments.json) {
-    print(gap_json(loaded.c, loaded.problem, needed, BENTUR_VERSION));
+    print(gap_json(loaded.c, loaded.problem, response, needed, BENTUR_VERSION));
     return;
   }
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
   text += excitation_line(loaded.c) + "\n";
   for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
-    text += "\n" + gap_text(loaded, static_cast<int>(gap), needed);
+    text += "\n" + gap_text(loaded, response, static_cast<int>(gap), needed);
   }
   text +=
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"

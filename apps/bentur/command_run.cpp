@@ -12,6 +12,7 @@
 #include "bentur/io/results/result_netcdf.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
+#include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/restitution.h"
 #include "commands.h"
 #include "session.h"
@@ -46,40 +47,63 @@ std::vector<std::size_t> points_of(const Problem& problem, int gap) {
   return points;
 }
 
+/// What to do about floors that met something where no contact is modelled; empty where none did.
+std::string unmodelled_text(const Loaded& loaded, const Response& response, const std::vector<std::size_t>& floors) {
+  const Problem& problem = loaded.problem;
+  const std::string& length = loaded.c.units.length;
+  std::string text;
+  for (const std::size_t i : floors) {
+    const WatchedFloor& floor = problem.watched[i];
+    const WatchedSummary& summary = response.watched[i];
+    const std::string met = fmt::format(
+        "{} at elevation {} {} goes {} {} into {}, t = {} s", floor_text(problem, floor), number(floor.elevation),
+        length, number(-summary.least_opening), length, faced_text(problem, floor), number(summary.least_time));
+    text += text.empty() ? fmt::format(
+                               "POUNDING THAT IS NOT MODELLED: {}.\n  The run goes on as if nothing were there: "
+                               "its numbers do not tell what happens then.\n",
+                               met)
+                         : fmt::format("  Also {}.\n", met);
+    text += fmt::format("  To model it: {}.\n", remedy_text(problem, floor, length));
+  }
+  return text;
+}
+
 /// Does it pound, where, how often, how hard; and how wide the gap would have to be.
 std::string verdict(const Loaded& loaded, const Response& response, int gap) {
   const Problem& problem = loaded.problem;
   const std::string& length = loaded.c.units.length;
   const std::vector<std::size_t> points = points_of(problem, gap);
+  const std::vector<std::size_t> unmodelled = unmodelled_contacts(problem, response, static_cast<std::size_t>(gap));
   int impacts = 0;
   int touched = 0;
-  std::size_t hardest = points.front();
-  std::size_t closest = points.front();  // largest shortfall of the gap
-  const auto shortfall = [&](std::size_t i) {
-    return response.points[i].minimum_gap_no_contact - problem.points[i].width;
-  };
+  std::optional<std::size_t> hardest;
   for (const std::size_t i : points) {
     impacts += response.points[i].impacts;
     touched += response.points[i].impacts > 0 ? 1 : 0;
-    hardest = response.points[i].peak_force > response.points[hardest].peak_force ? i : hardest;
-    closest = shortfall(i) > shortfall(closest) ? i : closest;
+    if (!hardest || response.points[i].peak_force > response.points[*hardest].peak_force) hardest = i;
   }
-  std::string text = gap_name(problem, gap) + ": ";
+  std::string text = gap_name(problem, gap) + ": " + unmodelled_text(loaded, response, unmodelled);
+  if (!unmodelled.empty()) text += "  ";
   if (impacts == 0) {
-    text += "NO POUNDING. ";
+    if (unmodelled.empty()) text += "NO POUNDING. ";
   } else {
-    const PointSummary& worst = response.points[hardest];
+    const PointSummary& worst = response.points[*hardest];
     text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", impacts, impacts == 1 ? "" : "s",
                         touched, points.size(), points.size() == 1 ? "" : "s");
     if (worst.peak_force_time) {  // an impact without duration has no force
       text += fmt::format("Hardest: {} {} at elevation {} {}, t = {} s.\n  ", number(worst.peak_force),
-                          loaded.c.units.force, number(problem.points[hardest].elevation), length,
+                          loaded.c.units.force, number(problem.points[*hardest].elevation), length,
                           number(*worst.peak_force_time));
     }
   }
-  return text + fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n",
-                            number(problem.points[closest].elevation), length, number(problem.points[closest].width),
-                            length, number(response.points[closest].minimum_gap_no_contact), length);
+  const GoverningLevel level = governing_level(problem, response, static_cast<std::size_t>(gap));
+  text += fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n", number(level.elevation),
+                      length, number(level.width), length, number(level.needed), length);
+  if (level.watched) {
+    const WatchedFloor& floor = problem.watched[*level.watched];
+    text += fmt::format("  There {} faces {}.\n", floor_text(problem, floor), faced_text(problem, floor));
+  }
+  return text;
 }
 
 Table contact_table(const Loaded& loaded, const Response& response, int gap) {
@@ -142,7 +166,7 @@ std::string law_text(const Loaded& loaded, const Response& response) {
   }
   const std::vector<PointRestitution> restitution = restitutions(loaded.problem, response);
   const bool single_points =
-      std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() == 1; });
+      std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() <= 1; });
   std::vector<std::string> between, law, choices, parameter, asked, obtained;
   std::vector<double> elevation;
   for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
@@ -203,6 +227,7 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
     text += verdict(loaded, response, gap);
   }
   for (int gap = 0; gap < gaps; ++gap) {
+    if (points_of(problem, gap).empty()) continue;
     text += fmt::format("\nContact {}\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
   }
   text += law_text(loaded, response);

@@ -89,6 +89,12 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
                                           report.done, report.runs, arguments.output));
   }
   if (report.failed > 0) message("warning: " + report.first_failure);
+  if (report.unmodelled > 0) {
+    message(
+        fmt::format("warning: in {} of {} runs a floor meets a column or a floor where no contact is modelled "
+                    "(unmodelled_contacts in the results); bentur run with such a case says how to model it",
+                    report.unmodelled, report.runs));
+  }
   if (arguments.quiet) return;
   const double rate = static_cast<double>(report.solved) / std::max(report.seconds, 1e-9);
   print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,

@@ -93,11 +93,9 @@ std::string gap_study_text(const GapStudy& study) {
     }
   }
   text +=
-      "\nEach number is the largest of the contact points of that gap. Simulated: the buildings moving freely. ABS, "
-      "SRSS,\n"
-      "DDC: sum, root of squares and double-difference combination of their peak displacements. 84 %: what 84 % of the "
-      "records\n"
-      "do not need more than, each column by itself.\n";
+      "\nEach number is the largest of the contact points of that gap. Simulated: the buildings moving freely,\n"
+      "floors that face a column included. ABS, SRSS, DDC: sum, root of squares and double-difference combination\n"
+      "of their peak displacements. 84 %: what 84 % of the records do not need more than, each column by itself.\n";
   if (!study.code.rules.empty()) {
     text += "Codes: the same peaks, amplified by the factors of [code]; clauses: bentur gap with the case.\n";
   }

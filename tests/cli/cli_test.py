@@ -253,7 +253,10 @@ class Run(CommandLine):
         self.assertAlmostEqual(summary["buildings"][0]["periods"][0], 0.1440, places=4)
         self.assertAlmostEqual(summary["buildings"][1]["periods"][0], 0.1627, places=4)
         gap, = summary["gaps"]
-        self.assertEqual(set(gap), {"between", "minimum_gap_no_contact", "points"})
+        self.assertEqual(set(gap), {
+            "between", "minimum_gap_no_contact", "gap_needed", "unmodelled_contact", "points", "watched_floors"})
+        self.assertEqual(gap["gap_needed"], gap["minimum_gap_no_contact"])
+        self.assertEqual((gap["unmodelled_contact"], gap["watched_floors"]), ([], []), "all floors meet")
         self.assertEqual([point["elevation"] for point in gap["points"]], [100, 200, 300])
         for point in gap["points"]:
             self.assertEqual(set(point), {
@@ -554,6 +557,115 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         for rule in rules:
             self.assertIn(f"{rule['title']}  {rule['clause']:>8}", text)
             self.assertIn(f"| `{rule['rule']}` |", (SOURCE / "docs" / "separation-rules.md").read_text())
+
+
+class WatchedFloors(CommandLine):
+    """Floors that face a column: in the gap needed and in every verdict."""
+
+    CASE = """
+[[building]]
+name = "A"
+damping = 0.02
+stick = { storey_heights = [3.0, 3.0, 3.0], masses = [30e3, 30e3, 30e3], stiffnesses = [9e6, 9e6, 9e6] }
+
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [4.0, 4.0, 4.0], masses = [20e3, 20e3, 20e3], stiffnesses = [60e6, 60e6, 60e6] }
+
+[[gap]]
+between = ["A", "B"]
+width = WIDTH
+elevations = []
+
+[excitation]
+kind = "harmonic"
+period = 0.8
+displacement_amplitude = 0.02
+
+[analysis]
+duration = 5.0
+"""
+
+    def with_width(self, width):
+        file = self.folder / "case.toml"
+        file.write_text(self.CASE.replace("WIDTH", str(width)))
+        return file
+
+    def summary(self, case):
+        return json.loads(self.done("run", case, "--json").stdout)["gaps"][0]
+
+    def test_the_verdict_says_so_first_and_how_to_model_it(self):
+        case = self.with_width(0.01)
+        gap = self.summary(case)
+        met = gap["unmodelled_contact"]
+        self.assertEqual(gap["points"], [])
+        self.assertEqual((met[0]["floor_of"], met[0]["elevation"]), ("A", 9))
+        self.assertLess(met[0]["least_opening"], -0.001)
+        self.assertEqual([one["least_opening"] for one in met], sorted(one["least_opening"] for one in met))
+        self.assertIn("B as building.matrices with a level at elevation 9 m", met[0]["to_model"])
+        text = self.done("run", case).stdout
+        verdict = text.split("\n\n")[1].splitlines()
+        self.assertRegex(verdict[0], r"^A \| B: POUNDING THAT IS NOT MODELLED: the floor of A at elevation 9 m goes "
+                                     r"0\.\d+ m into the column of B, t = [\d.]+ s\.$")
+        self.assertNotIn("NO POUNDING", text)
+        self.assertIn("  There the floor of A faces the column of B.\n", text)
+
+    def test_the_gap_needed_is_enough_and_a_smaller_one_is_not(self):
+        needed = self.summary(self.with_width(0.01))["gap_needed"]
+        gap = json.loads(self.done("gap", self.with_width(0.01), "--json").stdout)["gaps"][0]
+        self.assertEqual(gap["simulated"], needed)
+        self.assertEqual(max(floor["simulated"] for floor in gap["watched_floors"]), needed)
+        self.assertIn("too close", self.done("gap", self.with_width(0.999 * needed)).stdout)
+        self.assertEqual(len(self.summary(self.with_width(0.999 * needed))["unmodelled_contact"]), 1)
+        wide = self.with_width(1.001 * needed)
+        self.assertEqual(self.summary(wide)["unmodelled_contact"], [])
+        self.assertIn("NO POUNDING", self.done("run", wide).stdout)
+        self.assertIn("wide enough", self.done("gap", wide).stdout)
+
+    def test_floors_that_nearly_meet_are_told_of_the_tolerance(self):
+        # A's middle floor at 6 faces B's column 0.5 m below a floor, B's lowest floor meets A's.
+        case = self.with_width(0.01)
+        case.write_text(case.read_text().replace("[4.0, 4.0, 4.0]", "[3.0, 3.5, 4.0]")
+                        .replace("elevations = []", 'contact = { law = "linear", stiffness = 1e7 }'))
+        texts = {one["elevation"]: one["to_model"] for one in self.summary(case)["unmodelled_contact"]}
+        self.assertRegex(texts[6], r"gap.level_tolerance = 0.5\d* lets it meet the floor of B at elevation 6.5 m")
+        case.write_text(case.read_text().replace("width = 0.01", "width = 0.01\nlevel_tolerance = 0.51"))
+        gap = self.summary(case)
+        self.assertEqual([point["elevation"] for point in gap["points"]], [3, 6.25])
+        self.assertNotIn(6, [one["elevation"] for one in gap["unmodelled_contact"]])
+
+    def test_report_of_the_case_and_of_its_results(self):
+        case, page = self.with_width(0.01), self.folder / "report.html"
+        for language, badge in ("en", "Pounding that is not modelled"), ("id", "Benturan yang tidak dimodelkan"):
+            self.done("report", case, "-o", page, "--lang", language)
+            text = page.read_text()
+            self.assertEqual(re.findall('<p class="badge">(.*?)</p>', text), [badge])
+        self.done("run", "-q", case, "-o", self.folder / "out")
+        leads = []
+        for source in case, self.folder / "out":
+            self.done("report", source, "-o", page)
+            leads.append(re.findall('<p class="lead">(.*?)</p>', page.read_text()))
+            self.assertNotIn("to spare", page.read_text())
+        self.assertIn("the column of B", leads[0][0])
+        self.assertEqual(*leads)
+
+    def test_sweep_counts_and_warns(self):
+        self.with_width(0.01)
+        study, results, page = self.folder / "study.toml", self.folder / "r.nc", self.folder / "report.html"
+        study.write_text('case = "case.toml"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.01, 0.02, 5.0]\n')
+        met = sum(len(self.summary(self.with_width(width))["unmodelled_contact"]) > 0 for width in (0.01, 0.02, 5.0))
+        self.with_width(0.01)
+        warning = self.done("sweep", study, "-o", results).stderr
+        self.assertIn(f"in {met} of 3 runs a floor meets a column", warning)
+        self.done("report", results, "-o", page)
+        text = html.unescape(page.read_text()).replace("\u00a0", " ")
+        self.assertIn(f"The buildings collide in {met} of 3 runs.", text)
+        needed = self.summary(self.with_width(0.01))["gap_needed"]
+        self.assertIn(f"a gap of up to {needed:.4g} m", text)
+        self.with_width(0.01)
+        of_study = json.loads(self.done("gap", study, "--json").stdout)["studied"][0]["gaps"][0]["largest"]
+        self.assertEqual(of_study["simulated"], needed)
 
 
 class Spectrum(CommandLine):

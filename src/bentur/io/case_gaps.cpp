@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "bentur/contact/laws.h"
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case_parts.h"
 
 namespace bentur {
 namespace {
-
-constexpr double elevation_tolerance = 1e-6;  // of the taller building's height [-]
 
 /// The neighbours of a gap, and how many contact points they have; 0: not known.
 struct GapSides {
@@ -21,16 +21,35 @@ struct GapSides {
   std::size_t points = 0;
 };
 
-/// Elevations at which both buildings have a floor [length], ascending; those of the left one where they differ
-/// slightly.
-std::vector<double> common_elevations(const ReadBuilding& left, const ReadBuilding& right) {
-  const double tolerance = elevation_tolerance * std::max(height_of(left), height_of(right));
-  std::vector<double> common;
-  for (const double elevation : left.elevations) {
-    const auto near = [&](double other) { return std::abs(other - elevation) <= tolerance; };
-    if (std::any_of(right.elevations.begin(), right.elevations.end(), near)) common.push_back(elevation);
+FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
+
+/// Whether some floor of either building is between base and top of the other.
+bool face_each_other(const FloorLevels& left, const FloorLevels& right) {
+  const auto faces = [](const FloorLevels& a, const FloorLevels& b) {
+    return std::any_of(a.elevations.begin(), a.elevations.end(),
+                       [&](double floor) { return floor >= b.base && floor <= b.elevations.back(); });
+  };
+  return faces(left, right) || faces(right, left);
+}
+
+/// What to do where no floors meet: those nearest to one another say how far the tolerance is from it.
+std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& right) {
+  double apart = std::numeric_limits<double>::infinity();
+  for (const double a : left.elevations) {
+    for (const double b : right.elevations) apart = std::min(apart, std::abs(a - b));
   }
-  return common;
+  return fmt::format(
+      "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
+      "meet "
+      "do so with level_tolerance (the nearest two are {} apart), or model no contact with elevations = []: floors are "
+      "then watched against the columns they face, for the gap they need",
+      in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
+      fmt::join(right.elevations, ", "), number(apart));
+}
+
+/// elevations = []
+bool models_no_contact(const TomlView& elevations) {
+  return elevations.is(TomlValue::Kind::list) && elevations.size() == 0;
 }
 
 void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
@@ -61,33 +80,62 @@ void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuild
   }
 }
 
-/// The contact points' elevations [length]; empty when they are not known.
-std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right) {
+/// Elevations of the contact points that a list names, each at one of two floors that meet or between them.
+std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
+                                     const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                                     const FloorLevels& right) {
+  std::vector<double> common, named;
+  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
+  std::vector<const LevelPair*> taken;
+  const double round_off = round_off_of_levels(left, right);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
+    if (pair == nullptr) {
+      list.item(i).error_value(
+          common.empty()
+              ? "the buildings do not both have a floor there"
+              : fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
+    } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
+      list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",
+                                           before - taken.begin(),
+                                           wanted[static_cast<std::size_t>(before - taken.begin())]));
+    }
+    taken.push_back(pair);
+    if (pair != nullptr)
+      named.push_back(std::abs(wanted[i] - pair->elevation) <= round_off ? wanted[i] : pair->elevation);
+  }
+  return named.size() == wanted.size() ? named : std::vector<double>{};
+}
+
+/// The contact points' elevations [length]; empty when they are not known, or there are to be none.
+std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
+                                    std::optional<double> tolerance) {
   const auto given = gap.find("elevations");
+  const FloorLevels a = floor_levels(left);
+  const FloorLevels b = floor_levels(right);
+  if (!a.elevations.empty() && !b.elevations.empty() && !face_each_other(a, b)) {
+    gap.error(fmt::format(
+        "is between buildings of which no floor faces the other: {} reaches from {} to {}, {} from {} to {}",
+        in_quotes(left.spec.name), a.base, a.elevations.back(), in_quotes(right.spec.name), b.base,
+        b.elevations.back()));
+    return {};
+  }
+  if (given && models_no_contact(*given)) return {};
   const auto wanted = given ? given->as_numbers(Rule::finite) : std::nullopt;
   if (wanted && std::adjacent_find(wanted->begin(), wanted->end(), std::greater_equal<>()) != wanted->end()) {
     given->error("must ascend");
     return {};
   }
   if (left.elevations.empty() || right.elevations.empty() || (given && !wanted)) return {};
-  const std::vector<double> common = common_elevations(left, right);
-  if (common.empty()) {
-    gap.error(fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}",
-                          in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
-                          fmt::join(right.elevations, ", ")));
+  const std::vector<LevelPair> pairs = level_floors(a, b, tolerance);
+  if (pairs.empty()) {
+    gap.error(no_common_elevation(left, right));
     return {};
   }
-  if (!given) return common;
-  const double tolerance = elevation_tolerance * std::max(height_of(left), height_of(right));
-  bool good = true;
-  for (std::size_t i = 0; i < wanted->size(); ++i) {
-    const auto near = [&](double floor) { return std::abs(floor - (*wanted)[i]) <= tolerance; };
-    if (std::any_of(common.begin(), common.end(), near)) continue;
-    good = false;
-    given->item(i).error_value(
-        fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
-  }
-  return good ? *wanted : std::vector<double>{};
+  if (given) return named_elevations(*given, *wanted, pairs, a, b);
+  std::vector<double> common;
+  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
+  return common;
 }
 
 std::vector<std::string> law_names() {
@@ -200,8 +248,8 @@ bool read_choices(const TomlView& contact, const LawEntry& law, ContactSpec& spe
 }
 
 /// What was said of the law, or nothing when it is not complete.
-std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides) {
-  const auto view = gap.get("contact", Need::required);
+std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides, Need need) {
+  const auto view = gap.get("contact", need);
   if (!view) return std::nullopt;
   if (!view->is(TomlValue::Kind::table)) {
     view->error_value("must be a table with law and what that law needs");
@@ -241,17 +289,24 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
 GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
-  if (!gap.is_table_of({"between", "width", "elevations", "contact"})) return spec;
+  if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact"})) return spec;
   read_between(gap, left, right, buildings);
-  spec.elevations = read_elevations(gap, left, right);
+  spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
+  spec.elevations = read_elevations(gap, left, right, spec.level_tolerance);
   const std::size_t points = spec.elevations.size();
+  const auto given = gap.find("elevations");
+  const bool no_contact = given && models_no_contact(*given);
   if (const auto width = gap.get("width", Need::required)) {
-    spec.widths = width->as_number_or_numbers(Rule::not_negative, {points, "one per contact point"})
-                      .value_or(std::vector<double>{});
+    if (no_contact) {
+      if (const auto number = width->as_number(Rule::not_negative)) spec.widths = {*number};
+    } else {
+      spec.widths = width->as_number_or_numbers(Rule::not_negative, {points, "one per contact point"})
+                        .value_or(std::vector<double>{});
+    }
     if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
   }
   const GapSides sides{left, right, points};
-  if (const auto contact = read_contact(gap, sides)) {
+  if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {
     spec.contact = *contact;
     check_laws(*gap.find("contact"), spec, sides);
   }

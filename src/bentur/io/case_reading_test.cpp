@@ -83,16 +83,29 @@ TEST(CaseReading, ContactPointsStandWhereBothHaveAFloor) {
   EXPECT_EQ(c.gaps[0].contact.number("stiffness", 1), 3e5);
 }
 
-TEST(CaseReading, ElevationsMatchWithinAMillionthOfTheHeight) {
+TEST(CaseReading, FloorsMeetAtTheMeanElevationWithinATolerance) {
   const auto with_base = [&](const std::string& base) {
     std::string b = stick_b;
     return b.replace(b.find("damping"), 0, "base_elevation = " + base + "\n");
   };
   // 1e-6 of 9.5 m is 9.5e-6 m.
+  const auto with = [&](const std::string& keys) { return gap + keys + "\n"; };
   EXPECT_EQ(read(stick_a + with_base("9e-6") + gap + harmonic + analysis).gaps[0].elevations,
             (std::vector<double>{3, 9.5}));
+  EXPECT_EQ(read(stick_a + with_base("0.002") + gap + harmonic + analysis).gaps[0].elevations,
+            (std::vector<double>{3.001, 9.501}));
   Diagnostics diagnostics;
-  EXPECT_FALSE(read_case_text(stick_a + with_base("1e-5") + gap + harmonic + analysis, "x", diagnostics).has_value());
+  EXPECT_FALSE(
+      read_case_text(stick_a + with_base("1e-5") + with("level_tolerance = 0") + harmonic + analysis, "x", diagnostics)
+          .has_value());
+  const GapSpec wide = read(stick_a + stick_b + with("level_tolerance = 0.6") + harmonic + analysis).gaps[0];
+  EXPECT_EQ(wide.elevations, (std::vector<double>{3, 6.25, 9.5}));
+  EXPECT_EQ(wide.level_tolerance, 0.6);
+  // Either floor's elevation names the pair.
+  EXPECT_EQ(read(stick_a + stick_b + with("level_tolerance = 0.6\nelevations = [6.5]") + harmonic + analysis)
+                .gaps[0]
+                .elevations,
+            std::vector<double>{6.25});
   // On a base 3 m up, B has floors at 6, 9.5, 12.5.
   EXPECT_EQ(read(stick_a + with_base("3") + gap + harmonic + analysis).gaps[0].elevations,
             (std::vector<double>{6, 9.5}));
@@ -104,6 +117,16 @@ TEST(CaseReading, GivenElevationsChoosePoints) {
   const Case c = read(stick_a + stick_b + chosen + harmonic + analysis);
   EXPECT_EQ(c.gaps[0].elevations, std::vector<double>{9.5});
   EXPECT_EQ(c.gaps[0].widths, std::vector<double>{0.03});
+}
+
+TEST(CaseReading, NoElevationsModelNoContact) {
+  const std::string watched = "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.02\nelevations = []\n";
+  const Case c = read(stick_a + stick_b + watched + harmonic + analysis);
+  EXPECT_TRUE(c.gaps[0].elevations.empty());
+  EXPECT_EQ(c.gaps[0].widths, std::vector<double>{0.02});
+  const Problem problem = make_problem(c);
+  EXPECT_TRUE(problem.points.empty());
+  EXPECT_EQ(problem.watched.size(), 4U);  // 3 and 9.5 as pairs, 6 and 6.5 against columns
 }
 
 TEST(CaseReading, SectionsOfAFrame) {

@@ -45,6 +45,40 @@ void check_point(const Problem& problem, const ContactPoint& point, std::size_t 
   require(point.law != nullptr, name + ".law", "none", "must be given");
 }
 
+/// Within one gap a floor meets one other floor: points that share one would not move independently (E-1).
+void check_floors_of_points(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const ContactPoint& one = problem.points[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      const ContactPoint& other = problem.points[j];
+      if (one.left != other.left) continue;
+      require(one.left_floor != other.left_floor, fmt::format("points[{}].left_floor", i), one.left_floor,
+              fmt::format("is that of points[{}] already: a floor of a gap has one contact point", j));
+      require(one.right_floor != other.right_floor, fmt::format("points[{}].right_floor", i), one.right_floor,
+              fmt::format("is that of points[{}] already: a floor of a gap has one contact point", j));
+    }
+  }
+}
+
+void check_watched(const Problem& problem, const WatchedFloor& watched, std::size_t i) {
+  const auto name = fmt::format("watched[{}]", i);
+  const auto last = static_cast<int>(problem.buildings.size()) - 1;
+  require(watched.left >= 0 && watched.left < last, name + ".left", watched.left, "must have a building to its right");
+  require(watched.floor_of == watched.left || watched.floor_of == watched.left + 1, name + ".floor_of",
+          watched.floor_of, "must be one of the two neighbours");
+  const auto left = static_cast<std::size_t>(watched.left);
+  require(watched.left_row.size() == problem.buildings[left].model.dofs() && watched.left_row.allFinite(),
+          name + ".left_row", fmt::format("{} entries", watched.left_row.size()),
+          "must have one finite entry per degree of freedom");
+  require(watched.right_row.size() == problem.buildings[left + 1].model.dofs() && watched.right_row.allFinite(),
+          name + ".right_row", fmt::format("{} entries", watched.right_row.size()),
+          "must have one finite entry per degree of freedom");
+  require(std::isfinite(watched.width) && watched.width >= 0.0, name + ".width", watched.width,
+          "must be finite and ≥ 0");
+  require(i == 0 || problem.watched[i - 1].left <= watched.left, name + ".left", watched.left,
+          "must ascend from left to right");
+}
+
 void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& problem, const std::string& name) {
   if (values.empty()) return;
   require(values.size() == problem.buildings.size(), name, fmt::format("{} entries", values.size()),
@@ -88,6 +122,8 @@ void validate(const Problem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b);
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
+  check_floors_of_points(problem);
+  for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
   require(problem.delays.size() == problem.buildings.size(), "delays", fmt::format("{} entries", problem.delays.size()),
           "must have one entry per building");
   for (const double delay : problem.delays) {

@@ -22,12 +22,25 @@ struct ContactPoint {
   std::shared_ptr<const ContactLaw> law;
 };
 
+/// A floor that faces its neighbour where no contact is modelled: nothing acts there, but how near it comes is watched.
+/// Opening g = width + x_right − x_left, each x a row over the dofs of its building.
+struct WatchedFloor {
+  int left = 0;                         ///< index of the left building
+  int floor_of = 0;                     ///< index of the building whose floor it is: left or left + 1
+  int floor = 0;                        ///< index of that floor
+  int facing_floor = -1;                ///< of the other building; −1: a column between two floors
+  double elevation = 0;                 ///< [length]
+  double width = 0;                     ///< w [length] ≥ 0
+  Eigen::VectorXd left_row, right_row;  ///< [-, or length on rotations]
+};
+
 enum class Kinematics { relative, absolute };
 
 /// Everything a solver needs, in consistent units. It reads no file and knows no key.
 struct Problem {
-  std::vector<Building> buildings;   ///< left to right
-  std::vector<ContactPoint> points;  ///< ordered by left building, then elevation
+  std::vector<Building> buildings;         ///< left to right
+  std::vector<ContactPoint> points;        ///< ordered by left building, then elevation
+  std::vector<WatchedFloor> watched = {};  ///< ordered likewise
   GroundMotion motion;
   std::vector<double> delays;  ///< τ_b [s] ≥ 0, one per building
   Kinematics kinematics = Kinematics::relative;

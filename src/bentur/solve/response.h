@@ -53,6 +53,15 @@ struct PointSummary {
   double energy_lost = 0;                 ///< [force·length]
 };
 
+/// How near a watched floor came to what it faces, of the continuous response.
+struct WatchedSummary {
+  double needed = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
+  double least_opening =
+      0;                  ///< of the run; what it is at most where the floor never comes nearer than at rest [length]
+  double least_time = 0;  ///< when [s]
+  bool closes = false;    ///< the least opening is negative by more than round-off
+};
+
 /// Samples for plots; never used to find a peak. One column per sample time.
 struct Histories {
   std::vector<double> time;                   ///< [s]
@@ -94,9 +103,10 @@ struct Response {
   double wall_time = 0;  ///< of the solution alone [s]
   std::vector<BuildingPeaks> buildings;
   std::vector<PointSummary> points;
-  std::vector<Impact> impacts;        ///< by start, then point
-  Histories histories;                ///< empty unless asked for
-  std::optional<EnergyAudit> energy;  ///< when asked for
+  std::vector<WatchedSummary> watched;  ///< as Problem::watched
+  std::vector<Impact> impacts;          ///< by start, then point
+  Histories histories;                  ///< empty unless asked for
+  std::optional<EnergyAudit> energy;    ///< when asked for
 };
 
 }  // namespace bentur

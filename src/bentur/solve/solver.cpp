@@ -17,6 +17,8 @@ namespace bentur {
 namespace engine {
 namespace {
 
+constexpr double round_off_watched = 0x1p-40;  // of the displacements that an opening is the difference of
+
 void validate(const Solver& solver) {
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) {
     if (!(adaptive->tolerance >= 1e-13 && adaptive->tolerance <= 1e-2)) {
@@ -40,6 +42,30 @@ std::vector<double> largest_displacements(const Problem& problem, const std::vec
   return result;
 }
 
+/// Likewise of watched floors: of all floors of both neighbours.
+std::vector<double> largest_displacements_watched(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
+                                                  const Walk& walk) {
+  std::vector<double> result;
+  for (const WatchedFloor& floor : problem.watched) {
+    const auto left = static_cast<std::size_t>(floor.left);
+    result.push_back(peaks[left].displacement_no_contact.maxCoeff() +
+                     peaks[left + 1].displacement_no_contact.maxCoeff() + walk.largest_ground_displacement(left) +
+                     walk.largest_ground_displacement(left + 1));
+  }
+  return result;
+}
+
+/// The least openings of watched floors; `scales` as largest_displacements_watched() gives.
+void summarise_watched(const Problem& problem, const std::vector<FloorWatch::Nearest>& nearest,
+                       const std::vector<double>& scales, std::vector<WatchedSummary>& watched) {
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    const double width = problem.watched[i].width;
+    watched[i].least_opening = width - nearest[i].reach;
+    watched[i].least_time = nearest[i].time;
+    watched[i].closes = watched[i].least_opening < -round_off_watched * (width + scales[i]);
+  }
+}
+
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
   for (const Impact& impact : impacts) {
     PointSummary& point = points[static_cast<std::size_t>(impact.point)];
@@ -60,6 +86,7 @@ void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& po
 
 Problem without_widths(Problem problem) {
   for (ContactPoint& point : problem.points) point.width = 0.0;
+  for (WatchedFloor& floor : problem.watched) floor.width = 0.0;
   return problem;
 }
 
@@ -100,6 +127,8 @@ struct FreeParts {
   // Scales per point: of floors and ground together.
   std::vector<double> largest_displacement;  ///< [length]
   std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, that of the whole row
+  std::vector<FloorWatch::Nearest> nearest;  ///< per watched floor
+  std::vector<double> watched_scale;         ///< scale of round-off of each [length]
 };
 
 }  // namespace engine
@@ -120,6 +149,11 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   }
   for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = walk.needed()[i];
   response.steps = walk.steps();
+  for (const engine::FloorWatch::Nearest& nearest : walk.nearest()) {
+    response.watched.push_back({.needed = nearest.reach});
+  }
+  parts->nearest = walk.nearest();
+  parts->watched_scale = engine::largest_displacements_watched(parts->problem, response.buildings, walk);
   parts->run = walk.take_run();
   parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, walk);
   parts->largest_speed = parts->run.speeds;
@@ -130,6 +164,10 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
 
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
+  if (problem.watched.size() != parts_->problem.watched.size()) {
+    throw InvalidParameter("watched", fmt::format("{} floors", problem.watched.size()),
+                           "must be those of the free response");
+  }
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;
@@ -139,6 +177,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   const long first_contact = parts_->exact ? engine::first_contact(parts_->run, gap_widths(problem)) : 0;
   const bool records = options.output_step > 0.0 || options.energy_audit;
   if (first_contact == std::numeric_limits<long>::max() && !records) {
+    engine::summarise_watched(problem, parts_->nearest, parts_->watched_scale, response.watched);
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return response;
   }
@@ -158,6 +197,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   response.events = walk.contacts().events();
   response.steps = walk.steps();
   engine::summarise(response.impacts, response.points);
+  engine::summarise_watched(problem, walk.nearest(), parts_->watched_scale, response.watched);
   walk.sampler().finish();
   response.histories = std::move(walk.sampler().histories());
   if (walk.energy()) response.energy = walk.energy()->finish();

@@ -18,6 +18,9 @@ struct StructuralModel {
   /// [mass] of each floor as a rigid body that is hit, for m_e of contact laws: a frame's lumped floor masses whatever
   /// its mass matrix, else the row sums of M; size floors.
   std::vector<double> floor_masses;
+  /// θ of a frame's joints, clockwise, as rows over the dofs [1/length, or 1 on a rotation that was kept]: of its
+  /// leftmost and its rightmost column line, floors × dofs each; both empty where there are no joints.
+  Eigen::MatrixXd left_joints, right_joints;
   [[nodiscard]] Eigen::Index floors() const { return static_cast<Eigen::Index>(elevations.size()); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };

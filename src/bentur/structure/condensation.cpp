@@ -37,6 +37,10 @@ StructuralModel with_mass_and_load(const StructuralModel& model, const Eigen::Ma
   reduced.elevations = model.elevations;
   reduced.storey_heights = model.storey_heights;
   reduced.floor_masses = model.floor_masses;
+  if (model.left_joints.size() > 0) {
+    reduced.left_joints = model.left_joints * t;
+    reduced.right_joints = model.right_joints * t;
+  }
   reduced.mass = symmetric_part(t.transpose() * model.mass * t);
   reduced.load = t.transpose() * model.load;
   return reduced;

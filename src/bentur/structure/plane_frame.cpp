@@ -142,6 +142,11 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     model.mass(floor, floor) += consistent ? moving[i] : model.floor_masses[i];
   }
 
+  model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);
+  for (Eigen::Index floor = 0; floor < floors; ++floor) {
+    model.left_joints(floor, rotation(floor, 0)) = 1;
+    model.right_joints(floor, rotation(floor, lines - 1)) = 1;
+  }
   model.load = model.mass.leftCols(floors).rowwise().sum();  // M r
   if (frame.base_coupling) model.load += base_coupling;
   return model;

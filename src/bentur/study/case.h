@@ -20,6 +20,7 @@
 #include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
 #include "bentur/study/code_rules.h"
+#include "bentur/study/gap/levels.h"
 
 namespace bentur {
 
@@ -55,9 +56,10 @@ struct ContactSpec {
 };
 
 struct GapSpec {
-  std::vector<double> widths;      ///< [length], one per point
-  std::vector<double> elevations;  ///< [length] absolute, one per point, ascending
+  std::vector<double> widths;      ///< [length], one per point; one alone where there are no points
+  std::vector<double> elevations;  ///< [length] absolute, one per point, ascending; empty: floors are watched alone
   ContactSpec contact;
+  std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
 };
 
 /// What was read from a record file, echoed to the user.
@@ -131,5 +133,17 @@ struct SpecAndModel {
 
 /// The contact points of all gaps, left to right and from the lowest up. @throws InvalidParameter as make_problem().
 [[nodiscard]] std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings);
+
+/// Every floor that faces its neighbour between that one's base and top and has no contact point there, with widths as
+/// watched_width() gives; two that are at one level are watched as one, against each other.
+[[nodiscard]] std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Building>& buildings,
+                                                       const std::vector<ContactPoint>& points);
+
+/// The width of gap `gap` at an elevation [length]: the smaller one of the contact points next above and next below, so
+/// that no opening is taken for wider than it is; of the nearest point beyond them. Nothing where the gap has none.
+[[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, int gap, double elevation);
+
+/// Floor levels of a model.
+[[nodiscard]] FloorLevels levels_of(const StructuralModel& model);
 
 }  // namespace bentur

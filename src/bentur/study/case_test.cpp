@@ -171,6 +171,7 @@ TEST(MakeProblem, FloorsAreLevelWithinAMillionthOfTheTallerBuilding) {
   c.gaps = {gap};
   c.excitation.delays = {0, 0};
   c.analysis.duration = 1;
+  c.gaps[0].level_tolerance = 0;
   EXPECT_EQ(make_problem(c).points.at(0).right_floor, 0);
   c.buildings[1].base_elevation = 1e-4;
   EXPECT_THROW((void)make_problem(c), InvalidParameter);

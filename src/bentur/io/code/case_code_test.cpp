@@ -97,8 +97,9 @@ TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {
       "\n[code]\nnbcc = { ductility_factor = 4, overstrength_factor = 1.7, importance_factor = 1 }\n"
       "ntc-2004 = { behaviour_factor = 2, zone = \"I\" }\n");
   const Problem problem = make_problem(c);
-  const auto points = separations(problem, solve(problem), c.code, c.units);
-  const auto json = nlohmann::json::parse(gap_json(c, problem, points, "1"));
+  const Response response = solve(problem);
+  const auto points = separations(problem, response, c.code, c.units);
+  const auto json = nlohmann::json::parse(gap_json(c, problem, response, points, "1"));
   EXPECT_EQ(json["code_rules"][0]["rule"], "nbcc");
   EXPECT_EQ(json["code_rules"][0]["clause"], "4.1.8.14");
   EXPECT_EQ(json["code_rules"][1]["wording"], "checked, Q to check");

@@ -105,6 +105,9 @@ class Reader {
     for (const NetcdfVariable* variable : quantities()) {
       const std::string base = without_number(variable->name);
       if (variable->name == wanted || base == wanted) result.push_back(variable);
+      // An impact that is not modelled is one: of how hard it is, or how many there are, nothing is known.
+      const bool any_impact = wanted == "impacts" && event_.holds(1) && !event_.holds(0);
+      if (any_impact && variable->name == "unmodelled_contacts") result.push_back(variable);
       for (const std::string& name : {base, variable->name}) {
         if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
       }

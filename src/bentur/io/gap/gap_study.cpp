@@ -9,6 +9,7 @@
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/study/vary_toml.h"
 #include "bentur/solve/solver.h"
+#include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/statistics/quantiles.h"
 
 namespace bentur {
@@ -21,11 +22,12 @@ constexpr double far_apart = 1e6;  // heights of the tallest building: no contac
 constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
 /// The largest of the points of gap `gap`.
-GapNeed need_of(const Problem& problem, const std::vector<PointSeparation>& separations, std::size_t gap) {
+GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
+                std::size_t gap) {
   GapNeed need;
+  need.simulated = gap_needed(problem, response, gap);
   for (const PointSeparation& one : separations) {
     if (problem.points[static_cast<std::size_t>(one.point)].left != static_cast<int>(gap)) continue;
-    need.simulated = std::max(need.simulated, one.simulated);
     need.abs = std::max(need.abs, one.abs);
     need.srss = std::max(need.srss, one.srss);
     need.ddc = std::max(need.ddc, one.ddc);
@@ -213,7 +215,7 @@ class Work {
     if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
     for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
-      result.gaps.push_back(need_of(problem, result.separations, gap));
+      result.gaps.push_back(need_of(problem, response, result.separations, gap));
     }
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = read.c.title;

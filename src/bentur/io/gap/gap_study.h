@@ -15,8 +15,8 @@
 
 namespace bentur {
 
-/// The gap between two neighbours: each number the largest of their contact points', or over records the largest or the
-/// median of those.
+/// The gap between two neighbours: each number the largest of their contact points' (the simulated one of watched
+/// floors too), or over records the largest or the median of those.
 struct GapNeed {
   double simulated = 0, abs = 0, srss = 0, ddc = 0;  ///< [length]
   std::vector<double> codes;                         ///< [length], one per rule of [code]

@@ -8,6 +8,7 @@
 
 #include "bentur/io/results/record_json.h"
 #include "bentur/structure/modes.h"
+#include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur {
@@ -103,6 +104,44 @@ Json solver_json(const Solver& solver, const Response& response) {
   return json;
 }
 
+/// Of one watched floor: where it is, and what it needs or does.
+Json watched_json(const Problem& problem, const WatchedFloor& floor) {
+  return {{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
+          {"elevation", floor.elevation},
+          {"faces", floor.facing_floor >= 0 ? "floor" : "column"},
+          {"width", floor.width}};
+}
+
+/// Every watched floor of a gap.
+Json watched_list(const Problem& problem, const Response& response, std::size_t gap, bool of_run) {
+  Json list = Json::array();
+  for (const std::size_t i : watched_of(problem, gap)) {
+    Json json = watched_json(problem, problem.watched[i]);
+    const WatchedSummary& summary = response.watched.at(i);
+    json[of_run ? "minimum_gap_no_contact" : "simulated"] = summary.needed;
+    if (of_run) {
+      json["least_opening"] = summary.least_opening;
+      json["time"] = summary.least_time;
+    }
+    list.push_back(json);
+  }
+  return list;
+}
+
+/// Those that met what they face, the deepest first.
+Json unmodelled_list(const Problem& problem, const Response& response, std::size_t gap, const std::string& length) {
+  Json list = Json::array();
+  for (const std::size_t i : unmodelled_contacts(problem, response, gap)) {
+    const WatchedFloor& floor = problem.watched[i];
+    list.push_back({{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
+                    {"elevation", floor.elevation},
+                    {"least_opening", response.watched[i].least_opening},
+                    {"time", response.watched[i].least_time},
+                    {"to_model", remedy_text(problem, floor, length)}});
+  }
+  return list;
+}
+
 Json between(const Problem& problem, std::size_t gap) {
   return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
 }
@@ -125,7 +164,12 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
         needed = std::max(needed, response.points[i].minimum_gap_no_contact);
       }
     }
-    gaps.push_back({{"between", between(problem, gap)}, {"minimum_gap_no_contact", needed}, {"points", points}});
+    gaps.push_back({{"between", between(problem, gap)},
+                    {"minimum_gap_no_contact", needed},
+                    {"gap_needed", gap_needed(problem, response, gap)},
+                    {"unmodelled_contact", unmodelled_list(problem, response, gap, c.units.length)},
+                    {"points", points},
+                    {"watched_floors", watched_list(problem, response, gap, true)}});
   }
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
@@ -179,12 +223,13 @@ Json rules_json(const CodeSpec& code) {
 
 }  // namespace
 
-std::string gap_json(const Case& c, const Problem& problem, const std::vector<PointSeparation>& separations,
-                     std::string_view version) {
+std::string gap_json(const Case& c, const Problem& problem, const Response& response,
+                     const std::vector<PointSeparation>& separations, std::string_view version) {
   Json gaps = Json::array();
   for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
     Json points = Json::array();
     PointSeparation largest;
+    largest.simulated = gap_needed(problem, response, gap);
     for (const PointSeparation& separation : separations) {
       const ContactPoint& point = problem.points.at(static_cast<std::size_t>(separation.point));
       if (point.left != static_cast<int>(gap)) {
@@ -197,7 +242,6 @@ std::string gap_json(const Case& c, const Problem& problem, const std::vector<Po
                         {"srss", separation.srss},
                         {"ddc", separation.ddc},
                         {"codes", codes_json(separation.codes)}});
-      largest.simulated = std::max(largest.simulated, separation.simulated);
       largest.abs = std::max(largest.abs, separation.abs);
       largest.srss = std::max(largest.srss, separation.srss);
       largest.ddc = std::max(largest.ddc, separation.ddc);
@@ -215,7 +259,8 @@ std::string gap_json(const Case& c, const Problem& problem, const std::vector<Po
                     {"srss", largest.srss},
                     {"ddc", largest.ddc},
                     {"codes", codes_json(largest.codes)},
-                    {"points", points}});
+                    {"points", points},
+                    {"watched_floors", watched_list(problem, response, gap, false)}});
   }
   return dump({{"title", c.title},
                {"units", units_json(c.units)},

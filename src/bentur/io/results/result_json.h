@@ -20,8 +20,8 @@ namespace bentur {
 [[nodiscard]] std::string modes_json(const std::vector<Building>& buildings);
 
 /// The gap each contact point needs: simulated, ABS, SRSS, DDC and the rules of the case's [code]; a gap's own
-/// values are the largest of its points'.
-[[nodiscard]] std::string gap_json(const Case& c, const Problem& problem,
+/// values are the largest of its points', the simulated one of its watched floors too.
+[[nodiscard]] std::string gap_json(const Case& c, const Problem& problem, const Response& response,
                                    const std::vector<PointSeparation>& separations, std::string_view version);
 
 }  // namespace bentur

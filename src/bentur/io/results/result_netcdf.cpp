@@ -140,8 +140,10 @@ void write_building(const NetcdfFile& file, int time, std::size_t b, const Probl
              "sways of the mode shapes, the largest 1, of " + owner);
 }
 
+/// Nothing without a contact point: a dimension of size zero would be an unlimited one.
 void write_points(const NetcdfFile& file, int time, const Problem& problem, const Histories& histories,
                   const std::string& length, const std::string& force) {
+  if (problem.points.empty()) return;
   std::vector<std::string> left, right;
   std::vector<double> elevations, widths;
   for (const ContactPoint& point : problem.points) {

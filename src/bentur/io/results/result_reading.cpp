@@ -145,6 +145,30 @@ void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
       }
     }
   }
+  for (const UnorderedJson& entry : json.value("watched_floors", UnorderedJson::array())) {
+    const bool of_left = entry.at("floor_of") == results.problem.buildings.at(gap).name;
+    WatchedFloor floor;
+    floor.left = static_cast<int>(gap);
+    floor.floor_of = floor.left + (of_left ? 0 : 1);
+    floor.elevation = entry.at("elevation");
+    floor.width = entry.at("width");
+    floor.floor = floor_at(results.problem.buildings.at(gap + (of_left ? 0 : 1)), floor.elevation);
+    if (entry.at("faces") == "floor") {
+      floor.facing_floor = floor_at(results.problem.buildings.at(gap + (of_left ? 1 : 0)), floor.elevation);
+    }
+    WatchedSummary summary{.needed = entry.at("minimum_gap_no_contact"),
+                           .least_opening = entry.at("least_opening"),
+                           .least_time = entry.at("time")};
+    const auto& met = json.at("unmodelled_contact");
+    summary.closes = std::any_of(met.begin(), met.end(), [&](const UnorderedJson& one) {
+      return one.at("floor_of") == entry.at("floor_of") && one.at("elevation") == entry.at("elevation");
+    });
+    results.problem.watched.push_back(floor);
+    results.response.watched.push_back(summary);
+  }
+  if (spec.elevations.empty() && !results.problem.watched.empty()) {
+    spec.widths = {results.problem.watched.back().width};
+  }
   results.c.gaps.push_back(spec);
 }
 
@@ -259,8 +283,10 @@ RunResults read_results(const fs::path& folder) {
     kept.displacement.push_back(table(histories, fmt::format("displacement_{}", b + 1),
                                       results.problem.buildings[b].model.elevations.size(), kept.time.size()));
   }
-  kept.opening = table(histories, "opening", results.problem.points.size(), kept.time.size());
-  kept.force = table(histories, "force", results.problem.points.size(), kept.time.size());
+  if (!results.problem.points.empty()) {
+    kept.opening = table(histories, "opening", results.problem.points.size(), kept.time.size());
+    kept.force = table(histories, "force", results.problem.points.size(), kept.time.size());
+  }
   double end = kept.time.back();  // less than a step before the end of the analysis
   for (const Impact& impact : results.response.impacts) end = std::max(end, impact.end);
   results.problem.duration = results.c.analysis.duration = end;

@@ -19,6 +19,7 @@ constexpr const char* mass = "F s2 L-1";
 const KeyUnit key_units[] = {
     {"gap", "width", "L"},
     {"gap", "elevations", "L"},
+    {"gap", "level_tolerance", "L"},
     {"building", "width", "L"},
     {"building", "damping", "1"},
     {"building", "calibrate_period", "s"},

@@ -36,14 +36,19 @@ std::optional<WidthPlace> width_place(const ParameterPath& path) {
 }
 
 /// Sets the widths of a gap, or of one of its points, to a number or to the numbers of a list.
-void set_widths(const WidthPlace& place, const TomlValue& value, std::vector<ContactPoint>& points) {
+void set_widths(const WidthPlace& place, const TomlValue& value, Problem& problem) {
   std::size_t point = 0;
-  for (ContactPoint& p : points) {
+  for (ContactPoint& p : problem.points) {
     if (p.left != place.gap) continue;
     if (!place.point || *place.point == point) {
       p.width = value.kind == TomlValue::Kind::list ? value.items.at(point).real : value.real;
     }
     ++point;
+  }
+  for (WatchedFloor& floor : problem.watched) {
+    if (floor.left == place.gap) {
+      floor.width = watched_width(problem.points, floor.left, floor.elevation).value_or(value.real);
+    }
   }
 }
 
@@ -157,7 +162,7 @@ void StudyRuns::set_problem(Bench& bench, std::size_t run) const {
   if (widths_only_) {
     for (const Vary& vary : study_.varies) {
       if (plan_.axes()[vary.axis].inner) {
-        set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), bench.problem.points);
+        set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), bench.problem);
       }
     }
     return;
@@ -168,6 +173,7 @@ void StudyRuns::set_problem(Bench& bench, std::size_t run) const {
   bench.c.gaps = read_gaps(TomlView(bench.root, "", name, found), bench.group->read.buildings);
   if (!found.ok()) throw NotACase(first_message(found));
   bench.problem.points = contact_points(bench.c, bench.problem.buildings);
+  bench.problem.watched = watched_floors(bench.c, bench.problem.buildings, bench.problem.points);
 }
 
 std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {

@@ -133,6 +133,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   if (!report.finished) return report;
   const SweepTotals totals = write_results(options.output, *runs, journal, options.version);
   report.impacts = totals.impacts;
+  report.unmodelled = totals.unmodelled;
   report.failed = totals.failed;
   report.first_failure = totals.first_failure;
   fs::remove(part);

@@ -35,11 +35,12 @@ struct SweepOptions {
 struct SweepReport {
   bool finished = false;  ///< false: stopped; the journal is kept
   std::size_t runs = 0, done = 0;
-  std::size_t solved = 0;     ///< by this program, not before
-  double seconds = 0;         ///< that took [s]
-  double impacts = 0;         ///< in all runs
-  std::size_t failed = 0;     ///< runs whose numbers failed or whose values make no case
-  std::string first_failure;  ///< "run 17: REASON"
+  std::size_t solved = 0;      ///< by this program, not before
+  double seconds = 0;          ///< that took [s]
+  double impacts = 0;          ///< in all runs
+  std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
+  std::size_t failed = 0;      ///< runs whose numbers failed or whose values make no case
+  std::string first_failure;   ///< "run 17: REASON"
 };
 
 /// What a study would run.

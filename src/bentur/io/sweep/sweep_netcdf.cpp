@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -90,7 +91,8 @@ class SweepFile {
   std::vector<std::size_t> run_sizes_;
   std::vector<int> floors_;  // dimension of each building's
   int points_ = 0, gaps_ = 0;
-  std::vector<int> varies_, quantities_;  // variables
+  static constexpr int none_ = -1;
+  std::vector<int> varies_, quantities_;  // variables; none_ for what no run has
   int status_ = 0, message_ = 0;
   int normalisation_ = -1;   // of the record, where files are normalised
   std::string coordinates_;  // those of every run that are not dimensions
@@ -138,7 +140,7 @@ void SweepFile::define_places() {
     for (std::size_t i = 0; moves && i < places.size(); ++i) places[i] = static_cast<double>(i + 1);
     put(id, places);
   }
-  points_ = dimension("point", problem_.points.size());
+  if (!problem_.points.empty()) points_ = dimension("point", problem_.points.size());
   gaps_ = dimension("gap", problem_.buildings.size() - 1);
   define_points();
 }
@@ -154,9 +156,10 @@ void SweepFile::define_points() {
   for (std::size_t gap = 0; gap + 1 < problem_.buildings.size(); ++gap) {
     gaps.push_back(problem_.buildings[gap].name + " | " + problem_.buildings[gap + 1].name);
   }
+  put(variable("gap_name", NC_STRING, {gaps_}, "", "buildings on both sides of the gaps"), gaps);
+  if (problem_.points.empty()) return;  // a dimension of size zero would be an unlimited one
   put(variable("point_left", NC_STRING, {points_}, "", "building to the left of the contact points"), left);
   put(variable("point_right", NC_STRING, {points_}, "", "building to the right of the contact points"), right);
-  put(variable("gap_name", NC_STRING, {gaps_}, "", "buildings on both sides of the gaps"), gaps);
   if (!runs_.facts().points_move) {
     put(variable("point_elevation", NC_DOUBLE, {points_}, udunit(runs_.facts().units.length),
                  "elevation of the contact points"),
@@ -213,6 +216,10 @@ void SweepFile::define_quantities() {
     if (!names.empty()) attribute(id, "coordinates", names);
   };
   for (const Quantity& quantity : runs_.quantities()) {
+    if (quantity.count == 0) {  // of contact points where there are none
+      quantities_.push_back(none_);
+      continue;
+    }
     std::vector<int> dimensions = run_dimensions_;
     std::string names = coordinates_;
     if (quantity.owner == Owner::floors) dimensions.push_back(floors_[quantity.building]);
@@ -305,8 +312,11 @@ void SweepFile::write_sample_coordinates(const Block& block) const {
 
 SweepTotals SweepFile::write(const Journal& journal) {
   SweepTotals totals;
-  const auto impacts = std::find_if(runs_.quantities().begin(), runs_.quantities().end(),
-                                    [](const Quantity& quantity) { return quantity.name == "impacts"; });
+  const auto named = [&](std::string_view name) {
+    return std::find_if(runs_.quantities().begin(), runs_.quantities().end(),
+                        [&](const Quantity& quantity) { return quantity.name == name; });
+  };
+  const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
   if (runs_.plan().is_grid()) write_grid_coordinates();
   for (std::size_t first = 0; first < runs_.plan().runs();) {
     const Block block = block_at(first);
@@ -319,6 +329,9 @@ SweepTotals SweepFile::write(const Journal& journal) {
       status.push_back(static_cast<signed char>(result.status));
       if (result.status == RunStatus::done) {
         for (std::size_t k = 0; k < impacts->count; ++k) totals.impacts += result.values[impacts->first + k];
+        bool some = false;
+        for (std::size_t k = 0; k < unmodelled->count; ++k) some = some || result.values[unmodelled->first + k] > 0;
+        totals.unmodelled += some ? 1 : 0;
         continue;
       }
       result.values.assign(row_size(runs_.quantities()), std::numeric_limits<double>::quiet_NaN());
@@ -332,6 +345,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
     check(nc_put_vara_schar(id_, status_, block.start.data(), block.count.data(), status.data()));
     std::vector<double> values;
     for (std::size_t q = 0; q < quantities_.size(); ++q) {
+      if (quantities_[q] == none_) continue;
       const Quantity& quantity = runs_.quantities()[q];
       values.clear();
       for (const RunResult& result : results) {
@@ -381,6 +395,8 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
                                        "restitution_smallest",
                                        "restitution_largest",
                                        "gap_minimum_no_contact",
+                                       "gap_needed",
+                                       "unmodelled_contacts",
                                        "minimum_gap_no_contact",
                                        "peak_ground_acceleration",
                                        "events",

@@ -12,6 +12,7 @@ namespace bentur {
 /// Sums over all runs of a study.
 struct SweepTotals {
   double impacts = 0;
+  std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
   std::size_t failed = 0;
   std::string first_failure;  ///< "run 17: REASON"
 };

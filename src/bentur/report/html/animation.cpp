@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -85,6 +86,15 @@ std::string animation_json(const Story& story, const std::vector<std::size_t>& l
                       {"elevation", point.elevation},
                       {"width", point.width}});
   }
+  std::vector<double> widths;  // of the gaps at rest
+  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+    widths.push_back(std::numeric_limits<double>::max());
+    const auto narrow = [&](const auto& one) {
+      if (one.left == static_cast<int>(gap)) widths.back() = std::min(widths.back(), one.width);
+    };
+    std::for_each(story.problem.points.begin(), story.problem.points.end(), narrow);
+    std::for_each(story.problem.watched.begin(), story.problem.watched.end(), narrow);
+  }
   std::vector<std::size_t> by_start = listed;
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
@@ -104,6 +114,7 @@ std::string animation_json(const Story& story, const std::vector<std::size_t>& l
                     {"duration", story.problem.duration},
                     {"step", step * static_cast<double>(stride)},
                     {"points", points},
+                    {"widths", widths},
                     {"impacts", impacts},
                     {"csv", impacts_csv(story.c.units, story.problem, shown)},
                     {"buildings", buildings}};

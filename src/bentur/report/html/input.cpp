@@ -203,6 +203,11 @@ Html gap_echo(const Story& story, std::size_t gap) {
   const Words& say = story.say;
   const GapSpec& spec = story.c.gaps.at(gap);
   Rows rows;
+  if (spec.elevations.empty()) {
+    rows.emplace_back(say("input.law"), say("input.no_contact"));
+    if (!spec.widths.empty()) rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), story.c.units.length));
+    return element("h3", Html::text(say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}}))) + facts(rows);
+  }
   rows.emplace_back(say("input.law"), spec.contact.law);
   for (const auto& [name, word] : story.from_case() ? spec.contact.choices() : spec.contact.words) {
     rows.emplace_back(name, word);

@@ -129,6 +129,7 @@ Html peaks_section(const Story& story) {
   const Words& say = story.say;
   Html content;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+    if (points_of(story.problem, gap).empty()) continue;
     const std::string name = gap_name(story.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
   }

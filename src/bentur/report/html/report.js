@@ -94,8 +94,7 @@
     for (const sample of b.samples) most = Math.max(most, Math.abs(sample));
     return b.scale * most;
   }));
-  const gaps = buildings.slice(1).map((_, gap) =>
-    Math.min(...data.points.filter((point) => point.left === gap).map((point) => point.width)));
+  const gaps = data.widths;
   const height = top_ - bottom;
   const lowest = Math.min(...buildings.map((b) =>
     Math.min(...b.elevations.map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base)))));

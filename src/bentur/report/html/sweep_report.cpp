@@ -22,6 +22,8 @@ using html::Words;
 
 /// Values of a quantity, run by run; of its points, floors or gaps the largest or the sum. NaN: the run has none.
 std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, bool sum) {
+  if (sweep.results().find(quantity) == nullptr)
+    return std::vector<double>(sweep.results().numbers("status").size(), 0.0);
   const std::vector<double> all = sweep.results().numbers(quantity);
   const std::size_t owners = sweep.owners(quantity);
   std::vector<double> values;
@@ -67,32 +69,42 @@ Html verdict(const SweepData& sweep, const Words& say) {
   const std::vector<double> status = sweep.results().numbers("status");
   const std::vector<double> impacts = by_run(sweep, "impacts", true);
   const std::vector<double> forces = by_run(sweep, "peak_force", false);
-  const std::vector<double> needed = by_run(sweep, "gap_minimum_no_contact", false);
+  const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
+  // Results of earlier versions watch no floors.
+  const std::string need = sweep.results().find("gap_needed") != nullptr ? "gap_needed" : "gap_minimum_no_contact";
+  const std::vector<double> needed = by_run(sweep, need, false);
   const auto finished = static_cast<std::size_t>(std::count(status.begin(), status.end(), 0.0));
   std::size_t pounding = 0;
+  std::size_t overlooked = 0;
   std::size_t hardest = status.size();
   std::size_t widest = status.size();
   for (std::size_t run = 0; run < status.size(); ++run) {
     if (status[run] != 0) continue;
-    pounding += impacts[run] > 0 ? 1 : 0;
+    pounding += impacts[run] > 0 || unmodelled[run] > 0 ? 1 : 0;
+    overlooked += unmodelled[run] > 0 ? 1 : 0;
     if (forces[run] > 0 && (hardest == status.size() || forces[run] > forces[hardest])) hardest = run;
     if (widest == status.size() || needed[run] > needed[widest]) widest = run;
   }
-  Html block =
-      element("p", Html::text(say(pounding > 0 ? "verdict.pounding" : "verdict.no_pounding")), "class=\"badge\"") +
-      element("p",
-              Html::text(
-                  say("sweep.pounding", {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}})),
-              "class=\"lead\"");
+  const char* const badge = overlooked > 0 ? "verdict.unmodelled"
+                            : pounding > 0 ? "verdict.pounding"
+                                           : "verdict.no_pounding";
+  Html block = element("p", Html::text(say(badge)), "class=\"badge\"") +
+               element("p",
+                       Html::text(say("sweep.pounding",
+                                      {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}})),
+                       "class=\"lead\"");
+  if (overlooked > 0) {
+    block +=
+        element("p", Html::text(say("sweep.unmodelled", {{"runs", std::to_string(overlooked)}})), "class=\"lead\"");
+  }
   if (hardest < status.size()) {
     block +=
         element("p", Html::text(say("sweep.hardest", {{"force", with_unit_of(sweep, forces[hardest], "peak_force")},
                                                       {"where", where(sweep, hardest, forces, say)}})));
   }
   if (widest < status.size()) {
-    block += element(
-        "p", Html::text(say("sweep.needed", {{"gap", with_unit_of(sweep, needed[widest], "gap_minimum_no_contact")},
-                                             {"where", where(sweep, widest, needed, say)}})));
+    block += element("p", Html::text(say("sweep.needed", {{"gap", with_unit_of(sweep, needed[widest], need)},
+                                                          {"where", where(sweep, widest, needed, say)}})));
   }
   if (finished < status.size()) {
     block += element("p", Html::text(say("sweep.failed", {{"failed", std::to_string(status.size() - finished)}})));

@@ -5,6 +5,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/html/sections.h"
+#include "bentur/study/gap/gap_outcome.h"
 
 namespace bentur::html {
 namespace {
@@ -12,16 +13,17 @@ namespace {
 /// What there is to say of one gap.
 struct GapFindings {
   int impacts = 0;
-  int touched = 0;          ///< contact points hit
-  std::size_t hardest = 0;  ///< contact point with the largest force, or the fastest impact where no force is known
-  std::size_t closest = 0;  ///< contact point whose gap falls short the most
+  int touched = 0;                           ///< contact points hit
+  std::size_t hardest = 0;                   ///< contact point with the largest force, or the fastest impact
+  GoverningLevel governing;                  ///< where the gap falls short the most
+  std::vector<std::size_t> unmodelled = {};  ///< watched floors that met something, the deepest first
 };
 
-GapFindings findings(const Story& story, const std::vector<std::size_t>& points) {
-  GapFindings found{.hardest = points.front(), .closest = points.front()};
-  const auto shortfall = [&](std::size_t i) {
-    return story.response.points[i].minimum_gap_no_contact - story.problem.points[i].width;
-  };
+GapFindings findings(const Story& story, std::size_t gap) {
+  const std::vector<std::size_t> points = points_of(story.problem, gap);
+  GapFindings found{.hardest = points.empty() ? 0 : points.front(),
+                    .governing = governing_level(story.problem, story.response, gap),
+                    .unmodelled = unmodelled_contacts(story.problem, story.response, gap)};
   const auto harder = [&](const PointSummary& a, const PointSummary& b) {
     return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
   };
@@ -30,7 +32,6 @@ GapFindings findings(const Story& story, const std::vector<std::size_t>& points)
     found.impacts += point.impacts;
     found.touched += point.impacts > 0 ? 1 : 0;
     if (harder(point, story.response.points[found.hardest])) found.hardest = i;
-    if (shortfall(i) > shortfall(found.closest)) found.closest = i;
   }
   return found;
 }
@@ -53,6 +54,7 @@ std::string collision_text(const Story& story, std::size_t gap, const GapFinding
   const std::string left = story.problem.buildings[gap].name;
   const std::string right = story.problem.buildings[gap + 1].name;
   const std::string duration = quantity(story.problem.duration, "s");
+  if (found.impacts == 0 && !found.unmodelled.empty()) return points > 0 ? say("verdict.no_impact") : "";
   if (found.impacts == 0) return say("verdict.apart", {{"left", left}, {"right", right}, {"duration", duration}});
   std::string text = say(points == 1 ? "verdict.collide.one_level" : "verdict.collide",
                          {{"left", left},
@@ -77,16 +79,62 @@ std::string collision_text(const Story& story, std::size_t gap, const GapFinding
   return text;
 }
 
+const std::string& owner(const Story& story, const WatchedFloor& floor) {
+  return story.problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
+}
+
+const std::string& faced(const Story& story, const WatchedFloor& floor) {
+  return story.problem.buildings[static_cast<std::size_t>(2 * floor.left + 1 - floor.floor_of)].name;
+}
+
+/// "the column of B".
+std::string faced_place(const Story& story, const WatchedFloor& floor) {
+  return story.say(floor.facing_floor >= 0 ? "verdict.the_floor_of" : "verdict.the_column_of",
+                   {{"building", faced(story, floor)}});
+}
+
+std::string remedy(const Story& story, const WatchedFloor& floor) {
+  const Remedy remedy = remedy_for(story.problem, floor);
+  const std::string level = quantity(remedy.level, story.c.units.length);
+  switch (remedy.kind) {
+    case Remedy::Kind::name_elevation:
+      return story.say("verdict.remedy.elevation", {{"level", level}});
+    case Remedy::Kind::raise_tolerance:
+      return story.say("verdict.remedy.tolerance",
+                       {{"tolerance", number(remedy.tolerance)}, {"other", faced(story, floor)}, {"level", level}});
+    case Remedy::Kind::give_matrices:
+      break;
+  }
+  return story.say("verdict.remedy.matrices", {{"other", faced(story, floor)}, {"level", level}});
+}
+
+/// Where a floor met something that no contact is modelled with, and what to do.
+std::string unmodelled_text(const Story& story, const std::vector<std::size_t>& floors) {
+  const WatchedFloor& deepest = story.problem.watched[floors.front()];
+  const WatchedSummary& summary = story.response.watched[floors.front()];
+  const std::string& length = story.c.units.length;
+  std::string text = story.say("verdict.unmodelled.lead", {{"building", owner(story, deepest)},
+                                                           {"elevation", quantity(deepest.elevation, length)},
+                                                           {"depth", quantity(-summary.least_opening, length)},
+                                                           {"faced", faced_place(story, deepest)},
+                                                           {"time", quantity(summary.least_time, "s")}});
+  if (floors.size() > 1) text += " " + story.say.count("verdict.unmodelled.more", static_cast<long>(floors.size()) - 1);
+  return text + " " + remedy(story, deepest);
+}
+
 std::string needed_text(const Story& story, const GapFindings& found) {
   const std::string& length = story.c.units.length;
-  const ContactPoint& point = story.problem.points[found.closest];
-  const double needed = story.response.points[found.closest].minimum_gap_no_contact;
-  const bool enough = needed <= point.width;
-  return story.say(enough ? "verdict.enough" : "verdict.short",
-                   {{"needed", quantity(needed, length)},
-                    {"elevation", quantity(point.elevation, length)},
-                    {"width", quantity(point.width, length)},
-                    {"difference", quantity(std::abs(needed - point.width), length)}});
+  const GoverningLevel& level = found.governing;
+  std::string text = story.say(level.needed <= level.width ? "verdict.enough" : "verdict.short",
+                               {{"needed", quantity(level.needed, length)},
+                                {"elevation", quantity(level.elevation, length)},
+                                {"width", quantity(level.width, length)},
+                                {"difference", quantity(std::abs(level.needed - level.width), length)}});
+  if (level.watched) {
+    const WatchedFloor& floor = story.problem.watched[*level.watched];
+    text += " " + story.say("verdict.faces", {{"building", owner(story, floor)}, {"faced", faced_place(story, floor)}});
+  }
+  return text;
 }
 
 /// One rule against what is simulated, each at its worst level.
@@ -242,17 +290,57 @@ Html verdict_section(const Story& story) {
   Html blocks;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
     const std::vector<std::size_t> points = points_of(story.problem, gap);
-    const GapFindings found = findings(story, points);
-    const bool pounding = found.impacts > 0;
-    const Html block =
-        element("p", Html::text(story.say(pounding ? "verdict.pounding" : "verdict.no_pounding")), "class=\"badge\"") +
-        element("p", Html::text(collision_text(story, gap, found, points.size())), "class=\"lead\"") +
-        element("p", Html::text(needed_text(story, found))) + element("p", Html::text(rules_text(story, points)));
+    const GapFindings found = findings(story, gap);
+    const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
+    const std::string badge = !found.unmodelled.empty() ? "verdict.unmodelled"
+                              : pounding                ? "verdict.pounding"
+                                                        : "verdict.no_pounding";
+    Html block = element("p", Html::text(story.say(badge)), "class=\"badge\"");
+    if (!found.unmodelled.empty()) {
+      block += element("p", Html::text(unmodelled_text(story, found.unmodelled)), "class=\"lead\"");
+    }
+    const std::string collision = collision_text(story, gap, found, points.size());
+    if (!collision.empty()) block += element("p", Html::text(collision), "class=\"lead\"");
+    block += element("p", Html::text(needed_text(story, found)));
+    if (!points.empty()) block += element("p", Html::text(rules_text(story, points)));
     blocks += element("div", block, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
   }
   return section("verdict", story.say("heading.verdict"),
                  blocks + element("p", Html::text(effect_text(story)), "class=\"effect\""));
 }
+
+namespace {
+
+/// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
+Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& governing) {
+  const Words& say = story.say;
+  std::vector<std::size_t> floors = watched_of(story.problem, gap);
+  if (floors.empty()) return {};
+  std::reverse(floors.begin(), floors.end());
+  HtmlTable table;
+  std::vector<double> elevations, widths, simulated;
+  std::vector<std::string> owners, faces, marks;
+  for (const std::size_t i : floors) {
+    const WatchedFloor& floor = story.problem.watched[i];
+    const double needed = story.response.watched.at(i).needed;
+    if (governing.watched == i && needed > floor.width) table.mark(elevations.size());
+    elevations.push_back(floor.elevation);
+    owners.push_back(owner(story, floor));
+    faces.push_back(say(floor.facing_floor >= 0 ? "gap.floor" : "gap.column"));
+    widths.push_back(floor.width);
+    simulated.push_back(needed);
+    marks.push_back(say(needed > floor.width ? "gap.too_close" : "gap.wide_enough"));
+  }
+  table.add(say("column.elevation"), story.c.units.length, elevations);
+  table.add(say("gap.floor_of"), "", owners, false);
+  table.add(say("gap.faces"), "", faces, false);
+  table.add(say("column.given"), story.c.units.length, widths);
+  table.add(say("column.simulated"), story.c.units.length, simulated);
+  table.add(say("gap.given_is"), "", marks, false);
+  return element("p", Html::text(say("gap.watched"))) + table.markup();
+}
+
+}  // namespace
 
 Html gap_section(const Story& story) {
   const Words& say = story.say;
@@ -261,13 +349,14 @@ Html gap_section(const Story& story) {
   bool codes = false;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
     const std::vector<std::size_t> points = points_of(story.problem, gap);
-    const std::size_t governing = findings(story, points).closest;
+    const GoverningLevel governing = governing_level(story.problem, story.response, gap);
     HtmlTable table;
     std::vector<double> elevations, widths, simulated, abs, srss, ddc;
     std::vector<std::string> marks;
     for (const std::size_t i : points) {
       const PointSeparation& s = story.separations.at(i);
-      if (i == governing && s.simulated > story.problem.points[i].width) table.mark(elevations.size());
+      const bool governs = !governing.watched && story.problem.points[i].elevation == governing.elevation;
+      if (governs && s.simulated > story.problem.points[i].width) table.mark(elevations.size());
       elevations.push_back(story.problem.points[i].elevation);
       widths.push_back(story.problem.points[i].width);
       simulated.push_back(s.simulated);
@@ -283,8 +372,10 @@ Html gap_section(const Story& story) {
     table.add("SRSS", length, srss);
     if (story.from_case()) table.add("DDC", length, ddc);
     table.add(say("gap.given_is"), "", marks, false);
-    content += element("h3", Html::text(gap_name(story.problem, gap))) + table.markup();
-    if (!story.separations.at(points.front()).codes.empty()) {
+    content += element("h3", Html::text(gap_name(story.problem, gap)));
+    if (!points.empty()) content += table.markup();
+    content += watched_table(story, gap, governing);
+    if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
       codes = true;
       content += code_table(story, points);
     }

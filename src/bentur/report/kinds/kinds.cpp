@@ -17,9 +17,9 @@ struct RunKind {
 };
 
 const RunKind run_kinds[] = {
-    {"displacement", "displacements of both buildings at one contact point, contacts marked", "time",
+    {"displacement", "displacements of both buildings at one contact point, contacts marked", "opening",
      displacement_figure},
-    {"opening", "opening of the gap at one contact point", "time", opening_figure},
+    {"opening", "opening of the gap at one contact point", "opening", opening_figure},
     {"force", "contact force at one contact point", "impact_start", force_figure},
     {"impact", "the hardest impact in close-up: shortening and force", "close_up_time", impact_figure},
     {"loop", "force against shortening in the hardest impact", "close_up_time", loop_figure},

@@ -19,8 +19,7 @@ std::size_t nearest_floor(const std::vector<double>& elevations, double elevatio
 }  // namespace
 
 RunData::RunData(const NetcdfReader& from) : results(from) {
-  length = unit_text(results.at("opening").units);
-  force = unit_text(results.at("force").units);
+  length = unit_text(results.at("displacement_1").units);
   time = results.numbers("time");
   const std::vector<std::string> names = results.texts("building_name");
   for (std::size_t b = 0; b < names.size(); ++b) {
@@ -34,6 +33,8 @@ RunData::RunData(const NetcdfReader& from) : results(from) {
                       numbers("shape")};
     buildings.push_back(std::move(building));
   }
+  if (results.find("opening") == nullptr) return;  // no contact is modelled
+  force = unit_text(results.at("force").units);
   const std::vector<std::string> left = results.texts("point_left");
   const std::vector<double> elevations = results.numbers("point_elevation");
   const std::vector<double> widths = results.numbers("point_width");
@@ -84,6 +85,10 @@ std::size_t RunData::point(const FigureOptions& options) const {
     if (options.elevation && std::abs(points[i].elevation - *options.elevation) > tolerance) continue;
     candidates.push_back(i);
   }
+  if (points.empty()) throw NoFigure("no contact is modelled in this run");
+  if (known.empty() && *options.gap + 1 < buildings.size()) {
+    throw NoFigure(fmt::format("no contact is modelled in gap {}", *options.gap));
+  }
   if (known.empty()) {
     throw NoFigure(
         fmt::format("there is no gap {}: gaps are counted from 0 to {}", *options.gap, buildings.size() - 2));
@@ -117,7 +122,7 @@ std::size_t RunData::point(const FigureOptions& options) const {
 std::vector<std::size_t> RunData::shown(const FigureOptions& options) const {
   constexpr std::size_t most = 6;
   if (buildings.size() > most) {
-    const std::size_t left = points[point(options)].left;
+    const std::size_t left = points.empty() ? options.gap.value_or(0) : points[point(options)].left;
     return {left, left + 1};
   }
   std::vector<std::size_t> all(buildings.size());

@@ -61,10 +61,11 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   return block;
 }
 
-VectorXd sense_row(const Building& building, int floor, Kinematics kinematics, double sign) {
-  const Index modes = building.modes.omega.size();
+/// Of displacements that are `shapes` over the modes.
+VectorXd sense_row(const VectorXd& shapes, Kinematics kinematics, double sign) {
+  const Index modes = shapes.size();
   VectorXd row = VectorXd::Zero(room_for(modes + 1));
-  row.head(modes) = sign * building.modes.shapes.row(floor).transpose();
+  row.head(modes) = sign * shapes;
   row(modes) = kinematics == Kinematics::absolute ? sign : 0.0;
   return row;
 }
@@ -105,18 +106,28 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(problem.initial_velocity[b]);
   }
 
-  for (const ContactPoint& contact : problem.points) {
-    const auto left = static_cast<std::size_t>(contact.left);
+  const auto opening_between = [&](std::size_t left, const VectorXd& left_shapes, const VectorXd& right_shapes) {
     Point point;
     point.left_begin = blocks[left].begin;
     point.left_size = blocks[left].room;
     point.right_begin = blocks[left + 1].begin;
     point.right_size = blocks[left + 1].room;
-    point.sense_left = sense_row(problem.buildings[left], contact.left_floor, problem.kinematics, -1.0);
-    point.sense_right = sense_row(problem.buildings[left + 1], contact.right_floor, problem.kinematics, 1.0);
+    point.sense_left = sense_row(left_shapes, problem.kinematics, -1.0);
+    point.sense_right = sense_row(right_shapes, problem.kinematics, 1.0);
+    return point;
+  };
+  for (const ContactPoint& contact : problem.points) {
+    const auto left = static_cast<std::size_t>(contact.left);
+    Point point = opening_between(left, problem.buildings[left].modes.shapes.row(contact.left_floor),
+                                  problem.buildings[left + 1].modes.shapes.row(contact.right_floor));
     point.push_left = push_column(point.sense_left, blocks[left].size - 1);
     point.push_right = push_column(point.sense_right, blocks[left + 1].size - 1);
     points.push_back(std::move(point));
+  }
+  for (const WatchedFloor& floor : problem.watched) {
+    const auto left = static_cast<std::size_t>(floor.left);
+    watched.push_back(opening_between(left, problem.buildings[left].modes.shapes.transpose() * floor.left_row,
+                                      problem.buildings[left + 1].modes.shapes.transpose() * floor.right_row));
   }
   const auto count = static_cast<Index>(points.size());
   coupling = MatrixXd::Zero(count, count);

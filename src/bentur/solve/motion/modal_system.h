@@ -52,7 +52,7 @@ struct ModalSystem {
   struct Point {
     Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< with the room of the buildings
     Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
-    Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates
+    Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates; empty where watched
 
     /// sense · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move
     /// alike give exactly zero.
@@ -77,9 +77,10 @@ struct ModalSystem {
   Eigen::VectorXd gamma;          ///< −φᵀ load for modes, 1 for ground coordinates
   std::vector<Block> blocks;
   std::vector<Point> points;
-  Eigen::MatrixXd coupling;  ///< push_i · sense_j [1/mass], points × points
-  double nu = 0;             ///< ν of the ground motion [rad/s]
-  bool classical = true;     ///< every D is diagonal
+  std::vector<Point> watched;  ///< floors that face a neighbour where nothing acts
+  Eigen::MatrixXd coupling;    ///< push_i · sense_j [1/mass], points × points
+  double nu = 0;               ///< ν of the ground motion [rad/s]
+  bool classical = true;       ///< every D is diagonal
 
   Eigen::VectorXd initial_q, initial_v;
 

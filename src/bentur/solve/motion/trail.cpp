@@ -100,6 +100,7 @@ void Trail::accept(long segment, Index count) {
     leg.flights = &flights;
     leg.halvings = 0;
     leg.length = flights.front().length();
+    leg.offset = 0.0;
     for (std::size_t b = 0; b < rooms_.size(); ++b, ++input) *at++ = {input->value, input->slope};
   }
 }
@@ -115,13 +116,15 @@ void Trail::fly(const Flights& flights, std::size_t halvings, const std::vector<
   for (std::size_t b = 0; b < inputs.size(); ++b) flights[halvings].advance(b, inputs[b], leg);
 }
 
-void Trail::accept(long segment, const Flights& flights, std::size_t halvings, const std::vector<GroundInput>& inputs) {
+void Trail::accept(long segment, double offset, const Flights& flights, std::size_t halvings,
+                   const std::vector<GroundInput>& inputs) {
   note_inputs(inputs);
-  legs_[static_cast<std::size_t>(last_)] = {segment, &flights, halvings, flights[halvings].length(), 0, 0, 0, 0};
+  legs_[static_cast<std::size_t>(last_)] = {segment, &flights, halvings, flights[halvings].length(), offset, 0,
+                                            0,       0,        0};
   ++last_;
 }
 
-void Trail::add(long segment, const Step& step) {
+void Trail::add(long segment, double offset, const Step& step) {
   const Expansion& motion = step.motion;
   if (next_instant()) {
     q_.col(last_) = step.from.q;
@@ -132,8 +135,8 @@ void Trail::add(long segment, const Step& step) {
   const Index count = system_->size * (motion.degree() + 1);
   if (kept_count_ + count > kept_.size()) kept_.conservativeResize(2 * (kept_count_ + count));
   std::copy_n(motion.coefficients().data(), count, kept_.data() + kept_count_);
-  legs_[static_cast<std::size_t>(last_)] = {segment,  nullptr,         0,          step.cut * motion.h(), motion.h(),
-                                            step.cut, motion.degree(), kept_count_};
+  legs_[static_cast<std::size_t>(last_)] = {
+      segment, nullptr, 0, step.cut * motion.h(), offset, motion.h(), step.cut, motion.degree(), kept_count_};
   kept_count_ += count;
   if (step.cut < 1.0) {
     motion.find_rises(step.cut, rise_.col(last_).data(), acceleration_rise_.col(last_).data());

@@ -38,6 +38,7 @@ class Trail {
     const Flights* flights = nullptr;  ///< a flight by flights[halvings]; none: a step
     std::size_t halvings = 0;
     double length = 0;  ///< [s]; 0: a jump
+    double offset = 0;  ///< of its start, from that of the segment [s]
     // Of a step, and where its coefficients are kept:
     double h = 0, end = 0;
     int degree = 0;
@@ -61,7 +62,8 @@ class Trail {
   void accept(long segment, Eigen::Index count);
   /// By flights[halvings].
   void fly(const Flights& flights, std::size_t halvings, const std::vector<GroundInput>& inputs);
-  void accept(long segment, const Flights& flights, std::size_t halvings, const std::vector<GroundInput>& inputs);
+  void accept(long segment, double offset, const Flights& flights, std::size_t halvings,
+              const std::vector<GroundInput>& inputs);
 
   /// A step.
   struct Step {
@@ -70,7 +72,7 @@ class Trail {
     const State &from, &to;
     const std::vector<GroundInput>& inputs;  ///< at its start
   };
-  void add(long segment, const Step& step);
+  void add(long segment, double offset, const Step& step);
 
   [[nodiscard]] Eigen::Index legs() const { return std::max<Eigen::Index>(last_, 0); }
   [[nodiscard]] const Leg& leg(Eigen::Index n) const { return legs_[static_cast<std::size_t>(n)]; }

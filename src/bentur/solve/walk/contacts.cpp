@@ -326,7 +326,10 @@ void Contacts::collide(std::size_t point, double time, State& state) {
           system_->coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(at[static_cast<std::size_t>(m)]));
     }
   }
-  const Eigen::VectorXd p = impulses(a, b);
+  const std::optional<Eigen::VectorXd> found = impulses(a, b);
+  failed_ = !found;
+  if (failed_) return;
+  const Eigen::VectorXd& p = *found;
   for (Eigen::Index n = 0; n < count; ++n) system_->push(at[static_cast<std::size_t>(n)], p(n), state.v);
   for (Eigen::Index n = 0; n < count; ++n) {
     const std::size_t i = at[static_cast<std::size_t>(n)];

@@ -69,6 +69,8 @@ class Contacts {
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, State& state);
+  /// Whether the last change found no impulses (E-1).
+  [[nodiscard]] bool failed() const { return failed_; }
   /// Whether the last change began a contact.
   [[nodiscard]] bool began() const { return began_; }
   /// The jumps of the last change.
@@ -116,6 +118,7 @@ class Contacts {
   std::vector<Jump> jumps_;
   double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
   bool began_ = false;
+  bool failed_ = false;
   long events_ = 0;
 };
 

@@ -16,7 +16,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 FreeWalk::FreeWalk(const Ground& ground)
     : Walk(ground),
       no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }),
-      gaps_(gaps_between(system_)) {
+      gaps_(gaps_between(system_.points)) {
   for (Gaps& gaps : gaps_) {
     for (std::size_t n = 0; n < gaps.count; ++n) needed_.push_back(gaps.closing.peak.data() + n);
   }

@@ -9,7 +9,13 @@ namespace bentur::engine {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd impulses(const Eigen::MatrixXd& a, const VectorXd& b) {
+namespace {
+
+constexpr int most_pivots = 10000;  // far more than any set of floors has been seen to take
+
+}  // namespace
+
+std::optional<VectorXd> impulses(const Eigen::MatrixXd& a, const VectorXd& b) {
   const Index count = b.size();
   const double round_off = 0x1p-48 * b.cwiseAbs().maxCoeff();
   std::vector<Index> pushed;
@@ -17,9 +23,10 @@ VectorXd impulses(const Eigen::MatrixXd& a, const VectorXd& b) {
     if (b(i) > 0.0) pushed.push_back(i);
   }
   // Least-index pivoting visits no set twice, of which there are 2^count; in practice a few.
-  for (;;) {
+  for (int pivots = 0; pivots < most_pivots; ++pivots) {
     VectorXd p = VectorXd::Zero(count);
     if (!pushed.empty()) p(pushed) = a(pushed, pushed).ldlt().solve(b(pushed)).eval();
+    if (!p.allFinite()) break;
     const VectorXd y = a * p - b;
     Index wrong = 0;
     while (wrong < count) {
@@ -35,6 +42,7 @@ VectorXd impulses(const Eigen::MatrixXd& a, const VectorXd& b) {
       pushed.insert(std::lower_bound(pushed.begin(), pushed.end(), wrong), wrong);
     }
   }
+  return std::nullopt;
 }
 
 }  // namespace bentur::engine

@@ -13,14 +13,14 @@ bool Gaps::look(const double* q, const double* q_end, const double* rise) {
   return closing.settled(q + begin, q_end + begin, rise + begin, reach.data(), reach.data());
 }
 
-std::vector<Gaps> gaps_between(const ModalSystem& system) {
+std::vector<Gaps> gaps_between(const std::vector<ModalSystem::Point>& points) {
   std::vector<Gaps> all;
-  for (std::size_t first = 0, end = 0; first < system.points.size(); first = end) {
-    const auto& of = system.points[first];
-    while (end < system.points.size() && system.points[end].left_begin == of.left_begin) ++end;
+  for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+    const auto& of = points[first];
+    while (end < points.size() && points[end].left_begin == of.left_begin) ++end;
     Eigen::MatrixXd closing(static_cast<Index>(end - first), of.left_size + of.right_size);
     for (std::size_t i = first; i < end; ++i) {
-      const auto& point = system.points[i];
+      const auto& point = points[i];
       closing.row(static_cast<Index>(i - first)) << -point.sense_left.transpose(), -point.sense_right.transpose();
     }
     WatchedRows rows(closing, closing.cols(), kernels::Peaks::of_values);
@@ -31,7 +31,10 @@ std::vector<Gaps> gaps_between(const ModalSystem& system) {
 }
 
 Openings::Openings(const ModalSystem& system, std::vector<double> widths)
-    : widths_(std::move(widths)), gaps_(gaps_between(system)), stride_(system.size), open_(system.points.size(), 0) {
+    : widths_(std::move(widths)),
+      gaps_(gaps_between(system.points)),
+      stride_(system.size),
+      open_(system.points.size(), 0) {
   for (Gaps& gaps : gaps_) {
     VectorXd limits = VectorXd::Zero(gaps.closing.size());
     for (std::size_t n = 0; n < gaps.count; ++n) limits(static_cast<Index>(n)) = widths_[gaps.first + n];

@@ -18,7 +18,8 @@ struct Gaps {
   /// coordinates. Whether no reach exceeds its peak so far.
   bool look(const double* q, const double* q_end, const double* rise);
 };
-[[nodiscard]] std::vector<Gaps> gaps_between(const ModalSystem& system);
+/// Of points that are ordered by their left buildings.
+[[nodiscard]] std::vector<Gaps> gaps_between(const std::vector<ModalSystem::Point>& points);
 
 /// Proves that gaps stay open: of many flights by one sum for all points between two buildings (T-4), or point by
 /// point.

@@ -83,6 +83,7 @@ void PoundingWalk::arrived(double time) {
   if (!event_) return;
   trail_.break_off();
   contacts_.change(*event_, time, state_);
+  if (contacts_.failed()) return fail("no impulses part the points that collide", time);
   if (energy_) energy_->take_jumps(contacts_, state_);
   if (contacts_.began()) stepper_.contact_begins();
 }

@@ -26,6 +26,7 @@ Walk::Walk(const Ground& ground)
       inputs_(system_.blocks.size()),
       trail_(system_, ground.plan),
       search_(system_),
+      floors_(system_, ground.grid),
       grid_(ground.grid),
       plan_(ground.plan),
       largest_ground_(system_.blocks.size(), 0.0) {}
@@ -35,6 +36,7 @@ void Walk::resume(const Checkpoint& checkpoint) {
   steps_ = checkpoint.steps;
   state_ = checkpoint.state;
   search_.watch().resume(checkpoint.peaks);
+  floors_.resume(checkpoint.nearest);
 }
 
 Status Walk::run(const std::function<bool(double)>& progress) {
@@ -57,6 +59,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
     if (!trouble_.empty()) return Status::failed;
     if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
+    if (floors_.much_is_open()) settle_floors();
     if (progress && segment_ - reported >= segments_between_reports) {
       reported = segment_;
       if (!progress(start / problem_.duration)) return Status::stopped;
@@ -64,6 +67,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
   }
   end_trail();
   search_.settle(stepper_.series(), motion_);
+  settle_floors();
   settle();
   return Status::done;
 }
@@ -114,6 +118,7 @@ bool Walk::cruise() {
     end_trail();
     if (settle_before(segment_)) {
       search_.settle(stepper_.series(), motion_);
+      settle_floors();
       settled_before(segment_);
     }
   }
@@ -154,7 +159,7 @@ bool Walk::fly(const Flights& flights, std::size_t halvings, double start, doubl
   const Eigen::Index n = trail_.legs();
   trail_.fly(flights, halvings, inputs_);
   if (quiet(1) == 0) return false;
-  trail_.accept(segment_, flights, halvings, inputs_);
+  trail_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
   pass(start, length);
   std::copy_n(trail_.q(n + 1), system_.size, next_.q.data());
   std::copy_n(trail_.v(n + 1), system_.size, next_.v.data());
@@ -178,7 +183,7 @@ void Walk::walk(double start, double length) {
     if (cut < 1.0 || (stepper_.is_series() && motion_.place() != cut)) motion_.evaluate(cut, next_);
     end_inputs_ = inputs_;
     system_.advance(end_inputs_, cut * h);
-    watch_step(cut);
+    watch_step(time, cut);
     const bool at_end = whole == left && h == whole && cut == 1.0;
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
@@ -204,10 +209,10 @@ bool Walk::step(double time, double longest) {
 }
 
 /// Takes [0, cut] of the expanded step into the peaks.
-void Walk::watch_step(double cut) {
+void Walk::watch_step(double time, double cut) {
   if (stepper_.is_series()) {
     make_room();
-    trail_.add(segment_, {motion_, cut, state_, next_, inputs_});
+    trail_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
     return;
   }
   force_at()(state_, inputs_, forces_);
@@ -215,6 +220,7 @@ void Walk::watch_step(double cut) {
   force_at()(next_, end_inputs_, forces_);
   system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
   search_.take({motion_, cut, state_, next_, start_acceleration_, end_acceleration_});
+  floors_.take(motion_, cut, state_, next_, time);
   trail_.break_off();
 }
 
@@ -230,6 +236,18 @@ void Walk::replay(State from, std::vector<GroundInput> inputs, double length, co
     system_.advance(inputs, h);
     from.q.swap(to.q);
     from.v.swap(to.v);
+  }
+}
+
+/// Looks into what bounds left open, so that what is nearest so far is known.
+void Walk::settle_floors() {
+  for (const FloorWatch::Open& flight : floors_.take_open()) {
+    if (floors_.settled(flight)) continue;
+    replay(flight.start, flight.inputs, flight.length,
+           [&](double offset, const State& from, const std::vector<GroundInput>&, const State& to) {
+             (void)motion_.find_rises();
+             floors_.take(motion_, 1.0, from, to, flight.time + offset);
+           });
   }
 }
 

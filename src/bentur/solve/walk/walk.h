@@ -7,6 +7,7 @@
 #include "bentur/solve/motion/stepper.h"
 #include "bentur/solve/motion/trail.h"
 #include "bentur/solve/response.h"
+#include "bentur/solve/walk/floors/floor_watch.h"
 #include "bentur/solve/walk/peak_search.h"
 
 namespace bentur::engine {
@@ -33,7 +34,8 @@ class Walk {
   struct Checkpoint {
     long segment = 0, steps = 0;
     State state;
-    Eigen::VectorXd peaks;  ///< so far
+    Eigen::VectorXd peaks;                     ///< so far
+    std::vector<FloorWatch::Nearest> nearest;  ///< so far
   };
   /// Goes on from there, before run().
   void resume(const Checkpoint& checkpoint);
@@ -42,6 +44,7 @@ class Walk {
   Status run(const std::function<bool(double)>& progress);
 
   [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
+  [[nodiscard]] const std::vector<FloorWatch::Nearest>& nearest() const { return floors_.nearest(); }
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] long steps() const { return steps_; }
@@ -57,7 +60,10 @@ class Walk {
   /// cannot have happened.
   [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) = 0;
   /// Takes in where the run has been; trail_ begins anew after that.
-  virtual void take_trail(const Trail& trail) { search_.take(trail); }
+  virtual void take_trail(const Trail& trail) {
+    search_.take(trail);
+    floors_.take(trail);
+  }
   /// Whether all peaks so far are to be found before a segment, before which there have been nothing but flights.
   [[nodiscard]] virtual bool settle_before(long segment) = 0;
   /// After that.
@@ -76,7 +82,9 @@ class Walk {
 
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
-  [[nodiscard]] Checkpoint checkpoint() const { return {segment_, steps_, state_, search_.watch().peaks()}; }
+  [[nodiscard]] Checkpoint checkpoint() const {
+    return {segment_, steps_, state_, search_.watch().peaks(), floors_.nearest()};
+  }
   /// What the next step starts from.
   [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
 
@@ -84,6 +92,7 @@ class Walk {
   /// begins [s], and state and inputs there and the state at its end.
   using EachStep = std::function<void(double, const State&, const std::vector<GroundInput>&, const State&)>;
   void replay(State from, std::vector<GroundInput> inputs, double length, const EachStep& each);
+  void fail(const std::string& reason, double time);
 
   const ModalSystem& system_;
   const Problem& problem_;
@@ -102,13 +111,14 @@ class Walk {
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
   void walk(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
-  void watch_step(double cut);
+  void watch_step(double time, double cut);
+  void settle_floors();
   void arrive();
   void note_ground(const double* q);
   void pass_legs(Eigen::Index first);
-  void fail(const std::string& reason, double time);
 
   PeakSearch search_;
+  FloorWatch floors_;
   const TimeGrid& grid_;
   const FlightPlan& plan_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room

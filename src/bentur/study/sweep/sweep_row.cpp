@@ -10,6 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/excitation/ground_motion.h"
+#include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur {
@@ -132,6 +133,10 @@ std::vector<Quantity> sweep_quantities(const Problem& problem, const Units& unit
   }
   add({"gap_minimum_no_contact", "L", "gap that the free response needs, the largest of its points", Owner::gaps, 0,
        gap_count(problem)});
+  add({"gap_needed", "L", "gap that the free response needs, floors that face a column included", Owner::gaps, 0,
+       gap_count(problem)});
+  add({"unmodelled_contacts", "1", "floors that met what they face where no contact is modelled", Owner::gaps, 0,
+       gap_count(problem)});
   add({"peak_ground_acceleration", "L s-2", "peak ground acceleration as applied"});
   add({"events", "1", "contacts closed or opened"});
   if (energy_audit) add({"energy_residual", "1", "largest energy not accounted for over the largest input"});
@@ -172,6 +177,10 @@ void fill_row(const Problem& problem, const Response& response, std::span<double
     needed = std::max(needed, response.points[i].minimum_gap_no_contact);
   }
   for (const double needed : gaps) add(needed);
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) add(gap_needed(problem, response, gap));
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+    add(static_cast<double>(unmodelled_contacts(problem, response, gap).size()));
+  }
   add(peak_acceleration(problem.motion));
   add(static_cast<double>(response.events));
   if (response.energy) add(response.energy->relative_residual());

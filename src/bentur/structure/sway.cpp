@@ -1,0 +1,40 @@
+#include "bentur/structure/sway.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+
+double base_of(const StructuralModel& model) { return model.elevations.front() - model.storey_heights.front(); }
+
+Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face face) {
+  const double base = base_of(model);
+  const double top = model.elevations.back();
+  const double slack = 1e-6 * (top - base);
+  if (!(elevation >= base - slack && elevation <= top + slack)) {
+    throw InvalidParameter("elevation", std::to_string(elevation), "must be between the base and the top");
+  }
+  const auto above = std::lower_bound(model.elevations.begin(), model.elevations.end() - 1, elevation);
+  const Eigen::Index upper = above - model.elevations.begin();
+  const double length = model.storey_heights[static_cast<std::size_t>(upper)];
+  const double s = std::clamp(1 - (*above - elevation) / length, 0.0, 1.0);
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(model.dofs());
+  const Eigen::MatrixXd& joints = face == Face::left ? model.left_joints : model.right_joints;
+  if (joints.size() == 0) {
+    row(upper) += s;
+    if (upper > 0) row(upper - 1) += 1 - s;
+    return row;
+  }
+  // y = N₁ y₁ + N₂ L θ₁ + N₃ y₂ + N₄ L θ₂, from the bottom up with y to the right: θ = dy/dx is clockwise.
+  row(upper) += s * s * (3 - 2 * s);
+  row += s * s * (s - 1) * length * joints.row(upper).transpose();
+  if (upper > 0) {
+    row(upper - 1) += 1 - s * s * (3 - 2 * s);
+    row += s * (1 - s) * (1 - s) * length * joints.row(upper - 1).transpose();
+  }
+  return row;
+}
+
+}  // namespace bentur

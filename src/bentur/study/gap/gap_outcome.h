@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+
+namespace bentur {
+
+/// Where the gap between two neighbours falls short the most, or has least to spare, when they move freely: at a
+/// contact point, or at a watched floor.
+struct GoverningLevel {
+  std::optional<std::size_t> watched;  ///< index into Problem::watched; nothing: a contact point
+  double elevation = 0;                ///< [length]
+  double width = 0;                    ///< given [length]
+  double needed = 0;                   ///< [length]
+};
+
+/// Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
+[[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t gap);
+
+/// The gap needed, the largest over its contact points and its watched floors [length].
+[[nodiscard]] double gap_needed(const Problem& problem, const Response& response, std::size_t gap);
+
+/// Indices into Problem::watched, from the lowest up.
+[[nodiscard]] std::vector<std::size_t> watched_of(const Problem& problem, std::size_t gap);
+
+/// Those of them that met what they face in the run, the deepest first.
+[[nodiscard]] std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response,
+                                                           std::size_t gap);
+
+/// How a case can model what a watched floor does.
+struct Remedy {
+  enum class Kind {
+    name_elevation,   ///< the two floors are at one level: name it in gap.elevations
+    raise_tolerance,  ///< a floor of the other building is near: let them meet by gap.level_tolerance
+    give_matrices,    ///< it faces a column: give that building as matrices with a level there
+  };
+  Kind kind = Kind::give_matrices;
+  double level = 0;      ///< [length] of the level to name, or of the floor that is near
+  double tolerance = 0;  ///< [length] that lets them meet
+};
+[[nodiscard]] Remedy remedy_for(const Problem& problem, const WatchedFloor& floor);
+
+/// The same in words. `length` is the case's unit.
+[[nodiscard]] std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length);
+
+/// "the floor of A", whose elevation is known from elsewhere.
+[[nodiscard]] std::string floor_text(const Problem& problem, const WatchedFloor& floor);
+
+/// "the column of B", or "the floor of B".
+[[nodiscard]] std::string faced_text(const Problem& problem, const WatchedFloor& floor);
+
+}  // namespace bentur

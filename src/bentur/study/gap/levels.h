@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace bentur {
+
+/// Where the floors of a building are.
+struct FloorLevels {
+  std::vector<double> elevations;  ///< [length] above the common datum, ascending
+  double base = 0;                 ///< [length] likewise
+};
+
+/// Two floors of neighbours that are near enough in height to meet.
+struct LevelPair {
+  int left_floor = 0;
+  int right_floor = 0;
+  double elevation = 0;  ///< [length] the mean of both; the left one's where they differ by round-off alone
+};
+
+/// Floors that differ by no more than this are at one level whatever the tolerance: a millionth of the taller
+/// building's height [length].
+[[nodiscard]] double round_off_of_levels(const FloorLevels& left, const FloorLevels& right);
+
+/// The height of the storey below a floor [length], or of the one above where that is smaller.
+[[nodiscard]] double smallest_storey_at(const FloorLevels& building, int floor);
+
+/// The floors that meet, from the lowest up: pairs of which each is the other's nearest, and which differ by no more
+/// than `tolerance` [length], by default a tenth of the smallest storey height at those floors.
+[[nodiscard]] std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& right,
+                                                  std::optional<double> tolerance = std::nullopt);
+
+/// The pair that an elevation names: it is at one of the floors or between them. Null where there is none.
+[[nodiscard]] const LevelPair* pair_at(double elevation, const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                                       const FloorLevels& right);
+
+}  // namespace bentur
