@@ -231,7 +231,8 @@ TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
   f.problem.points.push_back(f.problem.points[0]);
   const std::vector<PointSeparation> points = {{.point = 0, .simulated = 1, .abs = 8, .srss = 3, .ddc = 2},
                                                {.point = 1, .simulated = 2, .abs = 7, .srss = 4, .ddc = 1}};
-  f.response.points = {{.minimum_gap_no_contact = 1}, {.minimum_gap_no_contact = 2}};
+  f.response.points.assign(2, {});
+  for (const std::size_t i : {0U, 1U}) f.response.points[i].minimum_gap_no_contact = points[i].simulated;
   const Json gap = Json::parse(gap_json(f.c, f.problem, f.response, points, "1"))["gaps"][0];
   EXPECT_EQ(gap["simulated"], 2.0);
   EXPECT_EQ(gap["abs"], 8.0);

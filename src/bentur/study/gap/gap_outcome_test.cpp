@@ -203,7 +203,8 @@ TEST(WatchedFloor, NeedsTheGapOfAFrameWithANodeThere) {
   }
 }
 
-// The same half way up storeys, where the column's bending counts most.
+// The same elsewhere in storeys. They agree to 5e-6: the column's own mass bends it a little more. A straight line
+// between the floors would be 1e-3 off.
 TEST(WatchedFloor, FollowsTheBentColumn) {
   const BuildingSpec low = spec("low", concrete_frame(storeys(8, 3.0), 0.5, MassMatrix::consistent));
   const PlaneFrame tall = concrete_frame(storeys(8, 3.5), 0.75, MassMatrix::consistent);
@@ -217,7 +218,7 @@ TEST(WatchedFloor, FollowsTheBentColumn) {
     const auto floor = std::find_if(problem.watched.begin(), problem.watched.end(),
                                     [at = elevation](const WatchedFloor& one) { return one.elevation == at; });
     const double needed = response.watched[static_cast<std::size_t>(floor - problem.watched.begin())].needed;
-    EXPECT_NEAR(needed, expected, 0.0 * expected) << needed / expected - 1;
+    EXPECT_NEAR(needed, expected, 1e-4 * expected) << elevation;
   }
 }
 
