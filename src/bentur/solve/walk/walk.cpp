@@ -300,18 +300,6 @@ void Walk::settle_floors() {
   }
 }
 
-/// Looks into what bounds left open, so that what is nearest so far is known.
-void Walk::settle_floors() {
-  for (const FloorWatch::Open& flight : floors_.take_open()) {
-    if (floors_.settled(flight)) continue;
-    replay(flight.start, flight.inputs, flight.length,
-           [&](double offset, const State& from, const std::vector<GroundInput>&, const State& to) {
-             (void)motion_.find_rises();
-             floors_.take(motion_, 1.0, from, to, flight.time + offset);
-           });
-  }
-}
-
 /// next_ becomes state_.
 void Walk::arrive() {
   ++steps_;
