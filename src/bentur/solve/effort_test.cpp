@@ -22,7 +22,7 @@ using By = Effort::Fastest::By;
 
 constexpr double m = 2e5;  // [kg]
 
-SampledMotion record() {
+SampledMotion short_record() {
   SampledMotion motion{0.02, {}};
   for (int i = 0; i < 140; ++i) motion.acceleration.push_back(3 * std::sin(0.31 * i) + 2 * std::sin(0.13 * i * i));
   return motion;
@@ -32,10 +32,10 @@ SampledMotion record() {
 Problem with_stiff_storey(const LawExample& law, double stiff) {
   const Eigen::Matrix2d mass = m * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d stiffness = m * (Eigen::Matrix2d() << stiff + 150, -stiff, -stiff, stiff).finished();
-  Building left = matrix_building(mass, stiffness);
+  Building left = matrix_building(mass, stiffness, Eigen::Matrix2d::Zero());
   left.modal_damping = (0.1 * left.modes.omega).asDiagonal();
   Problem problem = pair(std::move(left), oscillator(m, m * 60, 0.03), {contact(0.005, law.make(m / 2))}, 3);
-  problem.motion = record();
+  problem.motion = short_record();
   problem.delays = {0, 0.013};
   return problem;
 }
@@ -65,7 +65,9 @@ TEST_P(EffortOf, IsWhatTheExactSolverTakes) {
     const double halvings = std::ceil(std::log2(0.02 * std::sqrt(2 * stiff) * 1.2 / engine::series_reach)) + 1;
     const double allowed = said.steps + contact_time(response) * said.steps_in_contact +
                            static_cast<double>(response.events) * (2 * std::max(halvings, 1.0) + 3);
-    if (GetParam().straight) EXPECT_LE(steps, allowed);
+    if (GetParam().straight) {
+      EXPECT_LE(steps, allowed);
+    }
     EXPECT_LE(steps, said.most_steps);
     EXPECT_EQ(said.apart.by, By::mode);
     EXPECT_EQ(said.apart.building, 0u);
@@ -211,10 +213,10 @@ TEST(Validate, RefusesTimesThatNumbersCannotTellApart) {
   refused(problem);
   problem.motion = HarmonicMotion{1e-10, 1e300, HarmonicMotion::Phase::sine};
   refused(problem);
-  problem.motion = record();
+  problem.motion = short_record();
   std::get<SampledMotion>(problem.motion).time_step = 1e-300;
   refused(problem);
-  problem.motion = record();
+  problem.motion = short_record();
   problem.buildings[0].modal_damping(0, 0) = std::numeric_limits<double>::infinity();
   refused(problem);
 }

@@ -77,7 +77,7 @@ TEST_F(AtomicFilesTest, RefusesAFolderInPlaceOfAFileAndLeavesNothing) {
   {
     AtomicFiles files(root_);
     files.add("one", "1", ResultKind::report);
-    EXPECT_THROW(files.add("two", "2"), std::runtime_error, ResultKind::report);
+    EXPECT_THROW(files.add("two", "2", ResultKind::report), std::runtime_error);
   }
   EXPECT_EQ(entries(root_), 1);
 }

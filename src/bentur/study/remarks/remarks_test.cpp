@@ -11,7 +11,7 @@
 namespace bentur {
 namespace {
 
-BuildingSpec spec_of(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
+BuildingSpec remarked_spec(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
   BuildingSpec spec;
   spec.name = std::move(name);
   spec.structure = std::move(structure);
@@ -30,7 +30,7 @@ Case ordinary() {
   frame.floor_masses = {30, 30, 25};
   Case c;
   c.units = {.length = "m", .force = "kN", .gravity = 9.80665};
-  c.buildings = {spec_of("A", frame), spec_of("B", frame)};
+  c.buildings = {remarked_spec("A", frame), remarked_spec("B", frame)};
   GapSpec gap;
   gap.elevations = {3.5, 6.5, 9.5};
   gap.widths = {0.05, 0.05, 0.05};
