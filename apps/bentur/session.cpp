@@ -197,7 +197,7 @@ std::string gap_name(const Problem& problem, int gap) {
 
 std::string remarks_text(const std::vector<Remark>& remarks) {
   std::string text;
-  for (const Remark& remark : remarks) text += wrapped("remark: " + remark_text(remark)) + "\n";
+  for (const std::string& remark : remark_texts(remarks)) text += wrapped("remark: " + remark) + "\n";
   return text;
 }
 

@@ -18,10 +18,10 @@
 namespace bentur {
 namespace {
 
-constexpr double shortest_time = 1e-15;             // of the duration: less has no phase left in a number [-]
-constexpr double most_samples = 1e7;                // of one history [-]
-constexpr double most_steps = 1e15;                 // that a limit can be raised to [-]
-constexpr double most_memory = 1e9;                 // the same [MB]
+constexpr double shortest_time = 1e-15;  // of the duration: less has no phase left in a number [-]
+constexpr double most_samples = 1e7;     // of one history [-]
+constexpr double most_steps = 1e15;      // that a limit can be raised to [-]
+constexpr double most_memory = 1e9;      // the same [MB]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
 std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
@@ -172,6 +172,10 @@ void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuil
     const double damping = buildings[b].made->modal_damping.norm();
     if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
     const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
+    if (!std::isfinite(damping)) {
+      root.find("building")->item(b).renamed(buildings[b].path).error("has damping beyond what can be computed with");
+      continue;
+    }
     root.find("building")
         ->item(b)
         .renamed(buildings[b].path)

@@ -6,26 +6,53 @@
 namespace bentur {
 namespace {
 
-std::string with_unit(const std::string& text, const std::string& unit) {
+constexpr std::size_t most_named = 4;  // buildings or gaps in one sentence
+
+std::string value_with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
 std::string usual_text(const Remark& remark, const html::Words& say) {
   if (remark.usual_from && remark.usual_to) {
     return say("remark.between",
-               {{"from", number(*remark.usual_from)}, {"to", with_unit(number(*remark.usual_to), remark.unit)}});
+               {{"from", number(*remark.usual_from)}, {"to", value_with_unit(number(*remark.usual_to), remark.unit)}});
   }
-  if (remark.usual_to) return say("remark.up_to", {{"to", with_unit(number(*remark.usual_to), remark.unit)}});
-  return say("remark.at_least", {{"from", with_unit(number(remark.usual_from.value_or(0)), remark.unit)}});
+  if (remark.usual_to) return say("remark.up_to", {{"to", value_with_unit(number(*remark.usual_to), remark.unit)}});
+  return say("remark.at_least", {{"from", value_with_unit(number(remark.usual_from.value_or(0)), remark.unit)}});
 }
 
 }  // namespace
 
-std::string remark_text(const Remark& remark, std::string_view language) {
+std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::string_view language) {
   const html::Words say(language);
-  const std::string text = say("remark." + remark.key, {{"value", with_unit(number(remark.value), remark.unit)},
-                                                        {"usual", usual_text(remark, say)}});
-  return remark.subject.empty() ? text : remark.subject + ": " + text;
+  std::vector<std::string> texts;
+  std::vector<char> told(remarks.size(), 0);
+  for (std::size_t i = 0; i < remarks.size(); ++i) {
+    const Remark& first = remarks[i];
+    std::string subjects, values;
+    std::size_t count = 0;
+    for (std::size_t k = i; k < remarks.size(); ++k) {
+      const Remark& other = remarks[k];
+      if (told[k] != 0 || other.key != first.key || other.usual_from != first.usual_from ||
+          other.usual_to != first.usual_to) {
+        continue;
+      }
+      told[k] = 1;
+      if (++count > most_named) continue;
+      subjects += (subjects.empty() ? "" : ", ") + other.subject;
+      const std::string value = number(other.value);
+      if (value != values) values += (values.empty() ? "" : ", ") + value;
+    }
+    if (count == 0) continue;
+    if (count > most_named) {
+      subjects += say("remark.more", {{"n", std::to_string(count - most_named)}});
+      values += ", …";
+    }
+    const std::string text =
+        say("remark." + first.key, {{"value", value_with_unit(values, first.unit)}, {"usual", usual_text(first, say)}});
+    texts.push_back(subjects.empty() ? text : subjects + ": " + text);
+  }
+  return texts;
 }
 
 std::string model_text(std::string_view language) { return html::Words(language)("remarks.model"); }

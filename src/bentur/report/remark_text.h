@@ -2,14 +2,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bentur/study/remarks/remarks.h"
 
 namespace bentur {
 
-/// A remark as a sentence or two: the number, what is usual, what follows. @throws InvalidParameter for an unknown
-/// language or a remark that the catalogue does not have.
-[[nodiscard]] std::string remark_text(const Remark& remark, std::string_view language = "en");
+/// Remarks as sentences: whose, the number, what is usual, what follows; one for all that differ in subject and number
+/// alone. @throws InvalidParameter for an unknown language or a remark that the catalogue does not have.
+[[nodiscard]] std::vector<std::string> remark_texts(const std::vector<Remark>& remarks,
+                                                    std::string_view language = "en");
 
 /// What the model leaves out.
 [[nodiscard]] std::string model_text(std::string_view language = "en");

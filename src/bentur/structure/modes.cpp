@@ -78,6 +78,9 @@ void rotate(Eigen::MatrixXd& a, Eigen::MatrixXd& vectors, Eigen::Index p, Eigen:
 
 Modes modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
   static_cast<void>(mass_factor(mass));  // the solver below would not notice
+  if (!(stiffness.diagonal().array() / mass.diagonal().array()).allFinite()) {
+    throw std::runtime_error("stiffness over mass is beyond what numbers can hold");
+  }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
   if (solver.info() != Eigen::Success) throw std::runtime_error("the eigenvalue iteration did not converge");
   return sorted(solver.eigenvalues(), solver.eigenvectors());

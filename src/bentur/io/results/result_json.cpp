@@ -202,6 +202,7 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
                {"units", units_json(c.units)},
                {"version", version},
                {"case", source_json(c.source)},
+               {"status", "completed"},
                {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
                {"remarks", remarks_json(remarks(c, problem, response))},

@@ -57,6 +57,7 @@ constexpr auto entries = std::to_array<Entry>({
     {"sweep.values", {"From … to", "Dari … sampai"}},
 
     {"remark.between", {"usual are {from} to {to}", "lazimnya {from} sampai {to}"}},
+    {"remark.more", {" and {n} more", " dan {n} lagi"}},
     {"remark.up_to", {"usual is up to {to}", "lazimnya sampai {to}"}},
     {"remark.at_least", {"usual is at least {from}", "lazimnya paling sedikit {from}"}},
     {"remark.period_per_storey",

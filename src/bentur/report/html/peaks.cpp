@@ -140,8 +140,9 @@ Html proportions_text(const Story& story, std::size_t b) {
 
 Html remarks_section(const Story& story) {
   Html content;
-  for (const Remark& remark : story.remarks)
-    content += element("li", Html::text(remark_text(remark, story.say.language())));
+  for (const std::string& text : remark_texts(story.remarks, story.say.language())) {
+    content += element("li", Html::text(text));
+  }
   if (!story.remarks.empty()) content = element("ul", content);
   content += element("p", Html::text(model_text(story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);

@@ -100,7 +100,7 @@ void PeakSearch::take(const Approximate& step) {
 bool PeakSearch::much_is_open() const { return kept_count_ >= most_kept; }
 
 /// Halves a flight, whose reach is known, until bounds settle its parts, or it cannot be halved any more.
-void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double* before) {
+void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double* before, Tools& tools) {
   const std::size_t n = flight.halvings + 1;
   const std::size_t b = flight.block;
   const Index begin = system_->blocks[b].begin;
@@ -109,6 +109,7 @@ void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double
   OpenFlight part{b, flight.flights, n, flight.input, 0};
   const Place* start = &from;
   for (Place* end : {&at.middle, &at.end}) {
+    if (!tools.go_on(1)) return;
     half.advance(b, part.input,
                  {start->q.data(), start->v.data(), end->q.data(), end->v.data(), end->acceleration.data(),
                   rise_.data(), acceleration_rise_.data()});
@@ -117,11 +118,16 @@ void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double
         end->acceleration.data() + begin, rise_.data() + begin,  acceleration_rise_.data() + begin};
     if (!watch_.settled_by_bound(b, interval, before, at.reach.data())) {
       if (n + 1 < flight.flights->size()) {
-        halve(part, *start, at.reach.data());
+        halve(part, *start, at.reach.data(), tools);
       } else {
         part.at = claim(watch_.quantities(b));
         std::copy_n(at.reach.data(), watch_.quantities(b), kept_.data() + part.at);
         keep_flight(part, start->q.data(), start->v.data(), start->acceleration.data(), parts_);
+        if (kept_count_ - tools.mark >= most_kept) {  // of a mode so fast that one flight has so many parts
+          look_into_parts(tools, false);
+          look_into_parts(tools, true);
+          kept_count_ = tools.mark;
+        }
       }
     }
     start = end;
@@ -130,7 +136,7 @@ void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double
 }
 
 /// Where a flight cannot be halved, it is kept as it is.
-void PeakSearch::halve_whole(const OpenFlight& flight) {
+void PeakSearch::halve_whole(const OpenFlight& flight, Tools& tools) {
   if (flight.halvings + 1 >= flight.flights->size()) {
     parts_.push_back(flight);
     return;
@@ -151,7 +157,7 @@ void PeakSearch::halve_whole(const OpenFlight& flight) {
     std::copy_n(kept, block.room, x->data() + block.begin);
     kept += block.room;
   }
-  halve(flight, whole.end, whole.reach.data());
+  halve(flight, whole.end, whole.reach.data(), tools);
 }
 
 Curves PeakSearch::curves(const OpenFlight& flight, Series& series, Expansion& motion) {
@@ -168,31 +174,38 @@ Curves PeakSearch::curves(const OpenStep& step) const {
           step.end};
 }
 
-/// By bounds and samples first, which raise all peaks nearly to where they belong; what is then still open is searched.
-void PeakSearch::settle(Series& series, Expansion& motion) {
-  const auto look = [&](auto& open, const auto& curves_of, bool search) {
-    std::erase_if(open, [&](const auto& interval) {
-      const std::size_t b = interval.block;
-      double* reach = kept_.data() + interval.at;
-      const Index open_quantities = watch_.open(b, reach);
-      if (open_quantities == 0) return true;
-      const Curves step = curves_of(interval);
-      if (!search && open_quantities > few_quantities) {
-        return watch_.settled_by_samples(b, step, parts_of_step, reach, reach);
-      }
-      watch_.scan(b, step, reach);
-      return true;
-    });
-  };
+/// By samples, which raise all peaks nearly to where they belong, or by a search of what is then still open.
+template <class Open, class CurvesOf>
+void PeakSearch::look_into(std::vector<Open>& open, const CurvesOf& curves_of, bool search) {
+  std::erase_if(open, [&](const auto& interval) {
+    const std::size_t b = interval.block;
+    double* reach = kept_.data() + interval.at;
+    const Index open_quantities = watch_.open(b, reach);
+    if (open_quantities == 0) return true;
+    const Curves step = curves_of(interval);
+    if (!search && open_quantities > few_quantities) {
+      return watch_.settled_by_samples(b, step, parts_of_step, reach, reach);
+    }
+    watch_.scan(b, step, reach);
+    return true;
+  });
+}
+
+void PeakSearch::look_into_parts(Tools& tools, bool search) {
+  look_into(
+      parts_, [&](const OpenFlight& part) { return curves(part, tools.series, tools.motion); }, search);
+}
+
+void PeakSearch::settle(Series& series, Expansion& motion, const GoOn& go_on) {
   const auto step_curves = [&](const OpenStep& step) { return curves(step); };
-  const auto part_curves = [&](const OpenFlight& part) { return curves(part, series, motion); };
-  look(steps_, step_curves, false);
+  Tools tools{series, motion, go_on, kept_count_};
+  look_into(steps_, step_curves, false);
   for (const OpenFlight& flight : flights_) {
-    if (watch_.open(flight.block, kept_.data() + flight.at) > 0) halve_whole(flight);
+    if (watch_.open(flight.block, kept_.data() + flight.at) > 0) halve_whole(flight, tools);
   }
-  look(parts_, part_curves, false);
-  look(steps_, step_curves, true);
-  look(parts_, part_curves, true);
+  look_into_parts(tools, false);
+  look_into(steps_, step_curves, true);
+  look_into_parts(tools, true);
   flights_.clear();
   parts_.clear();
   steps_.clear();

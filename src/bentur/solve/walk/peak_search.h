@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "bentur/solve/motion/series.h"
@@ -29,8 +30,10 @@ class PeakSearch {
 
   /// Whether it is time for settle(): it bounds the memory of a long run.
   [[nodiscard]] bool much_is_open() const;
+  /// Is told how many steps the search takes next; false: it ends there.
+  using GoOn = std::function<bool(long)>;
   /// Looks into all that is open.
-  void settle(Series& series, Expansion& motion);
+  void settle(Series& series, Expansion& motion, const GoOn& go_on);
 
   [[nodiscard]] PeakWatch& watch() { return watch_; }
   [[nodiscard]] const PeakWatch& watch() const { return watch_; }
@@ -68,8 +71,18 @@ class PeakSearch {
   void keep_flight(const OpenFlight& flight, const double* q, const double* v, const double* acceleration,
                    std::vector<OpenFlight>& flights);
   void keep_step(std::size_t block, const Trail& trail, Eigen::Index leg, Eigen::Index at);
-  void halve_whole(const OpenFlight& flight);
-  void halve(const OpenFlight& flight, const Place& from, const double* before);
+  /// What a search works with.
+  struct Tools {
+    Series& series;
+    Expansion& motion;
+    const GoOn& go_on;
+    Eigen::Index mark;  ///< in kept_: from there on stands what belongs to parts_
+  };
+  void halve_whole(const OpenFlight& flight, Tools& tools);
+  void halve(const OpenFlight& flight, const Place& from, const double* before, Tools& tools);
+  template <class Open, class CurvesOf>
+  void look_into(std::vector<Open>& open, const CurvesOf& curves_of, bool search);
+  void look_into_parts(Tools& tools, bool search);
   [[nodiscard]] Curves curves(const OpenFlight& flight, Series& series, Expansion& motion);
   [[nodiscard]] Curves curves(const OpenStep& step) const;
 

@@ -65,7 +65,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
     if (status() != Status::done) return status();
-    if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
+    if (search_.much_is_open()) settle_peaks();
     if (floors_.much_is_open()) settle_floors();
     if (progress && segment_ - reported >= segments_between_reports) {
       reported = segment_;
@@ -73,7 +73,7 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     }
   }
   end_trail();
-  search_.settle(stepper_.series(), motion_);
+  settle_peaks();
   settle_floors();
   settle();
   return status();
@@ -140,7 +140,7 @@ bool Walk::cruise() {
   if (trail_.room() == 0) {
     end_trail();
     if (settle_before(segment_)) {
-      search_.settle(stepper_.series(), motion_);
+      settle_peaks();
       settle_floors();
       settled_before(segment_);
     }
@@ -197,7 +197,8 @@ void Walk::walk(double start, double length) {
   double elapsed = 0.0;
   long cuts = 0;
   while (elapsed < length && go_on()) {
-    if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
+    if (search_.much_is_open()) settle_peaks();
+    if (floors_.much_is_open()) settle_floors();
     const double left = length - elapsed;
     const double time = start + elapsed;
     if (!step(time, left)) return;
@@ -287,6 +288,10 @@ void Walk::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& 
 }
 
 /// Looks into what bounds left open, so that what is nearest so far is known.
+void Walk::settle_peaks() {
+  search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
+}
+
 void Walk::settle_floors() {
   for (const FloorWatch::Open& flight : floors_.take_open()) {
     if (floors_.settled(flight)) continue;

@@ -129,6 +129,7 @@ class Walk {
   void walk(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
   void watch_step(double time, double cut);
+  void settle_peaks();
   void settle_floors();
   void arrive();
   void note_ground(const double* q);
