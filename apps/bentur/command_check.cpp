@@ -2,7 +2,9 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
+#include "effort_text.h"
 #include "session.h"
 #include "table.h"
 
@@ -22,9 +24,10 @@ void run(const std::string& file) {
   }
   text += excitation_line(loaded.c) + "\n";
   for (const Building& building : loaded.problem.buildings) {
-    text += fmt::format("{}: {}, {} of freedom\n", building.name,
+    text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
                         count(building.model.elevations.size(), "floor", "floors"),
-                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"));
+                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+                        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
   }
   for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
@@ -34,7 +37,13 @@ void run(const std::string& file) {
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
-  print(text);
+  SolveOptions options;
+  options.output_step = loaded.c.analysis.output_step;
+  options.energy_audit = loaded.c.analysis.energy_audit;
+  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
+  const std::string refusal = beyond_limits(loaded, needed);
+  if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
+  print(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem)));
 }
 
 }  // namespace
@@ -42,7 +51,7 @@ void run(const std::string& file) {
 void add_check_command(CLI::App& app) {
   auto file = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("check", "Read and validate a case, simulate nothing");
-  command->add_option("CASE", *file, "the case file (TOML)")->required();
+  command->add_option("CASE", *file, "the case file (TOML)")->required()->check(not_empty());
   command->footer("Example: bentur check case.toml");
   command->callback([file] { run(*file); });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "arguments.h"
 #include "bentur/io/examples/example_files.h"
 #include "commands.h"
 #include "session.h"
@@ -13,6 +14,7 @@ namespace {
 struct ExampleArguments {
   std::string name;
   std::string directory = ".";
+  bool force = false;
 };
 
 void list_examples() {
@@ -32,7 +34,7 @@ void run(const ExampleArguments& arguments) {
   if (example == all.end()) {
     throw Failure(exit_bad_input, "no example \"" + arguments.name + "\"; `bentur example` lists them");
   }
-  const std::filesystem::path file = write_example(*example, arguments.directory);
+  const std::filesystem::path file = write_example(*example, arguments.directory, {.force = arguments.force});
   print(file.string() + "\n");
   message("Run it: bentur run " + file.string());
 }
@@ -42,12 +44,16 @@ void run(const ExampleArguments& arguments) {
 void add_example_command(CLI::App& app) {
   auto arguments = std::make_shared<ExampleArguments>();
   CLI::App* command = app.add_subcommand("example", "List the built-in examples, or write one out ready to edit");
-  CLI::Option* name = command->add_option("NAME", arguments->name, "the example to write; without it they are listed");
+  CLI::Option* name = command->add_option("NAME", arguments->name, "the example to write; without it they are listed")
+                          ->check(not_empty());
   command->add_option("-o,--output", arguments->directory, "folder to write into, made if missing")
       ->type_name("DIR")
       ->capture_default_str()
+      ->check(not_empty())
       ->needs(name);
-  command->footer("Nothing that differs is overwritten.\n\nExample: bentur example m12-el-centro -o mine");
+  add_force(*command, arguments->force);
+  command->footer(
+      "Nothing that differs is overwritten without --force.\n\nExample: bentur example m12-el-centro -o mine");
   command->callback([arguments] { arguments->name.empty() ? list_examples() : run(*arguments); });
 }
 

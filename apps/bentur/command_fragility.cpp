@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "bentur/io/fragility/fragility_report.h"
 #include "commands.h"
 #include "session.h"
@@ -204,7 +205,7 @@ void add_fragility_command(CLI::App& app) {
   auto arguments = std::make_shared<FragilityArguments>();
   FragilityRequest& request = arguments->request;
   CLI::App* command = app.add_subcommand("fragility", "Fragility curves from an incremental dynamic analysis");
-  command->add_option("FILE", arguments->file, "results of bentur ida (NetCDF-4)")->required();
+  command->add_option("FILE", arguments->file, "results of bentur ida (NetCDF-4)")->required()->check(not_empty());
   command->add_option(
       "--event", request.event,
       "a quantity of the results compared with a number in its unit there, true where any point or floor "

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "arguments.h"
 #include "bentur/io/gap/gap_study.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/study/gap/gap_outcome.h"
@@ -238,9 +239,10 @@ void add_gap_command(CLI::App& app) {
   auto arguments = std::make_shared<GapArguments>();
   CLI::App* command = app.add_subcommand("gap", "The gap that keeps the buildings apart, simulated and by the rules");
   command->add_option("FILE", arguments->file, "the case file (TOML), or a study: then over all of its records")
-      ->required();
+      ->required()
+      ->check(not_empty());
   command->add_option("--at", arguments->at, "for a study with [ida]: the intensity; default its highest level")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   command->add_flag("--json", arguments->json, "JSON instead of tables");
   command->footer(
       "Example: bentur gap case.toml\n"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "arguments.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
 #include "commands.h"
@@ -56,7 +57,8 @@ std::string modes_text(const Building& building, const Units& units) {
   table.add("mass", "%", fraction);
   table.add("mass so far", "%", cumulative);
   std::string text =
-      fmt::format("{}: first period {} s\n\n{}", building.name, number(properties.periods(0)), table.text());
+      fmt::format("{}: {}\n\n{}", building.name,
+                  proportions_text(building, proportions(building, units, nullptr), units), table.text());
   if (shown < properties.periods.size()) {
     text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
   }
@@ -77,7 +79,7 @@ void run(const ModesArguments& arguments) {
     }
   }
   if (arguments.json) {
-    print(modes_json(loaded.problem.buildings));
+    print(modes_json(loaded.problem.buildings, loaded.c.units));
     return;
   }
   std::string text;
@@ -92,7 +94,7 @@ void run(const ModesArguments& arguments) {
 void add_modes_command(CLI::App& app) {
   auto arguments = std::make_shared<ModesArguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, participation and shapes of each building");
-  command->add_option("CASE", arguments->file, "the case file (TOML)")->required();
+  command->add_option("CASE", arguments->file, "the case file (TOML)")->required()->check(not_empty());
   command->add_flag("--json", arguments->json, "JSON instead of tables; shapes mass-normalised");
   command
       ->add_option("--method", arguments->method,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "bentur/core/errors.h"
 #include "bentur/io/results/netcdf_reader.h"
 #include "bentur/report/figures/figure_files.h"
@@ -25,7 +26,7 @@ struct PlotArguments {
   FigureOptions options;
   double from = NAN, to = NAN, elevation = NAN;
   int gap = -1;
-  bool list = false;
+  bool list = false, force = false;
 };
 
 std::optional<double> given(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
@@ -54,18 +55,23 @@ void list_kinds(const NetcdfReader& results) {
 
 void run(const PlotArguments& arguments) {
   std::error_code ignored;
-  if (!std::filesystem::exists(arguments.results, ignored)) {
-    throw Failure(exit_bad_input, arguments.results + ": error: there is no such file");
+  std::filesystem::path file = arguments.results;
+  if (std::filesystem::is_directory(file, ignored)) file /= "histories.nc";  // as bentur run -o has left it
+  if (!std::filesystem::exists(file, ignored)) {
+    throw Failure(exit_bad_input, file.string() + ": error: there is no such file");
   }
   try {
-    const NetcdfReader results{std::filesystem::path(arguments.results)};
+    const NetcdfReader results{file};
     if (arguments.list) return list_kinds(results);
     if (arguments.kind.empty()) {
       throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
     }
     const Figure figure = make_figure(results, arguments.kind, options_of(arguments));
-    write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, figure);
+    write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, figure,
+                  {.inputs = {file}, .force = arguments.force});
   } catch (const NoFigure& error) {
+    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
+  } catch (const NetcdfError& error) {
     throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
   }
 }
@@ -78,23 +84,34 @@ bool is_picture(const std::filesystem::path& file) {
   return std::any_of(known.begin(), known.end(), [&](const std::string& one) { return ending == "." + one; });
 }
 
-void write_picture(const std::filesystem::path& file, const Figure& figure) {
+void expect_picture(const std::filesystem::path& file, const OutputRules& rules) {
   const std::string name = file.stem().string();
   const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
   if (!is_picture(file) || std::any_of(name.begin(), name.end(), is_control)) {
     throw Failure(exit_bad_input, fmt::format("bentur: --output {}: must end in .svg, .pdf or .png", file.string()));
   }
   if (!gnuplot_version()) throw Failure(exit_other, std::string("bentur: ") + NoGnuplot().what());
-  write_figures(file.parent_path(), {{name, figure}}, {file.extension().string().substr(1)});
+  expect_figure(file.parent_path(), name, {file.extension().string().substr(1)}, rules);
+}
+
+void write_picture(const std::filesystem::path& file, const Figure& figure, const OutputRules& rules) {
+  expect_picture(file, rules);
+  const std::string name = file.stem().string();
+  write_figures(file.parent_path(), {{name, figure}}, {file.extension().string().substr(1)}, rules);
   message(fmt::format("Wrote {}, and {}.dat and {}.gp beside it to restyle it", file.string(), name, name));
 }
 
 void add_plot_command(CLI::App& app) {
   auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "Draw a figure from results");
-  command->add_option("RESULTS", arguments->results, "histories.nc of a run, or the results of a sweep")->required();
+  command
+      ->add_option("RESULTS", arguments->results,
+                   "histories.nc of a run or the folder it is in, or the results of a sweep")
+      ->required()
+      ->check(not_empty());
   command->add_option("KIND", arguments->kind, "what to draw; --list shows the kinds");
   command->add_option("-o,--output", arguments->output, "the picture, .svg, .pdf or .png; default KIND.svg")
+      ->check(not_empty())
       ->type_name("FILE");
   command->add_flag("--list", arguments->list, "the kinds of figure these results can give");
   command->add_option("--from", arguments->from, "of histories: first time [s]");
@@ -111,6 +128,7 @@ void add_plot_command(CLI::App& app) {
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
   command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
       ->check(CLI::Range(5.0, 60.0));
+  add_force(*command, arguments->force);
   command->footer(
       "Example: bentur plot results/histories.nc displacement -o displacement.pdf\n"
       "         bentur plot m12-gaps.nc peak-force --at excitation=harmonic");

@@ -2,14 +2,16 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
-#include "bentur/io/results/atomic_file.h"
+#include "arguments.h"
 #include "bentur/io/results/netcdf_reader.h"
 #include "bentur/io/results/result_reading.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
 #include "bentur/report/html/sweep_report.h"
 #include "commands.h"
+#include "output.h"
 #include "session.h"
 
 namespace bentur::cli {
@@ -19,6 +21,7 @@ struct ReportArguments {
   std::string input;
   std::string output;
   std::string language = "en";
+  bool force = false;
 };
 
 /// The report of a folder of results.
@@ -26,6 +29,7 @@ std::string from_results(const std::filesystem::path& folder, ReportOptions opti
   try {
     const RunResults results = read_results(folder);
     options.figures = report_figures(NetcdfReader(folder / "histories.nc"), options.language);
+    options.remarks = results.remarks;
     return report_html(results.c, results.problem, results.response, options);
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
@@ -46,24 +50,35 @@ std::string from_netcdf(const std::filesystem::path& file, ReportOptions options
   }
 }
 
-std::string from_case(const std::filesystem::path& file, ReportOptions options) {
-  const Loaded loaded = load(file);
+std::string from_case(const Loaded& loaded, ReportOptions options) {
   const Response response = simulate(loaded, report_output_step(loaded.problem), true);
   options.figures = report_figures(loaded.c, loaded.problem, response, options.language);
   return report_html(loaded.c, loaded.problem, response, options);
 }
 
+/// The result files that a report is made from.
+std::vector<std::filesystem::path> files_of_results(const std::filesystem::path& input, bool is_folder) {
+  std::vector<std::filesystem::path> files = {input};
+  const std::filesystem::path folder = is_folder ? input : input.parent_path();
+  for (const char* name : {"summary.json", "impacts.csv", "histories.nc", "case.toml"}) files.push_back(folder / name);
+  return files;
+}
+
 void run(const ReportArguments& arguments) {
   const std::filesystem::path input = arguments.input;
-  const std::filesystem::path output = arguments.output;
-  AtomicFiles files(output.parent_path());  // before the work, so that a folder that cannot be written costs none
+  const bool is_folder = std::filesystem::is_directory(input);
+  const bool is_netcdf = !is_folder && input.extension() == ".nc";
+  const bool from_files = is_folder || is_netcdf;
+  const Loaded loaded = from_files ? Loaded{} : load(input);
+  // Before the work, so that a place that cannot be written to costs none.
+  OutputFile output(arguments.output, ResultKind::report,
+                    {from_files ? files_of_results(input, is_folder) : loaded.files, arguments.force});
   const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION};
-  const std::string page = std::filesystem::is_directory(input) ? from_results(input, options)
-                           : input.extension() == ".nc"         ? from_netcdf(input, options)
-                                                                : from_case(input, options);
-  files.add(output.filename().string(), page);
-  files.commit();
-  message(fmt::format("Wrote {} ({} kB)", output.string(), (page.size() + 999) / 1000));
+  const std::string page = is_folder   ? from_results(input, options)
+                           : is_netcdf ? from_netcdf(input, options)
+                                       : from_case(loaded, options);
+  output.write(page);
+  if (!output.is_streamed()) message(fmt::format("Wrote {} ({} kB)", arguments.output, (page.size() + 999) / 1000));
 }
 
 }  // namespace
@@ -74,12 +89,15 @@ void add_report_command(CLI::App& app) {
   command
       ->add_option("CASE", arguments->input,
                    "the case file (TOML), a folder that bentur run -o wrote, or the results of bentur sweep (.nc)")
-      ->required();
-  command->add_option("-o,--output", arguments->output, "the HTML file, complete in itself")
       ->required()
+      ->check(not_empty());
+  command->add_option("-o,--output", arguments->output, "the HTML file, complete in itself; - for standard output")
+      ->required()
+      ->check(not_empty())
       ->type_name("FILE");
   command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
       ->check(CLI::IsMember(std::vector<std::string>(report_languages().begin(), report_languages().end())));
+  add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");
   command->callback([arguments] { run(*arguments); });
 }

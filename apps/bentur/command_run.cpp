@@ -6,15 +6,19 @@
 #include <memory>
 #include <optional>
 
-#include "bentur/io/results/atomic_file.h"
+#include "arguments.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/result_netcdf.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/restitution.h"
 #include "commands.h"
+#include "output.h"
 #include "session.h"
 #include "table.h"
 
@@ -27,6 +31,7 @@ struct RunArguments {
   std::vector<std::string> figures;  // their formats
   bool json = false;
   bool quiet = false;
+  bool force = false;
 };
 
 /// Floors top to bottom, as the building stands.
@@ -228,13 +233,21 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
   }
   for (int gap = 0; gap < gaps; ++gap) {
     if (points_of(problem, gap).empty()) continue;
-    text += fmt::format("\nContact {}\n\n{}", gap_name(problem, gap), contact_table(loaded, response, gap).text());
+    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap),
+                        contact_table(loaded, response, gap).text());
   }
   text += law_text(loaded, response);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    text += fmt::format("\nPeaks of {}\n\n{}", problem.buildings[b].name,
-                        building_table(loaded, problem.buildings[b], response.buildings[b]).text());
+    const Building& building = problem.buildings[b];
+    const Proportions found = proportions(building, loaded.c.units, &response.buildings[b]);
+    text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
+                        building_table(loaded, building, response.buildings[b]).text());
+    text += fmt::format("  Base shear {} of the weight; {}\n",
+                        found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
+                        proportions_text(building, found, loaded.c.units));
   }
+  const std::string unusual = remarks_text(remarks(loaded.c, problem, response));
+  text += "\n" + unusual + wrapped(model_text()) + "\n";
   if (response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
                         number(response.energy->peak_input), loaded.c.units.force, loaded.c.units.length,
@@ -245,53 +258,93 @@ std::string summary_text(const Loaded& loaded, const Response& response) {
                             number(1e3 * response.wall_time), response.steps, response.events);
 }
 
-/// Draws what the run has to show into the folder "figures" beside its results.
-void write_pictures(const RunArguments& arguments, const std::string& histories) {
-  const std::filesystem::path folder = std::filesystem::path(arguments.directory) / "figures";
-  try {
-    const std::vector<std::string> names = write_run_figures(folder, histories, arguments.figures);
-    if (arguments.quiet) return;
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    message(fmt::format("Wrote the figures {} into {}", list, folder.string()));
-  } catch (const NoGnuplot& error) {
-    message(fmt::format("bentur: {}; their data and scripts are in {}", error.what(), folder.string()));
+/// The result files of a run in one folder.
+class RunOutput {
+ public:
+  /// Before the work, so that a folder that cannot be written to costs none. @throws as AtomicFiles.
+  RunOutput(const RunArguments& arguments, Loaded& loaded)
+      : arguments_(arguments),
+        rules_{.inputs = loaded.files, .force = arguments.force},
+        files_(arguments.directory, rules_) {
+    // Where the case itself lies there under the name of its copy none is needed.
+    loaded.c.source->copied = !rules_.is_input(folder() / "case.toml");
+    files_.expect("summary.json", ResultKind::summary);
+    files_.expect("impacts.csv", ResultKind::impacts);
+    files_.expect("histories.nc", ResultKind::histories);
+    if (loaded.c.source->copied) files_.expect("case.toml", ResultKind::case_copy);
+    for (const std::string& name : run_figure_names()) {
+      if (!arguments.figures.empty()) expect_figure(folder() / "figures", name, arguments.figures, rules_);
+    }
   }
-}
+
+  void write(const Loaded& loaded, const Response& response, const std::string& summary) {
+    const bool figures = !arguments_.figures.empty();
+    const FigureData data = figures ? figure_data(loaded.problem, response, loaded.c.analysis.solver) : FigureData{};
+    histories_ = histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION, figures ? &data : nullptr);
+    if (loaded.c.source->copied) files_.add("case.toml", loaded.c.source->text, ResultKind::case_copy);
+    files_.add("summary.json", summary, ResultKind::summary);
+    files_.add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response), ResultKind::impacts);
+    files_.add("histories.nc", histories_, ResultKind::histories);
+    remove_run_figures(folder() / "figures", rules_);  // never figures of one run beside the results of another
+    files_.commit();
+  }
+
+  /// Draws what the run has to show into the folder "figures" beside its results.
+  void write_pictures() const {
+    const std::filesystem::path pictures = folder() / "figures";
+    try {
+      const std::vector<std::string> names = write_run_figures(pictures, histories_, arguments_.figures, rules_);
+      if (arguments_.quiet) return;
+      std::string list;
+      for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+      message(fmt::format("Wrote the figures {} into {}", list, pictures.string()));
+    } catch (const NoGnuplot& error) {
+      message(fmt::format("bentur: {}; their data and scripts are in {}", error.what(), pictures.string()));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path folder() const { return arguments_.directory; }
+
+  const RunArguments& arguments_;
+  OutputRules rules_;
+  AtomicFiles files_;
+  std::string histories_;
+};
 
 void run(const RunArguments& arguments) {
   if (!arguments.figures.empty() && arguments.directory.empty()) {
     throw Failure(exit_bad_input, "bentur run: --figures needs --output, the folder for them");
   }
-  std::optional<AtomicFiles> output;
+  if (arguments.file.empty() && !arguments.directory.empty()) {
+    throw Failure(exit_bad_input,
+                  "bentur run: --output needs a CASE; the built-in example is written out by "
+                  "bentur example m12-el-centro -o DIR");
+  }
+  if (is_standard_output(arguments.directory)) {
+    throw Failure(exit_bad_input, fmt::format("bentur run: --output {}: must be a folder; --json prints the summary to "
+                                              "standard output",
+                                              arguments.directory));
+  }
   if (arguments.file.empty() && !arguments.quiet) {
     message("No case given: running the built-in example m12-el-centro.");
   }
-  const Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file);
-  if (!arguments.directory.empty()) {
-    output.emplace(arguments.directory);  // before the work, so that a folder that cannot be written costs none
-  }
+  Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file);
+  std::optional<RunOutput> output;
+  if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   const Response response = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
   const std::string summary = summary_json(loaded.c, loaded.problem, response, BENTUR_VERSION);
-  std::string histories;
-  if (output) {
-    const bool figures = !arguments.figures.empty();
-    const FigureData data = figures ? figure_data(loaded.problem, response, loaded.c.analysis.solver) : FigureData{};
-    histories = histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION, figures ? &data : nullptr);
-    output->add("summary.json", summary);
-    output->add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response));
-    output->add("histories.nc", histories);
-    output->commit();
-  }
+  if (output) output->write(loaded, response, summary);
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
     print(summary_text(loaded, response));
   }
   if (output && !arguments.quiet) {
-    message("Wrote summary.json, impacts.csv and histories.nc into " + arguments.directory);
+    message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",
+                        loaded.c.source->copied ? " and case.toml" : "", arguments.directory));
   }
-  if (!arguments.figures.empty()) write_pictures(arguments, histories);
+  if (!arguments.figures.empty()) output->write_pictures();
 }
 
 }  // namespace
@@ -299,8 +352,12 @@ void run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Simulate a case and print what happens");
-  command->add_option("CASE", arguments->file, "the case file (TOML); without it the example m12-el-centro is run");
-  command->add_option("-o,--output", arguments->directory, "folder for summary.json, impacts.csv and histories.nc")
+  command->add_option("CASE", arguments->file, "the case file (TOML); without it the example m12-el-centro is run")
+      ->check(not_empty());
+  command
+      ->add_option("-o,--output", arguments->directory,
+                   "folder for summary.json, impacts.csv, histories.nc and case.toml")
+      ->check(not_empty())
       ->type_name("DIR");
   command->add_option("--figures", arguments->figures, "draw figures too, as svg, pdf, png or several: svg,pdf")
       ->delimiter(',')
@@ -309,6 +366,7 @@ void add_run_command(CLI::App& app) {
       ->type_name("FORMATS");
   command->add_flag("--json", arguments->json, "print the summary as JSON instead of tables");
   command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
+  add_force(*command, arguments->force);
   command->footer("Example: bentur run case.toml -o results --figures svg,pdf");
   command->callback([arguments] { run(*arguments); });
 }

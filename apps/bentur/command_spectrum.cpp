@@ -6,13 +6,14 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/units.h"
 #include "bentur/io/records/record_files.h"
-#include "bentur/io/results/atomic_file.h"
 #include "bentur/io/results/spectrum_files.h"
 #include "bentur/report/kinds/kinds.h"
 #include "commands.h"
+#include "output.h"
 #include "picture.h"
 #include "session.h"
 #include "table.h"
@@ -24,7 +25,7 @@ struct SpectrumArguments {
   std::string file, unit, periods = "0.05:5:41", length = "m", output;
   RecordOptions options;
   double damping = 0.05;
-  bool json = false;
+  bool json = false, force = false;
 };
 
 /// "FROM:TO:COUNT" as periods.
@@ -123,6 +124,17 @@ void run(const SpectrumArguments& arguments) {
   if (!(arguments.damping >= 0 && arguments.damping < 1)) {
     throw Failure(exit_bad_input, fmt::format("bentur: --damping {}: must be in [0, 1)", arguments.damping));
   }
+  const std::filesystem::path output(arguments.output);
+  const OutputRules rules{.inputs = {arguments.file}, .force = arguments.force};
+  std::optional<OutputFile> csv;
+  if (is_picture(output)) {
+    expect_picture(output, rules);
+  } else if (!arguments.output.empty()) {
+    if (is_standard_output(arguments.output) && arguments.json) {
+      throw Failure(exit_bad_input, "bentur spectrum: --json and --output both ask for standard output");
+    }
+    csv.emplace(arguments.output, ResultKind::spectrum, rules);
+  }
   RecordSpectrum spectrum;
   spectrum.units.length = arguments.length;
   spectrum.units.gravity = standard_gravity(arguments.length);
@@ -134,19 +146,13 @@ void run(const SpectrumArguments& arguments) {
   } catch (const InvalidParameter& error) {
     throw Failure(exit_bad_input, fmt::format("{}: error: {}", arguments.file, error.what()));
   }
-  const std::filesystem::path output(arguments.output);
-  if (is_picture(output)) {
-    write_picture(output, spectrum_picture(spectrum));
-  } else if (!arguments.output.empty()) {
-    AtomicFiles files(output.has_parent_path() ? output.parent_path() : std::filesystem::path("."));
-    files.add(output.filename().string(), spectrum_csv(spectrum));
-    files.commit();
-  }
+  if (is_picture(output)) write_picture(output, spectrum_picture(spectrum), rules);
+  if (csv) csv->write(spectrum_csv(spectrum));
   if (arguments.json) {
     print(spectrum_json(spectrum, BENTUR_VERSION));
   } else if (arguments.output.empty()) {
     print(spectrum_text(spectrum));
-  } else if (!is_picture(output)) {
+  } else if (csv && !csv->is_streamed()) {
     print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
   }
 }
@@ -157,13 +163,13 @@ void add_spectrum_command(CLI::App& app) {
   auto arguments = std::make_shared<SpectrumArguments>();
   arguments->options.of_command = true;
   CLI::App* command = app.add_subcommand("spectrum", "The response spectrum of a record");
-  command->add_option("FILE", arguments->file, "the record (docs/record-files.md)")->required();
+  command->add_option("FILE", arguments->file, "the record (docs/record-files.md)")->required()->check(not_empty());
   command->add_option("--unit", arguments->unit, "of the accelerations, where the file does not say it")
       ->check(CLI::IsMember(acceleration_units()));
   command->add_option("--format", arguments->options.format, "of the file; default auto")
       ->check(CLI::IsMember(record_formats()));
   command->add_option("--time-step", arguments->options.time_step, "[s], where the file does not say it")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   command->add_option("--column", arguments->options.column, "of the accelerations, where there are more than two")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--channel", arguments->options.channel, "of accelerations, where the file has several")
@@ -175,7 +181,11 @@ void add_spectrum_command(CLI::App& app) {
                       "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41");
   command->add_option("--length", arguments->length, "unit of length of the results, default m")
       ->check(CLI::IsMember(length_units()));
-  command->add_option("-o,--output", arguments->output, "write a CSV file, or draw a picture: .svg, .pdf or .png");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "write a CSV file (- for standard output), or draw a picture: .svg, .pdf or .png")
+      ->check(not_empty());
+  add_force(*command, arguments->force);
   command->add_flag("--json", arguments->json, "JSON instead of a table");
   command->footer(
       "Displacement is relative to the ground, acceleration with it; every peak is that of the continuous response.\n"

@@ -2,16 +2,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "arguments.h"
 #include "bentur/io/sweep/sweep.h"
 #include "commands.h"
+#include "output.h"
 #include "session.h"
 #include "table.h"
 
@@ -24,23 +24,11 @@ struct SweepArguments {
   bool resume = false;
   bool check = false;
   bool quiet = false;
+  bool force = false;
   int threads = 0;
 };
 
 const char* name(StudyKind kind) { return kind == StudyKind::ida ? "ida" : "sweep"; }
-
-std::atomic<bool> stop_asked = false;  // by Ctrl-C, or whoever ends the job
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void ask_stop(int) { stop_asked = true; }
-
-void listen_for_stop() {
-  struct sigaction action {};
-  action.sa_handler = ask_stop;
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);  // a second one ends the program as ever
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 std::string duration_text(double seconds) {
   const auto whole = std::lround(seconds);
@@ -96,6 +84,10 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
                     report.unmodelled, report.runs));
   }
   if (arguments.quiet) return;
+  if (report.before) {
+    print(fmt::format("{} runs were done before, nothing to do: {}\n", report.runs, arguments.output));
+    return;
+  }
   const double rate = static_cast<double>(report.solved) / std::max(report.seconds, 1e-9);
   print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,
                     report.impacts, report.failed, number(rate), report.solved, report.seconds, arguments.output));
@@ -105,6 +97,11 @@ void run(const SweepArguments& arguments) {
   if (arguments.check) return outline(arguments);
   if (arguments.output.empty())
     throw Failure(exit_bad_input, fmt::format("bentur {}: --output is required", name(arguments.kind)));
+  if (is_standard_output(arguments.output)) {
+    throw Failure(exit_bad_input, fmt::format("bentur {}: --output {}: results in NetCDF cannot be streamed; give the "
+                                              "name of a file",
+                                              name(arguments.kind), arguments.output));
+  }
   Ranks ranks;
   try {
     const bool leads = ranks.rank() == 0;
@@ -112,17 +109,19 @@ void run(const SweepArguments& arguments) {
     options.kind = arguments.kind;
     options.output = arguments.output;
     options.resume = arguments.resume;
+    options.force = arguments.force;
     options.threads = arguments.threads;
     options.version = BENTUR_VERSION;
-    options.stop = [] { return stop_asked.load(std::memory_order_relaxed); };
+    options.stop = StopOnSignal::asked;
     Line line;
     if (leads && !arguments.quiet && ::isatty(STDERR_FILENO) == 1) {
       options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
     }
-    if (leads && arguments.resume && !std::filesystem::exists(arguments.output + ".part")) {
+    if (leads && arguments.resume && !std::filesystem::exists(arguments.output + ".part") &&
+        !std::filesystem::exists(arguments.output)) {
       message(arguments.output + ".part: not there, nothing to go on with: beginning anew");
     }
-    listen_for_stop();
+    const StopOnSignal stop;
     Diagnostics diagnostics;
     const auto report = sweep(arguments.study, options, ranks, diagnostics);
     line.clear();
@@ -134,6 +133,10 @@ void run(const SweepArguments& arguments) {
     report_end(arguments, *report);
   } catch (const Failure& failure) {
     throw;
+  } catch (const RefusedOutput& error) {
+    message(error.what());
+    ranks.end_job(exit_bad_input);
+    throw Failure(exit_bad_input, "");
   } catch (const std::exception& error) {
     message(std::string("bentur: ") + error.what());
     ranks.end_job(exit_other);  // the others would wait for ever
@@ -142,13 +145,18 @@ void run(const SweepArguments& arguments) {
 }
 
 void add_options(CLI::App& command, const std::shared_ptr<SweepArguments>& arguments) {
-  command.add_option("STUDY", arguments->study, "the study file (TOML): a case and what varies in it")->required();
-  command.add_option("-o,--output", arguments->output, "file for the results (NetCDF-4)")->type_name("FILE");
-  command.add_flag("--resume", arguments->resume, "go on with unfinished work");
+  command.add_option("STUDY", arguments->study, "the study file (TOML): a case and what varies in it")
+      ->required()
+      ->check(not_empty());
+  command.add_option("-o,--output", arguments->output, "file for the results (NetCDF-4)")
+      ->check(not_empty())
+      ->type_name("FILE");
+  command.add_flag("--resume", arguments->resume, "go on with unfinished work; leave finished work as it is");
   command.add_flag("--check", arguments->check, "read and validate only, and say how many runs there are");
   command.add_option("--threads", arguments->threads, "threads of each process; default: all, under mpirun one")
       ->check(CLI::Range(1, 4096));
   command.add_flag("-q,--quiet", arguments->quiet, "no progress, no last line");
+  add_force(command, arguments->force);
   command.callback([arguments] { run(*arguments); });
 }
 

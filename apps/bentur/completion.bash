@@ -27,16 +27,16 @@ _bentur() {
   fi
   case $command in
     '') options='run report gap sweep ida fragility modes check spectrum plot example --help --version' ;;
-    run) options='--output --figures --json --quiet --help' ;;
-    report) options='--output --lang --help' ;;
+    run) options='--output --figures --json --quiet --force --help' ;;
+    report) options='--output --lang --force --help' ;;
     gap) options='--at --json --help' ;;
-    sweep | ida) options='--output --resume --check --threads --quiet --help' ;;
+    sweep | ida) options='--output --resume --check --threads --quiet --force --help' ;;
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--help' ;;
-    spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --json --help' ;;
-    plot) options='--output --list --from --to --gap --elevation --at --against --event --width --help' ;;
-    example) options='--output --help' ;;
+    spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --force --json --help' ;;
+    plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --help' ;;
+    example) options='--output --force --help' ;;
   esac
   if [[ -z $command || $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")

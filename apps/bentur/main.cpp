@@ -1,8 +1,14 @@
 /// bentur, the command line: arguments, printing and exit statuses only; everything else is in the library.
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <string>
 
+#include "arguments.h"
+#include "bentur/io/output/output_rules.h"
 #include "commands.h"
 #include "session.h"
 
@@ -37,16 +43,28 @@ int run(int argc, char** argv) {
     message(app.help());
     return exit_bad_input;
   }
+  const std::string first = argv[1];
+  if (!first.starts_with("-") && !is_command(app, first)) {
+    message(fmt::format("bentur: there is no command \"{}\"{}; bentur --help shows those there are", first,
+                        meant_command(app, first)));
+    return exit_bad_input;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version);
+  } catch (const CLI::ExtrasError& error) {
+    message(fmt::format("bentur: {}{}\nRun with --help for more information.", error.what(), meant_option(app)));
+    return exit_bad_input;
   } catch (const CLI::ParseError& error) {
     message(std::string("bentur: ") + error.what() + "\nRun with --help for more information.");
     return exit_bad_input;
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') message(failure.what());
     return failure.status();
+  } catch (const RefusedOutput& error) {
+    message(error.what());
+    return exit_bad_input;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     message("bentur: cannot write to standard output");
@@ -61,10 +79,12 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return bentur::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("bentur: the memory of this machine is not enough for this; bentur check CASE says what a run takes\n",
+               stderr);
+    return bentur::cli::exit_numbers_failed;
   } catch (const std::exception& error) {
-    std::fputs("bentur: ", stderr);
-    std::fputs(error.what(), stderr);
-    std::fputs("\n", stderr);
+    bentur::cli::message(std::string("bentur: ") + error.what());
   } catch (...) {
     std::fputs("bentur: unknown failure\n", stderr);
   }

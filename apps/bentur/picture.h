@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "bentur/io/output/output_rules.h"
 #include "bentur/report/figures/figure.h"
 
 namespace bentur::cli {
@@ -9,8 +10,11 @@ namespace bentur::cli {
 /// Whether a file's name ends as a picture's does.
 [[nodiscard]] bool is_picture(const std::filesystem::path& file);
 
-/// Draws a figure into `file` and puts data and script beside it. @throws Failure when the name has no such ending
-/// (exit_bad_input) or gnuplot is missing (exit_other).
-void write_picture(const std::filesystem::path& file, const Figure& figure);
+/// Before the work: @throws Failure when the name has no such ending (exit_bad_input) or gnuplot is missing
+/// (exit_other), RefusedOutput when it or what stands beside it must not be written.
+void expect_picture(const std::filesystem::path& file, const OutputRules& rules);
+
+/// Draws a figure into `file` and puts data and script beside it. @throws as expect_picture().
+void write_picture(const std::filesystem::path& file, const Figure& figure, const OutputRules& rules);
 
 }  // namespace bentur::cli

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -13,19 +14,62 @@
 #include "bentur/io/examples/example_files.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/temporary_folder.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/solve/solver.h"
+#include "effort_text.h"
 #include "table.h"
 
 namespace bentur::cli {
 namespace {
 
+constexpr std::size_t most_errors_shown = 100;
+
 std::string all_of(const Diagnostics& diagnostics) {
+  const std::vector<Diagnostic> errors = diagnostics.errors();
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics.errors()) text += (text.empty() ? "" : "\n") + diagnostic.text();
+  for (std::size_t i = 0; i < std::min(errors.size(), most_errors_shown); ++i) {
+    text += (text.empty() ? "" : "\n") + errors[i].text();
+  }
+  if (errors.size() > most_errors_shown) text += fmt::format("\nand {} more errors", errors.size() - most_errors_shown);
   return text;
 }
 
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void ask_stop(int) { stop_asked = true; }
+/// Bytes of the character that begins at `at`, by its first one and the ones that must follow; 0 where it is none.
+std::size_t character_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned lead = byte(at);
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
+}
+
 }  // namespace
+
+StopOnSignal::StopOnSignal() {
+  struct sigaction action {};
+  action.sa_handler = ask_stop;
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  sigaction(SIGINT, &action, &interrupt_);
+  sigaction(SIGTERM, &action, &terminate_);
+}
+
+StopOnSignal::~StopOnSignal() {
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
+}
+
+bool StopOnSignal::asked() { return stop_asked.load(std::memory_order_relaxed); }
 
 void Progress::show(double fraction) {
   const auto now = std::chrono::steady_clock::now();
@@ -50,7 +94,9 @@ Loaded load(const std::filesystem::path& file) {
   if (!c) throw Failure(diagnostics);
   try {
     Problem problem = make_problem(*c);
-    return {std::move(*c), std::move(problem)};
+    std::vector<std::filesystem::path> files = {file};
+    if (c->excitation.record) files.emplace_back(c->excitation.record->path);
+    return {std::move(*c), std::move(problem), std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, file.string() + ": error: " + error.what());
   }
@@ -72,14 +118,30 @@ Response simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
-  Progress display("of the duration simulated");
-  if (progress) {
-    options.progress = [&display](double fraction) {
-      display.show(fraction);
-      return true;
+  options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
+  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
+  const std::string refusal = beyond_limits(loaded, needed);
+  if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
+  const std::string warning = long_run_text(loaded, needed);
+  if (progress && !warning.empty()) message(warning);
+  double done = 0;
+  Response response;
+  {
+    const StopOnSignal stop;
+    Progress display("of the duration simulated");
+    options.progress = [&](double fraction) {
+      done = fraction;
+      if (progress) display.show(fraction);
+      return !StopOnSignal::asked();
     };
+    response = solve(loaded.problem, loaded.c.analysis.solver, options);
   }
-  Response response = solve(loaded.problem, loaded.c.analysis.solver, options);
+  if (response.status == Status::stopped) {
+    throw Failure(exit_other,
+                  fmt::format("Stopped at {:.0f} % of the work. Nothing is written; results written before are "
+                              "as they were",
+                              100 * done));
+  }
   if (response.status != Status::done) {
     throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
   }
@@ -133,8 +195,42 @@ std::string gap_name(const Problem& problem, int gap) {
   return problem.buildings.at(left).name + " | " + problem.buildings.at(left + 1).name;
 }
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+std::string remarks_text(const std::vector<Remark>& remarks) {
+  std::string text;
+  for (const Remark& remark : remarks) text += wrapped("remark: " + remark_text(remark)) + "\n";
+  return text;
+}
 
-void message(const std::string& text) { fmt::print(stderr, "{}\n", text); }
+std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
+  const double period = found.period_per_storey * static_cast<double>(building.model.elevations.size());
+  return fmt::format("weight {} {}, first period {} s, {} s per storey", number(found.weight), units.force,
+                     number(period), number(found.period_per_storey));
+}
+
+std::string harmless(const std::string& text) {
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const bool c0 = length == 1 && (lead < 0x20 || lead == 0x7F) && lead != '\n' && lead != '\t';
+    const bool c1 = length == 2 && lead == 0xC2 && static_cast<unsigned char>(text[at + 1]) < 0xA0;
+    if (length == 0) {
+      shown += "\\ufffd";
+    } else if (c0 || c1) {
+      shown += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[at + length - 1]));
+    } else {
+      shown.append(text, at, length);
+    }
+    at += std::max<std::size_t>(1, length);
+  }
+  return shown;
+}
+
+void print(const std::string& text) {
+  const std::string shown = harmless(text);
+  std::fwrite(shown.data(), 1, shown.size(), stdout);
+}
+
+void message(const std::string& text) { fmt::print(stderr, "{}\n", harmless(text)); }
 
 }  // namespace bentur::cli

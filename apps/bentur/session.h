@@ -1,13 +1,17 @@
 #pragma once
 
+#include <signal.h>
+
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur::cli {
 
@@ -48,6 +52,7 @@ class Progress {
 struct Loaded {
   Case c;
   Problem problem;
+  std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 /// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
@@ -56,9 +61,24 @@ struct Loaded {
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);
 
-/// Solves with the solver of the case; with histories every `output_step` [s] unless 0. With `progress`, work of more
-/// than two seconds shows how far it is, if standard error is a terminal. @throws Failure when the numbers fail
-/// (exit_numbers_failed).
+/// While it lives, Ctrl-C (or whoever ends the job) asks for a stop; a second one ends the program as ever.
+class StopOnSignal {
+ public:
+  StopOnSignal();
+  ~StopOnSignal();
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+  [[nodiscard]] static bool asked();
+
+ private:
+  struct sigaction interrupt_ = {}, terminate_ = {};  ///< as they were
+};
+
+/// Solves with the solver of the case; with histories every `output_step` [s] unless 0. Says so beforehand where it may
+/// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
+/// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
+/// (exit_numbers_failed) and when it is stopped (exit_other).
 [[nodiscard]] Response simulate(const Loaded& loaded, double output_step, bool progress);
 
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".
@@ -72,7 +92,17 @@ struct Loaded {
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, int gap);
 
-void print(const std::string& text);    ///< to standard output
-void message(const std::string& text);  ///< a line to standard error
+/// "remark: …" a line each, and nothing where there is none.
+[[nodiscard]] std::string remarks_text(const std::vector<Remark>& remarks);
+
+/// "743 kgf, first period 0.164 s, 0.05467 s per storey".
+[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units);
+
+/// Text as a terminal may get it: control characters but for line ends and tabs, which could do anything to it, are
+/// written out as \u001b, and what is not UTF-8 as \ufffd.
+[[nodiscard]] std::string harmless(const std::string& text);
+
+void print(const std::string& text);    ///< harmless(), to standard output
+void message(const std::string& text);  ///< harmless(), a line to standard error
 
 }  // namespace bentur::cli

@@ -10,6 +10,27 @@ std::size_t width(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t widest = 100;
+  std::string result;
+  std::size_t taken = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (taken > 0 && taken + 1 + width(word) > widest) {
+      result += "\n  ";
+      taken = 2;
+    } else if (at > 0) {
+      result += ' ';
+      ++taken;
+    }
+    result += word;
+    taken += width(word);
+    at = end + 1;
+  }
+  return result;
+}
+
 void Table::add(std::string name, std::string unit, std::vector<std::string> cells) {
   columns_.push_back({std::move(name), std::move(unit), std::move(cells)});
 }

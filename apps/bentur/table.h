@@ -10,6 +10,9 @@ namespace bentur::cli {
 /// Characters a UTF-8 text takes on a terminal.
 [[nodiscard]] std::size_t width(const std::string& text);
 
+/// Words in lines of at most 100 characters, those after the first indented by two.
+[[nodiscard]] std::string wrapped(const std::string& text);
+
 /// A table under two header rows, names and (where there are any) units, everything aligned to the right.
 class Table {
  public:

@@ -17,6 +17,7 @@ import xml.etree.ElementTree as xml
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
 WITH_IMPACTS = ["displacement", "opening", "force", "impact", "loop", "envelope", "amplification", "modes", "spectrum"]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
@@ -65,7 +66,7 @@ class Run(Figures):
 
     def test_every_script_draws_the_same_picture_and_complains_of_nothing(self):
         self.needs_gnuplot()
-        self.bentur(0, "run", "-o", "out", "--figures", "svg", SOURCE / "examples/m12-el-centro.toml")
+        self.bentur(0, "run", "-o", "out", "--figures", "svg", EL_CENTRO)
         folder = self.folder / "out/figures"
         for kind in WITH_IMPACTS:
             drawn = (folder / f"{kind}.svg").read_bytes()
@@ -76,7 +77,7 @@ class Run(Figures):
 
     def test_peaks_of_the_summary_are_in_the_data(self):
         self.needs_gnuplot()
-        summary = json.loads(self.bentur(0, "run", "-o", "out", "--figures", "svg", "--json").stdout)
+        summary = json.loads(self.bentur(0, "run", EL_CENTRO, "-o", "out", "--figures", "svg", "--json").stdout)
         folder = self.folder / "out/figures"
         points = summary["gaps"][0]["points"]
         hardest = max(points, key=lambda point: point["peak_force"])
@@ -98,7 +99,7 @@ class Run(Figures):
         self.assertAlmostEqual(max(row[1] for row in force), hardest["peak_force"], delta=1e-3 * hardest["peak_force"])
 
     def test_without_gnuplot_everything_else_is_there(self):
-        result = self.bentur(0, "run", "-o", "out", "--figures", "svg", env={"PATH": "/nonexistent"})
+        result = self.bentur(0, "run", EL_CENTRO, "-o", "out", "--figures", "svg", env={"PATH": "/nonexistent"})
         self.assertIn("gnuplot is not installed", result.stderr)
         self.assertIn("gnuplot-nox", result.stderr)
         self.assertIn("POUNDING", result.stdout)
@@ -108,7 +109,7 @@ class Run(Figures):
 
     def test_figures_of_an_earlier_run_go(self):
         self.needs_gnuplot()
-        self.bentur(0, "run", "-o", "out", "--figures", "svg,pdf")
+        self.bentur(0, "run", EL_CENTRO, "-o", "out", "--figures", "svg,pdf")
         (self.folder / "out/figures/mine.svg").touch()
         self.bentur(0, "example", "m12-el-centro", "-o", ".")
         case = self.folder / "m12-el-centro.toml"
@@ -119,8 +120,8 @@ class Run(Figures):
         self.assertEqual(names, {f"{kind}.{ending}" for kind in quiet for ending in ("dat", "gp", "svg")} | {"mine.svg"})
 
     def test_wrong_usage(self):
-        self.assertIn("--output", self.bentur(2, "run", "--figures", "svg").stderr)
-        self.bentur(2, "run", "-o", "out", "--figures", "gif")
+        self.assertIn("--output", self.bentur(2, "run", EL_CENTRO, "--figures", "svg").stderr)
+        self.bentur(2, "run", EL_CENTRO, "-o", "out", "--figures", "gif")
         self.assertFalse((self.folder / "out").exists())
 
     def test_texts_of_a_case_are_shown_and_do_nothing(self):
@@ -174,11 +175,17 @@ class Plot(Figures):
         self.assertIn("gap 3", self.bentur(2, "plot", results, "opening", "--gap", 3).stderr)
         self.assertIn("--from", self.bentur(2, "plot", results, "opening", "--from", 3, "--to", 2).stderr)
         self.assertIn("--from", self.bentur(2, "plot", results, "opening", "--from", 30).stderr)
+        for kind in "opening", "displacement", "force":
+            message = self.bentur(2, "plot", results, kind, "--from", 4.999, "--to", 4.9990001).stderr
+            self.assertIn("too near to one another", message)
+            self.assertNotIn("gnuplot", message)
+        for width in 1e-3, 1e-4, 1e-5:  # narrow, and still a picture
+            self.bentur(0, "plot", results, "opening", "--from", 4.999, "--to", 4.999 + width)
 
     def test_wrong_files(self):
         self.bentur(2, "plot", "nothing.nc", "opening")
         (self.folder / "text.nc").write_text("no results")
-        self.assertIn("NetCDF", self.bentur(1, "plot", "text.nc", "opening").stderr)
+        self.assertIn("NetCDF", self.bentur(2, "plot", "text.nc", "opening").stderr)
         results = self.run_of("free-impact")
         self.assertIn(".svg, .pdf or .png", self.bentur(2, "plot", results, "opening", "-o", "a.gif").stderr)
         self.bentur(1, "plot", results, "opening", "-o", "/proc/none/a.svg")

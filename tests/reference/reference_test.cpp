@@ -39,7 +39,8 @@ const char* const all_cases[] = {"absolute-delay",
                                  "matrices-unequal-heights",
                                  "restitution",
                                  "row-of-three-sticks",
-                                 "three-and-two-storeys-undamped"};
+                                 "three-and-two-storeys-undamped",
+                                 "unequal-bays"};
 
 class Reference : public testing::TestWithParam<const char*> {
  protected:

@@ -92,7 +92,7 @@ class Pages(Reports):
 
     def test_reports_of_results_open_as_well(self):
         results, sweep = self.folder / "results", self.folder / "sweep.nc"
-        subprocess.run([BENTUR, "run", "-q", "-o", str(results)], check=True, timeout=300)
+        subprocess.run([BENTUR, "run", str(SOURCE / "examples" / "m12-el-centro.toml"), "-q", "-o", str(results)], check=True, timeout=300)
         study = SOURCE / "examples" / "studies" / "m12-gaps.toml"
         subprocess.run([BENTUR, "sweep", "-q", str(study), "-o", str(sweep)], check=True, timeout=300)
         page = self.report(results)

@@ -252,6 +252,64 @@ print(json.dumps({"status": d.status.values.tolist(), "message": d.message.value
         self.assertEqual(found["impacts"], 37)
         self.assertTrue(found["nan"])
 
+    def test_what_moves_together_is_chosen_by_its_labels_or_by_number(self):
+        study = self.study(f"""
+case = "{SOURCE / 'examples/m12-el-centro.toml'}"
+[[vary]]
+parameter = "gap[0].width"
+together = "pair"
+values = [0.2, 0.4]
+[[vary]]
+parameter = "excitation.pga"
+together = "pair"
+values = [200, 400]
+[[vary]]
+parameter = "excitation.delays"
+together = "wave"
+labels = ["late", "at once"]
+values = [[0.0, 0.1], [0.0, 0.0]]
+[[vary]]
+parameter = "analysis.duration"
+together = "wave"
+values = [10.0, 5.0]
+""")
+        output = self.folder / "r.nc"
+        self.done(study, "-o", output)
+        found = self.in_python("""
+import json, sys, xarray
+d = xarray.open_dataset(sys.argv[1])
+one = d.sel(pair=1, wave="late")
+print(json.dumps({"pair": d.pair.values.tolist(), "wave": d.wave.values.tolist(), "pga": float(one.pga),
+                  "same": bool((one.peak_force == d.peak_force[1, 0]).all()), "duration": float(one.duration),
+                  "dims": list(d.peak_force.dims)}))
+""", output)
+        self.assertEqual(found, {"pair": [0, 1], "wave": ["late", "at once"], "pga": 400, "same": True, "duration": 10,
+                                 "dims": ["pair", "wave", "point"]})
+        # A figure has along its axis what varies, not its number.
+        if shutil.which("gnuplot"):
+            picture = self.folder / "p.svg"
+            subprocess.run([BENTUR, "plot", output, "peak-force", "--at", "wave=late", "-o", picture], check=True,
+                           capture_output=True)
+            self.assertIn("Gap width w", picture.read_text())
+
+    def test_a_distribution_whose_bounds_leave_nothing_is_said_so_in_plain_words(self):
+        for kind in "normal = { mean = 0.05, cov = 0.1, low = 0.9, high = 1.0 }", \
+                "lognormal = { median = 0.05, cov = 0.05, low = 0.9, high = 1.0 }", \
+                "normal = { mean = 0.9, cov = 0.01, high = 0.1 }":
+            study = self.study(f"""
+case = "{SOURCE / 'examples/m12-el-centro.toml'}"
+[sampling]
+method = "sobol"
+count = 8
+[[vary]]
+parameter = "gap[0].width"
+distribution = {{ {kind} }}
+""")
+            result = self.run_sweep(study, "-o", self.folder / "r.nc")
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertRegex(result.stderr, r"study\.toml:7:\d+: error: .* standard deviations from its (mean|median) 0\.\d+")
+            self.assertNotIn("boost", result.stderr)
+
     def test_check_says_what_would_run(self):
         result = self.done(SOURCE / "examples/studies/m12-gaps.toml", "--check")
         self.assertIn("202 runs\n  width: 101 values\n  excitation: 2 values\n", result.stdout)
@@ -341,6 +399,25 @@ class Interrupted(Sweep):
                                       "command with --resume goes on\n")
             self.done(self.path, "-o", self.output, "--resume")
             self.assertFalse(self.part.exists())
+
+    def test_resume_of_finished_work_does_none(self):
+        self.path = self.widths(20)
+        self.done(self.path, "-o", self.output)
+        before = self.output.read_bytes(), self.output.stat().st_mtime_ns, self.output.stat().st_ino
+        for ranks in (0, 3) if MPIRUN else (0,):
+            result = self.done(self.path, "-o", self.output, "--resume", ranks=ranks)
+            self.assertEqual(result.stdout, f"20 runs were done before, nothing to do: {self.output}\n")
+            self.assertEqual((self.output.read_bytes(), self.output.stat().st_mtime_ns, self.output.stat().st_ino), before)
+            self.assertFalse(self.part.exists())
+        # Of another study they are not gone on with, and not lost.
+        text = self.path.read_text()
+        self.path.write_text(text.replace("to = 1.0", "to = 1.5"))
+        changed = self.run_sweep(self.path, "-o", self.output, "--resume")
+        self.assertEqual(changed.returncode, 1)
+        self.assertIn("begun with another study: line 5 has changed", changed.stderr)
+        self.assertEqual(self.output.read_bytes(), before[0])
+        self.done(self.path, "-o", self.output)
+        self.assertNotEqual(self.output.read_bytes(), before[0])
 
     def test_a_journal_is_neither_overwritten_nor_mixed(self):
         process = self.begin()

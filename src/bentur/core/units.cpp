@@ -19,6 +19,18 @@ const std::vector<std::pair<std::string, double>>& lengths() {
   return table;
 }
 
+// Newtons in one unit; the pound is 0.45359237 kg, by the same agreement.
+const std::vector<std::pair<std::string, double>>& forces() {
+  static const std::vector<std::pair<std::string, double>> table = {{"N", 1.0},
+                                                                    {"kN", 1e3},
+                                                                    {"MN", 1e6},
+                                                                    {"kgf", standard_gravity_si},
+                                                                    {"tf", 1e3 * standard_gravity_si},
+                                                                    {"lbf", 0.45359237 * standard_gravity_si},
+                                                                    {"kip", 453.59237 * standard_gravity_si}};
+  return table;
+}
+
 }  // namespace
 
 const std::vector<std::string>& length_units() {
@@ -41,6 +53,13 @@ double metres(const std::string& length_unit) {
     if (name == length_unit) return value;
   }
   throw InvalidParameter("length unit", length_unit, fmt::format("must be one of {}", fmt::join(length_units(), " ")));
+}
+
+double newtons(const std::string& force_unit) {
+  for (const auto& [name, value] : forces()) {
+    if (name == force_unit) return value;
+  }
+  throw InvalidParameter("force unit", force_unit, fmt::format("must be one of {}", fmt::join(force_units(), " ")));
 }
 
 double standard_gravity(const std::string& length_unit) { return standard_gravity_si / metres(length_unit); }

@@ -20,6 +20,9 @@ struct Units {
 /// Metres in one unit of length. @throws InvalidParameter for an unknown unit.
 [[nodiscard]] double metres(const std::string& length_unit);
 
+/// Newtons in one unit of force. @throws InvalidParameter for an unknown unit.
+[[nodiscard]] double newtons(const std::string& force_unit);
+
 /// Standard gravity 9.80665 m/s² in length/s². @throws InvalidParameter for an unknown unit.
 [[nodiscard]] double standard_gravity(const std::string& length_unit);
 

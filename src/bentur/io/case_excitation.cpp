@@ -6,6 +6,7 @@
 
 #include "bentur/io/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/study/case_memo.h"
 
@@ -128,6 +129,12 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   }
   const auto unit = settle_unit(view, *record, *name);
   echo = echo_of(*record, *name, unit.value_or(""));
+  echo.path = (folder / *name).string();
+  if (memo == nullptr) {  // else many runs, whose study keeps the hashes
+    FileIdentity identity = identify(echo.path);
+    echo.size = identity.size;
+    echo.sha256 = std::move(identity.sha256);
+  }
   SampledMotion motion{record->time_step, std::move(record->values)};
   apply_scale(view, unit ? acceleration_factor(*unit, units) : 1.0, motion, echo);
   return motion;

@@ -14,11 +14,16 @@
 namespace bentur {
 namespace {
 
-/// The neighbours of a gap, and how many contact points they have; 0: not known.
+/// The neighbours of a gap, and the elevations of their contact points [length]; empty: not known.
 struct GapSides {
   const ReadBuilding& left;
   const ReadBuilding& right;
-  std::size_t points = 0;
+  const std::vector<double>& elevations;
+
+  /// Of a list for the contact points.
+  [[nodiscard]] Length points() const {
+    return {elevations.size(), fmt::format("one per contact point, at elevations {}", fmt::join(elevations, ", "))};
+  }
 };
 
 FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
@@ -209,7 +214,7 @@ bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, 
     }
     return spec.axial;
   }
-  const auto numbers = value.as_number_or_numbers(rule_of(key.range), {sides.points, "one per contact point"});
+  const auto numbers = value.as_number_or_numbers(rule_of(key.range), sides.points());
   if (numbers) spec.numbers[std::string(key.name)] = *numbers;
   return numbers.has_value();
 }
@@ -296,16 +301,15 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
   const std::size_t points = spec.elevations.size();
   const auto given = gap.find("elevations");
   const bool no_contact = given && models_no_contact(*given);
+  const GapSides sides{left, right, spec.elevations};
   if (const auto width = gap.get("width", Need::required)) {
     if (no_contact) {
       if (const auto number = width->as_number(Rule::not_negative)) spec.widths = {*number};
     } else {
-      spec.widths = width->as_number_or_numbers(Rule::not_negative, {points, "one per contact point"})
-                        .value_or(std::vector<double>{});
+      spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points()).value_or(std::vector<double>{});
     }
     if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
   }
-  const GapSides sides{left, right, points};
   if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {
     spec.contact = *contact;
     check_laws(*gap.find("contact"), spec, sides);

@@ -156,10 +156,11 @@ base_coupling = false
   ASSERT_EQ(f.beams.size(), 2U);
   EXPECT_DOUBLE_EQ(f.columns[0].area, 0.12);
   EXPECT_DOUBLE_EQ(f.columns[0].inertia, 0.3 * 0.4 * 0.4 * 0.4 / 12);  // depth is in the plane of the frame
-  EXPECT_DOUBLE_EQ(f.columns[0].mass, 2.5 * 0.12 * 4.0);               // a column is as long as its storey is high
-  EXPECT_DOUBLE_EQ(f.columns[1].mass, 2.5 * 0.12 * 3.0);
-  EXPECT_DOUBLE_EQ(f.beams[0].mass, 24.0 / 10.0 * 0.12 * 5.0);  // unit weight over the case's gravity
+  EXPECT_EQ(f.columns[0].mass, 0);
+  EXPECT_DOUBLE_EQ(f.columns[0].line_mass, 2.5 * 0.12);
+  EXPECT_DOUBLE_EQ(f.beams[0].line_mass, 24.0 / 10.0 * 0.12);  // unit weight over the case's gravity
   EXPECT_EQ(f.beams[1].mass, 1.5);
+  EXPECT_EQ(f.beams[1].line_mass, 0);
   EXPECT_EQ(f.floor_masses, (std::vector<double>{10, 0}));
   EXPECT_EQ(f.mass_matrix, MassMatrix::lumped);
   EXPECT_EQ(f.condensation, Condensation::dynamic);
@@ -168,6 +169,29 @@ base_coupling = false
   EXPECT_EQ(c.buildings[0].calibrate_period, 0.3);
   EXPECT_EQ(std::get<ModalDamping>(c.buildings[0].damping).ratios, (std::vector<double>{0.05, 0.04}));
   EXPECT_EQ(std::get<MassProportionalDamping>(c.buildings[1].damping).ratio, 0.03);
+}
+
+// 5 and 4 kN/m² on a strip of 6 m over bays of 4 and 7 m, and 2 t on either floor.
+TEST(CaseReading, FloorLoadsAreMassesOfTheirStrip) {
+  const auto frame = [](const std::string& masses) {
+    return "[[building]]\nname = \"A\"\ndamping = 0.05\n[building.frame]\nelastic_modulus = 2.5e7\nstorey_heights = "
+           "[4.0, 3.0]\nbay_widths = [4, 7]\ncolumns = [{ width = 0.3, depth = 0.4, density = 2.5 }]\nbeams = [{ width "
+           "= 0.3, depth = 0.5, unit_weight = 24 }]\n" +
+           masses;
+  };
+  const std::string b =
+      "[[building]]\nname = \"B\"\ndamping = 0.05\nstick = { storey_heights = [4.0], masses = [20], stiffnesses = "
+      "[6e4] "
+      "}\n";
+  const auto masses = [&](const std::string& given) {
+    const Case c = read("[units]\nforce = \"kN\"\ngravity = 10.0\n" + frame(given) + b + gap + harmonic + analysis);
+    return std::get<PlaneFrame>(c.buildings[0].structure).floor_masses;
+  };
+  EXPECT_EQ(masses(""), (std::vector<double>{0, 0}));
+  EXPECT_EQ(masses("floor_masses = 3\n"), (std::vector<double>{3, 3}));
+  EXPECT_EQ(masses("floor_masses = 2\nfloor_load = { pressure = [5, 4], width = 6 }\n"),
+            (std::vector<double>{2 + 33.0, 2 + 26.4}));
+  EXPECT_EQ(masses("floor_load = { pressure = 5, width = [6, 3] }\n"), (std::vector<double>{33.0, 16.5}));
 }
 
 TEST(CaseReading, MatricesWithADiagonalOrAFullMass) {

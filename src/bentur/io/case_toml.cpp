@@ -3,18 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <utility>
 
 #include "bentur/io/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/io/study/case_memo.h"
+#include "bentur/io/study/parameter_path.h"
+#include "bentur/io/study/vary_toml.h"
 
 namespace bentur {
 namespace {
 
-constexpr double most_samples = 1e7;  // of one history [-]
+constexpr double shortest_time = 1e-15;             // of the duration: less has no phase left in a number [-]
+constexpr double most_samples = 1e7;                // of one history [-]
+constexpr double most_steps = 1e15;                 // that a limit can be raised to [-]
+constexpr double most_memory = 1e9;                 // the same [MB]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
 std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
@@ -77,6 +84,16 @@ Solver read_solver(const TomlView& view) {
   return ExactSolver{};
 }
 
+LimitsSpec read_limits(const TomlView& view) {
+  LimitsSpec limits;
+  if (!view.is_table_of({"steps", "memory"})) return limits;
+  limits.steps = view.number("steps", Rule::positive, Need::optional).value_or(limits.steps);
+  limits.memory = view.number("memory", Rule::positive, Need::optional).value_or(limits.memory);
+  if (limits.steps < 1 || limits.steps > most_steps) view.find("steps")->error_value("must be in [1, 1e15]");
+  if (limits.memory > most_memory) view.find("memory")->error_value("must be at most 1e9 (MB)");
+  return limits;
+}
+
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
   if (excitation.record) analysis.duration = excitation.record->duration;
@@ -91,13 +108,16 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit"})) return analysis;
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits"})) {
+    return analysis;
+  }
   if (const auto duration = view->find("duration")) {
     analysis.duration = duration->as_number(Rule::positive).value_or(0);
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }
   analysis.solver = read_solver(*view);
+  if (const auto limits = view->find("limits")) analysis.limits = read_limits(*limits);
   analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
   analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
@@ -144,6 +164,33 @@ void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadB
   }
 }
 
+/// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
+void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  const double shortest = c.analysis.duration * shortest_time;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const double fastest = buildings[b].made->modes.omega.maxCoeff();
+    const double damping = buildings[b].made->modal_damping.norm();
+    if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
+    const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
+    root.find("building")
+        ->item(b)
+        .renamed(buildings[b].path)
+        .error(
+            fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                        "the case?",
+                        what, std::max(fastest, damping), c.analysis.duration));
+  }
+  const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
+  if (harmonic == nullptr) return;
+  const TomlView excitation = *root.find("excitation");
+  if (harmonic->period < shortest) {
+    excitation.find("period")->error_value(
+        fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
+  } else if (!std::isfinite(peak_acceleration(c.excitation.motion))) {
+    excitation.error("asks for a ground acceleration beyond what can be computed with");
+  }
+}
+
 }  // namespace
 
 ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
@@ -169,7 +216,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
   check_assembled(root, buildings);
-  if (diagnostics.ok()) check_overlaps(root, c, buildings);
+  if (diagnostics.ok()) {
+    check_overlaps(root, c, buildings);
+    check_times(root, c, buildings);
+  }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
 }
@@ -184,16 +234,62 @@ Units read_units(const TomlView& root) {
   return units;
 }
 
-std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
-                                   Diagnostics& diagnostics) {
-  Diagnostics found;  // those of this file decide, whatever the caller has collected before
+namespace {
+
+/// Whatever happens, errors are those of this file alone, whatever the caller has collected before.
+template <typename Read>
+std::optional<Case> read_parsed(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
+                                const Read& read) {
+  Diagnostics found;
   const std::string name = file.string();
   std::optional<Case> c;
-  if (const auto root = parse_toml(text, name, found)) {
-    c = read_case_parts(TomlView(*root, "", name, found), file.parent_path(), found).c;
-  }
+  if (auto root = parse_toml(text, name, found)) c = read(*root, name, found);
   for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
-  return found.ok() ? std::move(c) : std::nullopt;
+  if (!found.ok()) return std::nullopt;
+  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return c;
+}
+
+/// Puts a harmonic motion in place of a record. @return whether there was one.
+bool take_record_out(TomlValue& root) {
+  for (TomlMember& table : root.members) {
+    if (table.key != "excitation") continue;
+    std::vector<TomlMember>& members = table.value.members;
+    const auto is_record = [](const TomlMember& one) { return one.key == "kind" && one.value.text == "record"; };
+    if (std::none_of(members.begin(), members.end(), is_record)) return false;
+    std::erase_if(members, [](const TomlMember& one) {
+      return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
+    });
+  }
+  TomlValue kind;
+  kind.kind = TomlValue::Kind::text;
+  kind.text = "harmonic";
+  put_value(root, {"excitation", "kind"}, kind, 0, 0);
+  for (const char* key : {"period", "displacement_amplitude"}) {
+    put_value(root, {"excitation", key}, toml_number(1), 0, 0);
+  }
+  // The duration is a record's own where none is given.
+  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1), 0, 0);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
+    return read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
+  });
+}
+
+std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
+                                             Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [](TomlValue& root, const std::string& name, Diagnostics& found) {
+    const bool taken = take_record_out(root);
+    Case c = read_case_parts(TomlView(root, "", name, found), {}, found).c;
+    if (taken) c.excitation.motion = NoMotion{};
+    return c;
+  });
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {

@@ -19,4 +19,8 @@ namespace bentur {
 [[nodiscard]] std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
                                                  Diagnostics& diagnostics);
 
+/// A case whose record is not at hand: everything but its ground motion, in place of which there is none.
+[[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
+                                                           Diagnostics& diagnostics);
+
 }  // namespace bentur

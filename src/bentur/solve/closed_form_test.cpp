@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "bentur/contact/laws/kelvin_voigt.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/small_buildings.h"
 
@@ -232,6 +233,54 @@ TEST(ClosedForm, FullDampingMatrixIsSolvedWithoutModes) {
     lost += step / 3.0 * (power(i) + 4.0 * power(i + 1) + power(i + 2));
   EXPECT_NEAR(energy(0) - energy(v.cols() - 1), lost, 1e-8);  // Simpson's own error
   EXPECT_GT(lost, 0.5 * energy(0));
+}
+
+/// Where f changes its sign in [low, high], to the last bit.
+template <class Function>
+double sign_change(const Function& f, double low, double high) {
+  const bool positive = f(low) > 0;
+  for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    ((f(middle) > 0) == positive ? low : high) = middle;
+  }
+  return high;
+}
+
+// A mass pushed on by a steady a against a wall that it dents; the dent comes back as e^{−kt/c}, faster than anything
+// moves and ten thousand times over within one step of the motion, and is met again before it is gone:
+//   in contact δ̈ + 2ξω δ̇ + ω² δ = a until F = m(ω² δ + 2ξω δ̇) = 0, then δ = δ₁ + δ̇₁τ + aτ²/2 = δ₁ e^{−kτ/c}.
+TEST(ClosedForm, ADentedSurfaceIsMetWhereItHasCreptBackTo) {
+  const double a = 10, omega = 100, zeta = 0.1, v = 0.17, m = 3;
+  const double start = v / a, rate = omega / (2 * zeta), damped = omega * std::sqrt(1 - zeta * zeta);
+  const double c = -a / (omega * omega), s = (v + zeta * omega * c) / damped;
+  const auto depth = [&](double t) {
+    return a / (omega * omega) + std::exp(-zeta * omega * t) * (c * std::cos(damped * t) + s * std::sin(damped * t));
+  };
+  const auto speed = [&](double t) {
+    return std::exp(-zeta * omega * t) * ((damped * s - zeta * omega * c) * std::cos(damped * t) -
+                                          (damped * c + zeta * omega * s) * std::sin(damped * t));
+  };
+  const double length = sign_change([&](double t) { return omega * omega * depth(t) + 2 * zeta * omega * speed(t); },
+                                    pi / damped, 2 * pi / damped);
+  const double left = depth(length), parting = speed(length);
+  const double away = sign_change(
+      [&](double t) { return left * (1 - std::exp(-rate * t)) + parting * t + 0.5 * a * t * t; }, -parting / a, 1.0);
+  ASSERT_GT(left * std::exp(-rate * away), 1e-10) << "something is left of the dent";
+
+  for (const Solver& solver : {Solver(ExactSolver{}), Solver(AdaptiveSolver{1e-12})}) {
+    // Not a wall, whose own frequency would keep steps short.
+    Problem problem = pair(oscillator(m, 0), oscillator(1e15 * m, 0), {contact(v * v / (2 * a), 1)}, 0.45);
+    problem.points[0].law = std::make_shared<KelvinVoigt>(m * omega * omega, zeta, m, KelvinVoigt::Release::creep);
+    problem.motion = SampledMotion{0.5, std::vector<double>(3, -a)};
+    problem.delays = {0, 5};
+    const Response response = solve(problem, solver);
+    ASSERT_EQ(response.status, Status::done);
+    ASSERT_GE(response.impacts.size(), 2U);
+    const double tolerance = std::holds_alternative<ExactSolver>(solver) ? 1e-12 : 1e-10;
+    EXPECT_NEAR(response.impacts[0].start, start, tolerance);
+    EXPECT_NEAR(response.impacts[0].end, start + length, tolerance);
+    EXPECT_NEAR(response.impacts[1].start, start + length + away, tolerance) << name(solver);
+    EXPECT_NEAR(response.impacts[1].closing_speed, parting + a * away, 1e2 * tolerance);
+  }
 }
 
 }  // namespace

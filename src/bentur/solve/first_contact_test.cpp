@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
 
+#include "bentur/contact/laws/hertz.h"
+#include "bentur/core/errors.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/free_masses.h"
 #include "tests/support/same_response.h"
@@ -57,6 +62,40 @@ TEST(FirstContact, RunsThatBeginLateAreThoseThatWalkTheWholeWay) {
   }
 }
 
+/// A mass at a steady speed closes gaps one by one, w after w/v: one in each segment of three stretches of states kept.
+TEST(FirstContact, IsFoundInWhicheverSegmentItFalls) {
+  const double step = 0.01, speed = 2;
+  const auto problem = [&](double width) {
+    Problem result = free_masses(1e5, 1e5, width, speed, std::make_shared<Linear>(1e8), 4.2);
+    result.motion = SampledMotion{step, std::vector<double>(421, 0.0)};
+    return result;
+  };
+  const FreeResponse free(problem(0));
+  for (int segment = 0; segment < 400; ++segment) {
+    const double time = (segment + 0.5) * step;
+    const Response response = free.solve(problem(speed * time));
+    ASSERT_EQ(response.impacts.size(), 1U) << segment;
+    ASSERT_NEAR(response.impacts[0].start, time, 1e-12) << segment;
+    ASSERT_NEAR(response.impacts[0].closing_speed, speed, 1e-12) << segment;
+  }
+}
+
+/// An undamped swing A sin(ωt + φ) that is largest in the middle of a segment, a 32nd of its period: ends of segments
+/// come no nearer than A cos(π/32) = 0.9952 A, however long it swings.
+TEST(FirstContact, IsFoundWhereNoSegmentEnds) {
+  const double omega = 20, a = 0.2, phase = std::numbers::pi / 32;
+  for (const double part : {0.9955, 0.999, 1 - 1e-6, 1 - 1e-9}) {
+    Problem problem = pair(oscillator(1, omega * omega), wall(), {contact(part * a, 1.0)}, 3);
+    problem.initial_displacement[0](0) = a * std::sin(phase);
+    problem.initial_velocity[0](0) = a * omega * std::cos(phase);
+    const Response response = solve(problem);
+    ASSERT_FALSE(response.impacts.empty()) << part;
+    // The start of a grazing contact is known as well as the square root of what the opening is.
+    EXPECT_NEAR(response.impacts[0].start, (std::asin(part) - phase) / omega, 1e-10) << part;
+    EXPECT_NEAR(response.impacts[0].closing_speed / (a * omega * std::sqrt((1 - part) * (1 + part))), 1, 1e-5) << part;
+  }
+}
+
 /// A solver with error control agrees, which shares nothing.
 TEST(FirstContact, IsFoundByOthersToo) {
   const FreeResponse free(problem_with(0, 0.054, Kinematics::relative));
@@ -75,6 +114,76 @@ TEST(FirstContact, IsFoundByOthersToo) {
       EXPECT_NEAR(exact.buildings[b].storey_shear(0) / other.buildings[b].storey_shear(0), 1, 1e-8);
     }
   }
+}
+
+/// What a free response was found for must be what it is asked about: all but widths and laws.
+TEST(FirstContact, AFreeResponseRefusesAnotherProblem) {
+  const auto row = [] {
+    Problem problem = problem_with(0.01, 0.054, Kinematics::relative);
+    const Eigen::MatrixXd mass = 2e5 * Eigen::MatrixXd::Identity(2, 2),
+                          stiffness = 3e7 * Eigen::MatrixXd::Identity(2, 2);
+    problem.buildings[0] = problem.buildings[1] = matrix_building(mass, stiffness, 0 * stiffness);
+    problem.points = {contact(0.01, 1e8, 0), contact(0.02, 1e8, 1)};
+    problem.initial_displacement.assign(2, Eigen::VectorXd::Zero(2));
+    problem.initial_velocity.assign(2, Eigen::VectorXd::Zero(2));
+    return problem;
+  };
+  const FreeResponse free(row());
+  Problem other = row();
+  other.points[0].width = 0.5;
+  other.points[1].law = std::make_shared<Hertz>(1e9);
+  EXPECT_NO_THROW((void)free.solve(other));
+
+  const struct {
+    std::string what;
+    std::function<void(Problem&)> change;
+  } changes[] = {
+      {"points", [](Problem& p) { p.points.push_back(p.points.back()); }},
+      {"points", [](Problem& p) { p.points.pop_back(); }},
+      {"points[1]", [](Problem& p) { p.points[1].left_floor = 0; }},
+      {"points[1]", [](Problem& p) { p.points[1].right_floor = 0; }},
+      {"buildings",
+       [](Problem& p) {
+         p.buildings.push_back(p.buildings[0]);
+         p.delays.push_back(0);
+         p.initial_displacement.push_back(p.initial_displacement[0]);
+         p.initial_velocity.push_back(p.initial_velocity[0]);
+       }},
+      {"buildings[1]", [](Problem& p) { p.buildings[1].modes.omega(1) *= 1 + 1e-15; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].modes.shapes(1, 0) += 1e-9; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].modal_damping(0, 1) = 1e-3; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].model.load(0) *= 2; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].model.mass(0, 0) *= 2; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].model.stiffness(0, 0) *= 2; }},
+      {"buildings[0]", [](Problem& p) { p.buildings[0].model.storey_heights[1] *= 2; }},
+      {"motion", [](Problem& p) { std::get<SampledMotion>(p.motion).acceleration[3] += 1; }},
+      {"motion", [](Problem& p) { std::get<SampledMotion>(p.motion).acceleration.pop_back(); }},
+      {"motion", [](Problem& p) { std::get<SampledMotion>(p.motion).time_step *= 2; }},
+      {"motion", [](Problem& p) { p.motion = HarmonicMotion{.period = 1, .displacement_amplitude = 1}; }},
+      {"motion", [](Problem& p) { p.motion = NoMotion{}; }},
+      {"delays", [](Problem& p) { p.delays[1] = 0; }},
+      {"kinematics", [](Problem& p) { p.kinematics = Kinematics::absolute; }},
+      {"initial_displacement", [](Problem& p) { p.initial_displacement[1](0) = 1e-3; }},
+      {"initial_velocity", [](Problem& p) { p.initial_velocity[0](1) = 1e-3; }},
+      {"duration", [](Problem& p) { p.duration = 7; }},
+  };
+  for (const auto& [what, change] : changes) {
+    Problem changed = row();
+    change(changed);
+    try {
+      (void)free.solve(changed);
+      ADD_FAILURE() << what << " was taken";
+    } catch (const InvalidParameter& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(what + " = ", 0), 0U) << error.what();
+    }
+  }
+}
+
+TEST(FirstContact, AtRestIsTheSameWithAndWithoutSayingSo) {
+  Problem said = problem_with(0.01, 0, Kinematics::relative), unsaid = said;
+  unsaid.initial_displacement.clear();
+  unsaid.initial_velocity.clear();
+  EXPECT_NO_THROW(expect_same(FreeResponse(said).solve(unsaid), FreeResponse(unsaid).solve(said)));
 }
 
 /// Where a load is not that of the masses alone, accelerations jump with the ground's: at the first value of a record

@@ -17,7 +17,10 @@ void require(bool ok, const std::string& parameter, double value, const std::str
   require(ok, parameter, fmt::format("{}", value), rule);
 }
 
-void check_building(const Building& building, std::size_t b) {
+/// A time of which the whole analysis has so many has no phase left in a double [-].
+constexpr double most_times = 1e15;
+
+void check_building(const Building& building, std::size_t b, double duration) {
   const Eigen::Index dofs = building.model.dofs();
   const auto name = fmt::format("buildings[{}]", b);
   require(building.model.floors() > 0, name, building.name, "must have a floor");
@@ -29,6 +32,13 @@ void check_building(const Building& building, std::size_t b) {
           name, building.name, "must have matrices of one size");
   require(building.modes.omega.allFinite() && (building.modes.omega.array() >= 0.0).all(), name + ".modes.omega",
           building.name, "must be finite and ≥ 0");
+  require(building.modes.shapes.allFinite() && building.model.load.allFinite() && building.model.mass.allFinite(),
+          name + ".modes.shapes", building.name, "must be finite, and mass and load too");
+  const double fastest = building.modes.omega.size() > 0 ? building.modes.omega.maxCoeff() : 0.0;
+  require(fastest * duration <= most_times, name + ".modes.omega", fastest,
+          "must be at most 1e15 over the duration: such vibrations are beyond what numbers can follow");
+  require(building.modal_damping.allFinite() && building.modal_damping.norm() * duration <= most_times,
+          name + ".modal_damping", building.modal_damping.norm(), "must be finite, and at most 1e15 over the duration");
 }
 
 void check_point(const Problem& problem, const ContactPoint& point, std::size_t i) {
@@ -120,7 +130,9 @@ std::vector<double> gap_widths(const Problem& problem) {
 
 void validate(const Problem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b);
+  require(std::isfinite(problem.duration) && problem.duration > 0.0, "duration", problem.duration,
+          "must be finite and > 0");
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b, problem.duration);
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
   check_floors_of_points(problem);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
@@ -130,15 +142,15 @@ void validate(const Problem& problem) {
     require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
   }
   if (const auto* sampled = std::get_if<SampledMotion>(&problem.motion)) {
-    require(std::isfinite(sampled->time_step) && sampled->time_step > 0.0, "motion.time_step", sampled->time_step,
-            "must be finite and > 0");
+    require(std::isfinite(sampled->time_step) && sampled->time_step * most_times >= problem.duration,
+            "motion.time_step", sampled->time_step, "must be finite and at least 1e-15 of the duration");
   }
   if (const auto* harmonic = std::get_if<HarmonicMotion>(&problem.motion)) {
-    require(std::isfinite(harmonic->period) && harmonic->period > 0.0, "motion.period", harmonic->period,
-            "must be finite and > 0");
+    require(std::isfinite(harmonic->period) && harmonic->period * most_times >= problem.duration, "motion.period",
+            harmonic->period, "must be finite and at least 1e-15 of the duration");
+    require(std::isfinite(peak_acceleration(problem.motion)), "motion.displacement_amplitude",
+            harmonic->displacement_amplitude, "must give a finite acceleration");
   }
-  require(std::isfinite(problem.duration) && problem.duration > 0.0, "duration", problem.duration,
-          "must be finite and > 0");
   check_initial(problem.initial_displacement, problem, "initial_displacement");
   check_initial(problem.initial_velocity, problem, "initial_velocity");
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_overlap(problem.points[i], problem, i);

@@ -68,6 +68,8 @@ struct Histories {
   std::vector<Eigen::MatrixXd> displacement;  ///< per building, floors × samples [length]
   std::vector<Eigen::MatrixXd> velocity;      ///< [length/s]
   std::vector<Eigen::MatrixXd> acceleration;  ///< absolute [length/s²]
+  std::vector<Eigen::MatrixXd> drift_ratio;   ///< per storey, relative floor displacement over storey height [-]
+  std::vector<Eigen::MatrixXd> storey_shear;  ///< per storey, Σ_{floors ≥ j} (K x) [force]
   std::vector<double> ground_acceleration;    ///< of the motion without delay [length/s²]
   Eigen::MatrixXd opening;                    ///< points × samples [length]
   Eigen::MatrixXd force;                      ///< points × samples [force]

@@ -10,6 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/solve/same_but_gaps.h"
 #include "bentur/solve/walk/free_walk.h"
 #include "bentur/solve/walk/pounding_walk.h"
 
@@ -110,18 +111,32 @@ std::string_view name(const Solver& solver) {
 
 namespace engine {
 
+/// The grid, whose plan is large where it has many segments. @throws InvalidParameter when there are too many.
+const TimeGrid& affordable(const TimeGrid& grid, double duration, long most_steps) {
+  double period = 0.0;
+  for (std::size_t kind = 0; kind < grid.kinds(); ++kind) period += grid.length(kind);
+  const double segments = duration / period * static_cast<double>(grid.kinds());
+  if (most_steps > 0 && segments > static_cast<double>(most_steps)) {
+    throw InvalidParameter("most_steps", fmt::format("{}", most_steps),
+                           fmt::format("must be {:.3g} at least", segments));
+  }
+  return grid;
+}
+
 /// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(Problem p, const Solver& s) : problem(without_widths(std::move(p))), solver(s) {}
+  FreeParts(Problem p, const Solver& s, long most)
+      : problem(without_widths(std::move(p))), solver(s), most_steps(most) {}
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 
   Problem problem;
   Solver solver;
+  long most_steps;
   bool exact = std::holds_alternative<ExactSolver>(solver);
   ModalSystem system{problem};
   TimeGrid grid{problem, exact};
-  FlightPlan plan{system, grid, problem.duration, exact};
+  FlightPlan plan{system, affordable(grid, problem.duration, most_steps), problem.duration, exact};
   FreeRun run;
   Response response;  ///< as far as it goes without contact
   // Scales per point: of floors and ground together.
@@ -133,11 +148,12 @@ struct FreeParts {
 
 }  // namespace engine
 
-FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress) {
+FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
+                           long most_steps) {
   validate(problem);
   engine::validate(solver);
-  const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver);
-  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->plan});
+  const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver, most_steps);
+  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->plan, most_steps});
   const Status status = walk.run(progress);
   Response& response = parts->response;
   engine::report_end(response, status, walk);
@@ -164,10 +180,7 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
 
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
-  if (problem.watched.size() != parts_->problem.watched.size()) {
-    throw InvalidParameter("watched", fmt::format("{} floors", problem.watched.size()),
-                           "must be those of the free response");
-  }
+  require_same_but_gaps(parts_->problem, problem);
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;
@@ -181,8 +194,8 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return response;
   }
-  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan}, scales,
-                            first_contact, options);
+  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan, options.most_steps},
+                            scales, first_contact, options);
   if (!records) {
     const auto& checkpoints = parts_->run.checkpoints;
     const auto later = std::find_if(checkpoints.begin(), checkpoints.end(),
@@ -214,7 +227,7 @@ Response solve(const Problem& problem, const Solver& solver, const SolveOptions&
     first = [&](double fraction) { return options.progress(free_part * fraction); };
     rest.progress = [&](double fraction) { return options.progress(free_part + (1.0 - free_part) * fraction); };
   }
-  Response response = FreeResponse(problem, solver, first).solve(problem, rest);
+  Response response = FreeResponse(problem, solver, first, options.most_steps).solve(problem, rest);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

@@ -33,6 +33,8 @@ using Solver = std::variant<ExactSolver, AdaptiveSolver, RungeKuttaSolver>;
 struct SolveOptions {
   /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
   double output_step = 0;
+  /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
+  long most_steps = 0;
   /// Accounts for all energy (Response::energy); it never changes the solution.
   bool energy_audit = false;
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
@@ -55,10 +57,11 @@ class FreeResponse {
  public:
   /// @throws InvalidParameter as solve().
   explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
-                        const std::function<bool(double)>& progress = {});
+                        const std::function<bool(double)>& progress = {}, long most_steps = 0);
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
+  /// @throws InvalidParameter when anything else differs.
   [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
 
  private:

@@ -91,6 +91,25 @@ TEST(DynamicCondensation, TheChosenModeIsExact) {
   }
 }
 
+TEST(DynamicCondensation, SettlesAtTheFrequencyOfAnyModelOfTwo) {
+  // Masses 1 and m on springs 3 and 2 in a row, the upper one condensed: with the lower root of
+  // m ω⁴ − (5m + 2) ω² + 6 = 0 it moves t = 2/(2 − ω²m) times as much as the lower one, so that M̄ = 1 + m t² and
+  // K̄ = 3 + 2 (t − 1)². The heavier it is the less the static reduction, where the passes begin, knows of it.
+  for (double m = 0.01; m < 2; m *= 1.2) {
+    StructuralModel full;
+    full.elevations = full.storey_heights = full.floor_masses = {1};
+    full.mass = Eigen::Vector2d(1, m).asDiagonal();
+    full.stiffness = Eigen::Matrix2d{{5, -2}, {-2, 2}};
+    full.load = Eigen::Vector2d(1, m);
+    const double omega_squared = 12 / (5 * m + 2 + std::sqrt((5 * m + 2) * (5 * m + 2) - 24 * m));
+    const double t = 2 / (2 - omega_squared * m);
+    const StructuralModel reduced = condense_dynamically(full, 1);
+    EXPECT_NEAR(reduced.mass(0, 0) / (1 + m * t * t), 1, 1e-12) << m;
+    EXPECT_NEAR(reduced.stiffness(0, 0) / (3 + 2 * (t - 1) * (t - 1)), 1, 1e-12) << m;
+    EXPECT_NEAR(reduced.load(0) / (1 + m * t), 1, 1e-12) << m;
+  }
+}
+
 TEST(DynamicCondensation, StaticIsNotExact) {
   // So the test above can fail: the static reduction misses the third mode by more than 1e-5.
   const StructuralModel full = full_frame();

@@ -83,6 +83,29 @@ TEST(Damping, MatrixThatIsNotClassicalKeepsItsCoupling) {
   EXPECT_GT(std::abs(actual(0, 1)), 1e-3 * actual.maxCoeff());
 }
 
+TEST(Damping, WeakCouplingOfModesIsKept) {
+  // The dashpot beside a C of its own that is classical: however weak, it couples the modes by c φ_n φ_nᵀ. Round-off of
+  // the large part, some 1e-16 of it, hides no more than 1e-13 of the coupling that is 1e-3 … 1e-9 of it.
+  const StructuralModel model = example();
+  const Modes shapes = example_modes();
+  const Eigen::MatrixXd classical = 0.3 * model.mass + 0.002 * model.stiffness;
+  const double largest = modal_damping(MatrixDamping{classical}, shapes).maxCoeff();
+  const Eigen::VectorXd top = shapes.shapes.row(3);
+  for (const double part : {1e-3, 1e-6, 1e-9}) {
+    const double c = part * largest / top.cwiseAbs2().maxCoeff();
+    Eigen::MatrixXd matrix = classical;
+    matrix(3, 3) += c;
+    const Eigen::MatrixXd actual = modal_damping(MatrixDamping{matrix}, shapes);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      for (Eigen::Index j = 0; j < 4; ++j) {
+        if (i == j) continue;
+        EXPECT_NEAR(actual(i, j), c * top(i) * top(j), 1e-14 * largest) << part;
+      }
+    }
+    EXPECT_GT(std::abs(actual(0, 1)), 1e-2 * c * top.cwiseAbs2().maxCoeff());
+  }
+}
+
 TEST(Damping, BadParametersAreNamed) {
   const Modes shapes = example_modes();
   const auto expect = [&](const Damping& damping, const std::string& name) {

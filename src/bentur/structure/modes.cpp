@@ -30,6 +30,9 @@ Modes sorted(const Eigen::VectorXd& omega_squared, const Eigen::MatrixXd& shapes
   if (n > 0 && !(omega_squared.minCoeff() > 0)) {  // also refuses NaN
     throw std::runtime_error("the stiffness matrix is not positive definite");
   }
+  if (!omega_squared.allFinite() || !shapes.allFinite()) {
+    throw std::runtime_error("stiffness over mass is beyond what numbers can hold");
+  }
   std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),

@@ -55,6 +55,7 @@ void check_sections(const std::string& name, const std::vector<Section>& section
     require_positive(indexed(name, i) + ".area", sections[i].area);
     require_positive(indexed(name, i) + ".inertia", sections[i].inertia);
     require_not_negative(indexed(name, i) + ".mass", sections[i].mass);
+    require_not_negative(indexed(name, i) + ".line_mass", sections[i].line_mass);
   }
 }
 
@@ -108,7 +109,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     const Section& column = frame.columns[i];
     const double height = frame.storey_heights[i];
     const Eigen::Matrix4d column_stiffness = element_stiffness(frame.elastic_modulus * column.inertia, height);
-    const Eigen::Matrix4d column_mass = element_mass(column.mass, height);
+    const double mass = column.mass_of(height);
+    const Eigen::Matrix4d column_mass = element_mass(mass, height);
     for (Eigen::Index line = 0; line < lines; ++line) {
       const ElementDofs ends = {sway(floor - 1), rotation(floor - 1, line), sway(floor), rotation(floor, line)};
       add(model.stiffness, column_stiffness, ends);
@@ -119,8 +121,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
           base_coupling(ends[3]) += column_mass(3, 0);
         }
       }
-      model.floor_masses[i] += column.mass / 2;
-      if (floor > 0) model.floor_masses[i - 1] += column.mass / 2;
+      model.floor_masses[i] += mass / 2;
+      if (floor > 0) model.floor_masses[i - 1] += mass / 2;
     }
     const Section& beam = frame.beams[i];
     for (std::size_t bay = 0; bay < frame.bay_widths.size(); ++bay) {
@@ -128,8 +130,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
       const auto line = static_cast<Eigen::Index>(bay);
       const ElementDofs ends = {fixed, rotation(floor, line), fixed, rotation(floor, line + 1)};
       add(model.stiffness, element_stiffness(frame.elastic_modulus * beam.inertia, width), ends);
-      if (consistent) add(model.mass, element_mass(beam.mass, width), ends);
-      moving[i] += beam.mass;  // it moves bodily with its floor
+      if (consistent) add(model.mass, element_mass(beam.mass_of(width), width), ends);
+      moving[i] += beam.mass_of(width);  // it moves bodily with its floor
     }
     if (!frame.floor_masses.empty()) moving[i] += frame.floor_masses[i];
   }

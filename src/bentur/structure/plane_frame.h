@@ -6,11 +6,15 @@
 
 namespace bentur {
 
-/// A prismatic member. `mass` is that of one whole member (one column of one storey, one beam of one bay).
+/// A prismatic member: one column of one storey, one beam of one bay.
 struct Section {
-  double area = 0;     ///< A [length²]
-  double inertia = 0;  ///< I [length⁴] about the axis normal to the frame's plane
-  double mass = 0;     ///< [mass] of the whole member, ≥ 0
+  double area = 0;       ///< A [length²]
+  double inertia = 0;    ///< I [length⁴] about the axis normal to the frame's plane
+  double mass = 0;       ///< [mass] of the whole member, whatever its length, ≥ 0
+  double line_mass = 0;  ///< [mass/length] of the member, added to that, ≥ 0
+
+  /// Of a member of this length [length].
+  [[nodiscard]] double mass_of(double length) const { return mass + line_mass * length; }
 };
 
 enum class MassMatrix { consistent, lumped };

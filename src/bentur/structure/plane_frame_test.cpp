@@ -69,6 +69,34 @@ TEST(PlaneFrame, StiffnessIsTheMonographsMatrix) {
   EXPECT_LE(error.maxCoeff(), 1e-15 * expected.maxCoeff());
 }
 
+// A floor of beams of 5 m and 6.5 m, each with the mass of its own length: as three frames of one bay each would have.
+TEST(PlaneFrame, AMemberByItsLengthWeighsAsOneGivenItsMass) {
+  PlaneFrame frame = irregular_frame();
+  const double line_mass = 0.4;
+  for (Section& column : frame.columns) column.mass = 0;
+  for (std::size_t i = 0; i < 3; ++i) frame.columns[i].line_mass = 0.3;
+  for (Section& beam : frame.beams) {
+    beam.mass = 0;
+    beam.line_mass = line_mass;
+  }
+  PlaneFrame by_mass = frame;
+  for (std::size_t i = 0; i < 3; ++i) {
+    by_mass.columns[i].line_mass = 0;
+    by_mass.columns[i].mass = 0.3 * frame.storey_heights[i];
+  }
+  const StructuralModel model = assemble_plane_frame(frame);
+  // Column halves of three lines, beams of both bays, and the floor's own.
+  EXPECT_NEAR(model.floor_masses[0], 3 * 0.3 * (4.0 + 3.0) / 2 + line_mass * 11.5 + 12.0, 1e-14 * 20);
+  EXPECT_NEAR(model.floor_masses[2], 3 * 0.3 * 3.5 / 2 + line_mass * 11.5 + 7.0, 1e-14 * 20);
+  const StructuralModel same = assemble_plane_frame(by_mass);
+  EXPECT_LE((model.mass - same.mass).cwiseAbs().maxCoeff(), 1e-15 * model.mass.maxCoeff());
+  // (2-50): the rotation of the outer joint of a beam has 4 m l²/420, m its own mass; of its column 4 m l²/420 too.
+  const auto own = [](double mass, double length) { return 4 * mass * length * length / 420; };
+  const Eigen::Index top_left = 3 + 2 * 3, top_right = top_left + 2;
+  EXPECT_NEAR(model.mass(top_left, top_left), own(0.4 * 5, 5) + own(0.3 * 3.5, 3.5), 1e-15);
+  EXPECT_NEAR(model.mass(top_right, top_right), own(0.4 * 6.5, 6.5) + own(0.3 * 3.5, 3.5), 1e-15);
+}
+
 TEST(PlaneFrame, PortalStiffness) {
   for (const double ratio : {1e-6, 1e-2, 0.3, 1.0, 4.0, 1e2, 1e6}) {
     const double column = 2e-3, beam = ratio * column;

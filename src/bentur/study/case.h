@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -65,6 +66,9 @@ struct GapSpec {
 /// What was read from a record file, echoed to the user.
 struct RecordEcho {
   std::string file;          ///< as the case names it
+  std::string path = {};     ///< where it was read; no result holds that
+  std::uint64_t size = 0;    ///< bytes
+  std::string sha256 = {};   ///< of them; empty where nobody has asked
   std::string format;        ///< as record_formats() of io
   std::string unit;          ///< of the file
   std::string channel = {};  ///< which of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
@@ -89,11 +93,26 @@ struct InitialSpec {  ///< per building, per floor; empty: at rest
   std::vector<std::vector<double>> displacements, velocities;
 };
 
+/// What a run may take (solve/effort.h). More is refused beforehand where that is certain, else the run ends there.
+struct LimitsSpec {
+  double steps = 2e7;    ///< [-] minutes of a case of some floors
+  double memory = 1000;  ///< [MB]
+};
+
 struct AnalysisSpec {
   double duration = 0;  ///< [s]
   Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;
+  LimitsSpec limits = {};
+};
+
+/// The file a case was read from.
+struct CaseSource {
+  std::string file;  ///< its name, without folders
+  std::string text;
+  std::string sha256;   ///< of the text
+  bool copied = false;  ///< a copy stands with the results
 };
 
 /// A case as plain data, validated, in its own consistent units.
@@ -105,7 +124,8 @@ struct Case {
   ExcitationSpec excitation;
   InitialSpec initial;
   AnalysisSpec analysis;
-  CodeSpec code = {};  ///< without rules: none were given
+  CodeSpec code = {};                     ///< without rules: none were given
+  std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
 };
 
 /// Mass, stiffness and load of one building, condensed and calibrated.

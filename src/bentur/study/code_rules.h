@@ -36,9 +36,10 @@ struct CodeSide {
 struct CodePair {
   CodeSide left, right;
   std::size_t left_building = 0;  ///< its place in the row; the right one is the next
-  bool floors_aligned = false;    ///< all floors of the lower building have a floor of the other at their elevation
-  bool same_owner = true;         ///< no property line between them
-  double metre = 1;               ///< [length], the case's units in one metre
+  bool floors_aligned =
+      false;               ///< up to the lower roof every floor of either has a floor of the other at its elevation
+  bool same_owner = true;  ///< no property line between them
+  double metre = 1;        ///< [length], the case's units in one metre
 };
 
 struct CodeSeparation {

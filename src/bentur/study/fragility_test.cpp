@@ -314,6 +314,17 @@ TEST(GapForProbability, InterpolatesTheNormalQuantile) {
   EXPECT_NEAR(gap_for_probability(widths, probabilities, 0.5).width, 0.4, 1e-12);
 }
 
+TEST(GapForProbability, AProbabilityThatIsExactlyTheOneAskedForIsGood) {
+  using GapKind = GapForProbability::Kind;
+  const GapForProbability last = gap_for_probability({1, 2}, {0.5, 0.1}, 0.1);
+  EXPECT_EQ(last.kind, GapKind::between) << "no more than the widest gap is needed";
+  EXPECT_EQ(last.width, 2);
+  const GapForProbability first = gap_for_probability({1, 2}, {0.1, 0.05}, 0.1);
+  EXPECT_EQ(first.kind, GapKind::smallest);
+  EXPECT_EQ(first.width, 1);
+  EXPECT_EQ(gap_for_probability({1, 2, 3}, {0.5, 0.1, 0.0}, 0.1).width, 2);
+}
+
 TEST(GapForProbability, TakesTheSafeSide) {
   using GapKind = GapForProbability::Kind;
   EXPECT_EQ(gap_for_probability({1, 2, 3}, {1, 0.4, 0}, 0.1).width, 3);  // nothing to interpolate towards 0

@@ -1,10 +1,9 @@
 #include "bentur/io/examples/example_files.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "bentur/io/input_file.h"
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 namespace bentur {
 namespace {
@@ -43,18 +42,16 @@ std::vector<Example> examples() {
   return result;
 }
 
-std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory) {
-  AtomicFiles output(directory);
+std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
+                                    const OutputRules& rules) {
+  AtomicFiles output(directory, rules);
   for (const EmbeddedFile* file : example.files) {
     const std::filesystem::path path = directory / file->name;
-    if (std::filesystem::exists(path)) {
+    if (std::filesystem::is_regular_file(path)) {
       std::string problem;
-      if (read_input(path, record_input, problem) == file->content) {
-        continue;
-      }
-      throw std::runtime_error(path.string() + ": exists and differs; not overwritten");
+      if (read_input(path, record_input, problem) == file->content) continue;
     }
-    output.add(std::string(file->name), file->content);
+    output.add(std::string(file->name), file->content, ResultKind::example);
   }
   output.commit();
   return directory / example.files.front()->name;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/io/output/output_rules.h"
+
 namespace bentur {
 
 /// A file of examples/ or data/ as it stood when the program was built.
@@ -28,8 +30,9 @@ struct Example {
 [[nodiscard]] std::vector<Example> examples();
 
 /// Writes an example's files into `directory`, which is made if missing.
-/// A file that is there already with other content is never overwritten.
-/// @return the path of the case. @throws std::runtime_error with the path and the reason; nothing is written then.
-std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory);
+/// A file that is there already with other content is not overwritten unless forced.
+/// @return the path of the case. @throws as AtomicFiles; nothing is written then.
+std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
+                                    const OutputRules& rules = {});
 
 }  // namespace bentur

@@ -72,7 +72,7 @@ class Reader {
   [[nodiscard]] ResultAxis axis(std::size_t i) const {
     ResultAxis result{runs_[i], sizes_[i], {}};
     for (const NetcdfVariable& variable : file_.variables()) {
-      if (variable.dimensions != std::vector<std::string>{runs_[i]}) continue;
+      if (variable.dimensions != std::vector<std::string>{runs_[i]} || variable.long_name == index_title) continue;
       ResultCoordinate coordinate{variable.name, variable.units, file_.attribute(variable.name, "parameter"), {}, {}};
       if (variable.text) {
         coordinate.texts = file_.texts(variable.name);

@@ -214,7 +214,7 @@ class Work {
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     Problem problem = problem_of(read);
     for (ContactPoint& point : problem.points) point.width = 0;
-    const FreeResponse free(problem, read.c.analysis.solver);
+    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
     double height = 0;
     for (const ReadBuilding& building : read.buildings) height = std::max(height, height_of(building));
     for (ContactPoint& point : problem.points) point.width = far_apart * height;

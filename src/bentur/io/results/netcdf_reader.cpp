@@ -18,6 +18,13 @@ std::size_t count_of(const std::vector<std::size_t>& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
+/// What keeps a file from being read, in a user's words. Opening goes wrong at once where it is not NetCDF at all.
+std::string in_words(int status, bool open) {
+  if (status == NC_EHDFERR) return "is cut short or damaged, so that it cannot be read as NetCDF";
+  if (status == NC_ENOTNC) return "is not a NetCDF file";
+  return (open ? "" : "cannot be read as NetCDF: ") + std::string(nc_strerror(status));
+}
+
 }  // namespace
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& file) : name_(file.string()) {
@@ -38,7 +45,7 @@ NetcdfReader::~NetcdfReader() {
 
 void NetcdfReader::check(int status) const {
   if (status == NC_NOERR) return;
-  throw NetcdfError(name_, std::string(id_ >= 0 ? "" : "cannot be read as NetCDF: ") + nc_strerror(status));
+  throw NetcdfError(name_, in_words(status, id_ >= 0));
 }
 
 std::string NetcdfReader::text_attribute(int variable, const std::string& attribute) const {

@@ -19,6 +19,9 @@ struct NetcdfVariable {
   bool text = false;
 };
 
+/// long_name of a coordinate that does no more than name or number the places of its dimension.
+inline constexpr std::string_view index_title = "what moves together, by its labels or numbered from 0";
+
 /// What keeps a file from being read, without the file's name; what() has both.
 struct NetcdfError : std::runtime_error {
   NetcdfError(const std::string& file, const std::string& why) : std::runtime_error(file + ": " + why), reason(why) {}

@@ -20,6 +20,9 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
+/// A number to its last digit, without the sign of a zero.
+std::string csv_number(double value) { return fmt::format("{}", value + 0.0); }
+
 }  // namespace
 
 std::string impacts_csv(const Units& units, const Problem& problem, const Response& response) {
@@ -35,10 +38,12 @@ std::string impacts_csv(const Units& units, const Problem& problem, const Respon
     const auto left = static_cast<std::size_t>(point.left);
     const std::optional<double> restitution = impact.restitution();
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", field(problem.buildings[left].name),
-                       field(problem.buildings[left + 1].name), point.elevation, impact.start, impact.end,
-                       impact.open_ended ? 1 : 0, impact.closing_speed, impact.separation_speed,
-                       restitution ? fmt::format("{}", *restitution) : "", impact.peak_force, impact.peak_force_time,
-                       impact.peak_penetration, impact.impulse, impact.energy_lost, impact.peak_tension);
+                       field(problem.buildings[left + 1].name), csv_number(point.elevation), csv_number(impact.start),
+                       csv_number(impact.end), impact.open_ended ? 1 : 0, csv_number(impact.closing_speed),
+                       csv_number(impact.separation_speed), restitution ? csv_number(*restitution) : "",
+                       csv_number(impact.peak_force), csv_number(impact.peak_force_time),
+                       csv_number(impact.peak_penetration), csv_number(impact.impulse), csv_number(impact.energy_lost),
+                       csv_number(impact.peak_tension));
   }
   return csv;
 }

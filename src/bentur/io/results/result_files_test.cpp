@@ -71,6 +71,8 @@ struct Fixture {
       h.displacement.push_back(values);
       h.velocity.push_back(2 * values);
       h.acceleration.push_back(3 * values);
+      h.drift_ratio.push_back(4 * values);
+      h.storey_shear.push_back(5 * values);
     }
     h.opening = Eigen::RowVector3d(0.1, 0, -0.1);
     h.force = Eigen::RowVector3d(0, 0, 1e5);
@@ -178,6 +180,9 @@ TEST(SummaryJson, EachSolverWithItsNumberAndTheAudit) {
 TEST(SummaryJson, EchoesTheRecord) {
   Fixture f;
   f.c.excitation.record = RecordEcho{.file = "a.csv",
+                                     .path = "/somewhere/a.csv",
+                                     .size = 77,
+                                     .sha256 = "0123",
                                      .format = "two-column",
                                      .unit = "g",
                                      .time_step = 0.02,
@@ -190,6 +195,9 @@ TEST(SummaryJson, EchoesTheRecord) {
   EXPECT_EQ(json["file"], "a.csv");
   EXPECT_EQ(json["count"], 3);
   EXPECT_EQ(json["pga"], 2.9);
+  EXPECT_EQ(json["size"], 77);
+  EXPECT_EQ(json["sha256"], "0123");
+  EXPECT_EQ(json.dump().find("somewhere"), std::string::npos) << "no path of this machine";
 }
 
 // The shortest decimal that reads back to the same double must be written, whatever the number.
@@ -204,7 +212,7 @@ TEST(SummaryJson, NumbersSurviveToTheLastBit) {
 
 TEST(ModesJson, ShapesAreMassNormalisedAndFractionsAddUpToOne) {
   const Fixture f;
-  const Json json = Json::parse(modes_json(f.problem.buildings))["buildings"];
+  const Json json = Json::parse(modes_json(f.problem.buildings, f.c.units))["buildings"];
   ASSERT_EQ(json.size(), 2U);
   const Json& left = json[0];
   for (const Json& shape : left["shapes"]) {
@@ -309,6 +317,11 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   EXPECT_EQ(values(file, "displacement_1", {3, 2}), (std::vector<double>{0, 10, 1, 11, 2, 12}));
   EXPECT_EQ(values(file, "velocity_2", {3, 1}), (std::vector<double>{0, 2, 4}));
   EXPECT_EQ(values(file, "acceleration_2", {3, 1}), (std::vector<double>{0, 3, 6}));
+  EXPECT_EQ(values(file, "drift_ratio_1", {3, 2}), (std::vector<double>{0, 40, 4, 44, 8, 48}));
+  EXPECT_EQ(values(file, "storey_shear_1", {3, 2}), (std::vector<double>{0, 50, 5, 55, 10, 60}));
+  EXPECT_EQ(values(file, "base_shear_1", {3}), (std::vector<double>{0, 5, 10}));
+  EXPECT_EQ(attribute(file, "drift_ratio_1", "units"), "1");
+  EXPECT_EQ(attribute(file, "base_shear_2", "units"), "1000 kgf");
   EXPECT_EQ(values(file, "opening", {3, 1}), (std::vector<double>{0.1, 0, -0.1}));
   EXPECT_EQ(values(file, "force", {3, 1}), (std::vector<double>{0, 0, 1e5}));
   EXPECT_EQ(values(file, "point_width", {1}), (std::vector<double>{0.1}));

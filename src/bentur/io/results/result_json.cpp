@@ -9,6 +9,7 @@
 #include "bentur/io/results/record_json.h"
 #include "bentur/structure/modes.h"
 #include "bentur/study/gap/gap_outcome.h"
+#include "bentur/study/remarks/remarks.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur {
@@ -27,6 +28,8 @@ Json excitation_json(const ExcitationSpec& excitation) {
   if (excitation.record) {
     json = {{"kind", "record"}};
     put_record(*excitation.record, json);
+    json["size"] = excitation.record->size;
+    json["sha256"] = excitation.record->sha256;
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     json = {{"kind", "harmonic"},
             {"period", harmonic->period},
@@ -41,7 +44,17 @@ Json excitation_json(const ExcitationSpec& excitation) {
   return json;
 }
 
-Json building_json(const Building& building, const BuildingPeaks& peaks) {
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+/// The file the case was read from, as far as it can be told apart from others.
+Json source_json(const std::optional<CaseSource>& source) {
+  if (!source) return nullptr;
+  return {
+      {"file", source->file}, {"size", source->text.size()}, {"sha256", source->sha256}, {"copied", source->copied}};
+}
+
+Json building_json(const Building& building, const BuildingPeaks& peaks, const Units& units) {
+  const Proportions found = proportions(building, units, &peaks);
   const Eigen::VectorXd periods = modal_properties(building.modes, building.model.load).periods;
   Json amplification = Json::array();
   for (Eigen::Index i = 0; i < peaks.displacement.size(); ++i) {
@@ -51,6 +64,9 @@ Json building_json(const Building& building, const BuildingPeaks& peaks) {
   return {{"name", building.name},
           {"elevations", building.model.elevations},
           {"periods", list(periods)},
+          {"weight", found.weight},
+          {"base_shear_coefficient", or_null(found.base_shear_coefficient)},
+          {"period_per_storey", found.period_per_storey},
           {"peak_displacement", list(peaks.displacement)},
           {"peak_displacement_no_contact", list(peaks.displacement_no_contact)},
           {"amplification", amplification},
@@ -59,7 +75,18 @@ Json building_json(const Building& building, const BuildingPeaks& peaks) {
           {"peak_storey_shear", list(peaks.storey_shear)}};
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+/// What is unusual, with what is usual: [from, to], null where a side is open.
+Json remarks_json(const std::vector<Remark>& remarks) {
+  Json json = Json::array();
+  for (const Remark& remark : remarks) {
+    json.push_back({{"key", remark.key},
+                    {"subject", remark.subject},
+                    {"value", remark.value},
+                    {"unit", remark.unit},
+                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}}});
+  }
+  return json;
+}
 
 /// The law with everything it works with, given or derived, and the choices that apply.
 Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
@@ -151,7 +178,7 @@ Json between(const Problem& problem, std::size_t gap) {
 std::string summary_json(const Case& c, const Problem& problem, const Response& response, std::string_view version) {
   Json buildings = Json::array();
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b)));
+    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b), c.units));
   }
   const std::vector<PointRestitution> restitution = restitutions(problem, response);
   Json gaps = Json::array();
@@ -174,13 +201,15 @@ std::string summary_json(const Case& c, const Problem& problem, const Response& 
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
+               {"case", source_json(c.source)},
                {"solver", solver_json(c.analysis.solver, response)},
                {"excitation", excitation_json(c.excitation)},
+               {"remarks", remarks_json(remarks(c, problem, response))},
                {"buildings", buildings},
                {"gaps", gaps}});
 }
 
-std::string modes_json(const std::vector<Building>& buildings) {
+std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
   Json all = Json::array();
   for (const Building& building : buildings) {
     const ModalProperties properties = modal_properties(building.modes, building.model.load);
@@ -188,8 +217,11 @@ std::string modes_json(const std::vector<Building>& buildings) {
     for (Eigen::Index mode = 0; mode < building.modes.shapes.cols(); ++mode) {
       shapes.push_back(list(building.modes.shapes.col(mode)));
     }
+    const Proportions found = proportions(building, units, nullptr);
     all.push_back({{"name", building.name},
                    {"periods", list(properties.periods)},
+                   {"weight", found.weight},
+                   {"period_per_storey", found.period_per_storey},
                    {"participation", list(properties.participation)},
                    {"effective_mass_fraction", list(properties.effective_mass_fraction)},
                    {"shapes", shapes}});

@@ -16,8 +16,8 @@ namespace bentur {
 [[nodiscard]] std::string summary_json(const Case& c, const Problem& problem, const Response& response,
                                        std::string_view version);
 
-/// Periods, participation, effective mass fractions and mass-normalised shapes of each building.
-[[nodiscard]] std::string modes_json(const std::vector<Building>& buildings);
+/// Periods, participation, effective mass fractions and mass-normalised shapes of each building; weight.
+[[nodiscard]] std::string modes_json(const std::vector<Building>& buildings, const Units& units);
 
 /// The gap each contact point needs: simulated, ABS, SRSS, DDC and the rules of the case's [code]; a gap's own
 /// values are the largest of its points', the simulated one of its watched floors too.

@@ -103,7 +103,7 @@ class NetcdfFile {
 };
 
 void write_building(const NetcdfFile& file, int time, std::size_t b, const Problem& problem, const Response& response,
-                    const std::string& length) {
+                    const std::string& length, const std::string& force) {
   const Histories& histories = response.histories;
   const Building& building = problem.buildings[b];
   const std::string number = fmt::format("_{}", b + 1);
@@ -121,6 +121,16 @@ void write_building(const NetcdfFile& file, int time, std::size_t b, const Probl
   history("displacement", histories.displacement.at(b), length, "displacement relative to the own base");
   history("velocity", histories.velocity.at(b), length + " s-1", "velocity relative to the own base");
   history("acceleration", histories.acceleration.at(b), length + " s-2", "absolute acceleration");
+  const auto storeys = [&](const std::string& name, const Eigen::MatrixXd& values, const std::string& units,
+                           const std::string& what) {
+    file.write(name + number, {time, floors}, values.data(), units,
+               what + " of the storeys of " + owner + ", each by the floor above it");
+  };
+  storeys("drift_ratio", histories.drift_ratio.at(b), "1", "relative floor displacement over the height");
+  storeys("storey_shear", histories.storey_shear.at(b), force,
+          "sum of the elastic forces of all floors above the foot");
+  const Eigen::VectorXd base_shear = histories.storey_shear.at(b).row(0);
+  file.write("base_shear" + number, {time}, base_shear.data(), force, "shear of the lowest storey of " + owner);
   const double base = building.model.elevations.front() - building.model.storey_heights.front();
   file.write("base_elevation" + number, {}, &base, length, "elevation of the base of " + owner);
   const BuildingPeaks& peaks = response.buildings.at(b);
@@ -245,6 +255,15 @@ std::string histories_netcdf(const Case& c, const Problem& problem, const Respon
   file.attribute(NC_GLOBAL, "title", c.title);
   file.attribute(NC_GLOBAL, "source", fmt::format("seismic pounding analysis, solver {}", name(c.analysis.solver)));
   file.attribute(NC_GLOBAL, "history", fmt::format("written by bentur {}", version));
+  if (c.source) {
+    file.attribute(NC_GLOBAL, "case_file", c.source->file);
+    file.attribute(NC_GLOBAL, "case_sha256", c.source->sha256);
+  }
+  if (const std::optional<RecordEcho>& record = c.excitation.record; record && !record->sha256.empty()) {
+    file.attribute(NC_GLOBAL, "record_file", record->file);
+    file.attribute(NC_GLOBAL, "record_size", fmt::format("{}", record->size));
+    file.attribute(NC_GLOBAL, "record_sha256", record->sha256);
+  }
   const int time = file.dimension("time", histories.time.size());
   const int coordinate = file.write("time", {time}, histories.time.data(), "s", "time");
   file.attribute(coordinate, "axis", "T");
@@ -254,7 +273,7 @@ std::string histories_netcdf(const Case& c, const Problem& problem, const Respon
   delays.resize(problem.buildings.size(), 0.0);
   std::vector<std::string> names;
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    write_building(file, time, b, problem, response, length);
+    write_building(file, time, b, problem, response, length, force);
     names.push_back(problem.buildings[b].name);
   }
   const int buildings = file.dimension("building", problem.buildings.size());

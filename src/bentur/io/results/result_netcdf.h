@@ -26,7 +26,8 @@ struct FigureData {
 
 /// `histories.nc` as bytes: NetCDF-4, CF conventions, opens in xarray. Dimensions `time`, `elevation_N` for building N
 /// (1 the leftmost) with the floors' elevations as coordinate, `point` for the contact points. Variables
-/// `displacement_N`, `velocity_N`, `acceleration_N` (absolute), `opening`, `force`, `ground_acceleration`, with an
+/// `displacement_N`, `velocity_N`, `acceleration_N` (absolute), `drift_ratio_N`, `storey_shear_N` (storeys, each by the
+/// floor above it), `base_shear_N`, `opening`, `force`, `ground_acceleration`, with an
 /// energy audit also `energy_input`, `energy_kinetic`, `energy_strain`, `energy_damping`, `energy_contact_stored`,
 /// `energy_contact_lost`; of every building `period_N`, `shape_N` and the peaks of its floors; of every impact
 /// `impact_start` and the rest of impacts.csv that figures need; with `figures` its contents as `close_up_*` and

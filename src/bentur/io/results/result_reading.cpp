@@ -5,13 +5,19 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
+#include "bentur/io/case_toml.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/io/results/netcdf_reader.h"
 
 namespace bentur {
@@ -40,6 +46,9 @@ ExcitationSpec excitation(const UnorderedJson& json) {
   ExcitationSpec spec;
   if (json.at("kind") == "record") {
     spec.record = RecordEcho{.file = json.at("file"),
+                             .path = {},
+                             .size = json.value("size", std::uint64_t{0}),
+                             .sha256 = json.value("sha256", ""),
                              .format = json.at("format"),
                              .unit = json.at("unit"),
                              .channel = json.value("channel", ""),
@@ -120,6 +129,14 @@ PointSummary point_summary(const UnorderedJson& json) {
   return point;
 }
 
+Remark remark(const UnorderedJson& json) {
+  const auto side = [&](std::size_t i) {
+    const UnorderedJson& value = json.at("usual").at(i);
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+  };
+  return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1)};
+}
+
 void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
   GapSpec spec;
   for (const UnorderedJson& entry : json.at("points")) {
@@ -188,6 +205,7 @@ void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunR
     audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
     results.response.energy = audit;
   }
+  for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
   for (const UnorderedJson& entry : json.at("buildings")) {
     results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
     results.response.buildings.push_back(peaks(entry));
@@ -263,6 +281,34 @@ Eigen::MatrixXd table(const NetcdfReader& histories, const std::string& variable
                                            static_cast<Eigen::Index>(samples));
 }
 
+/// Takes buildings, gaps and codes as they were given from the copy of the case, if it is that of these results.
+void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& results) {
+  std::error_code failed;
+  const auto source = summary.find("case");
+  if (source == summary.end() || !source->is_object() || !fs::is_regular_file(file, failed)) return;
+  const std::string text = contents(file);
+  if (source->value("sha256", "") != sha256(text)) return;
+  Diagnostics diagnostics;
+  std::optional<Case> c = read_case_without_record(text, file, diagnostics);
+  if (!c) return;
+  Problem problem = make_problem(*c);
+  const auto same_places = [](const ContactPoint& a, const ContactPoint& b) {
+    return a.left == b.left && a.elevation == b.elevation && a.width == b.width;
+  };
+  if (problem.buildings.size() != results.problem.buildings.size() ||
+      !std::equal(problem.points.begin(), problem.points.end(), results.problem.points.begin(),
+                  results.problem.points.end(), same_places)) {
+    return;
+  }
+  const bool from_record = results.c.excitation.record.has_value();
+  if (from_record) c->excitation = results.c.excitation;
+  c->source->file = source->value("file", c->source->file);
+  problem.motion = c->excitation.motion;
+  problem.delays = c->excitation.delays;
+  results.c = std::move(*c);
+  results.problem = std::move(problem);
+}
+
 }  // namespace
 
 RunResults read_results(const fs::path& folder) {
@@ -271,7 +317,12 @@ RunResults read_results(const fs::path& folder) {
   const std::string text = contents(summary);
   const NetcdfReader histories(folder / "histories.nc");
   try {
-    read_summary(UnorderedJson::parse(text), histories, results);
+    const UnorderedJson json = UnorderedJson::parse(text);
+    const std::string of_case =
+        json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
+    if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
+    read_summary(json, histories, results);
+    take_case(folder / "case.toml", json, results);
   } catch (const UnorderedJson::exception& error) {
     fail(summary, std::string("is not a summary of bentur run: ") + error.what());
   }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bentur/io/case_toml.h"
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/result_netcdf.h"
@@ -30,9 +30,9 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   const Response response = solve(problem, c->analysis.solver, options);
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add("summary.json", summary_json(*c, problem, response, "0"));
-  files.add("impacts.csv", impacts_csv(c->units, problem, response));
-  files.add("histories.nc", histories_netcdf(*c, problem, response, "0"));
+  files.add("summary.json", summary_json(*c, problem, response, "0"), ResultKind::summary);
+  files.add("impacts.csv", impacts_csv(c->units, problem, response), ResultKind::impacts);
+  files.add("histories.nc", histories_netcdf(*c, problem, response, "0"), ResultKind::histories);
   files.commit();
 
   const RunResults results = read_results(folder.path());
@@ -79,6 +79,27 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   EXPECT_EQ(results.response.energy.has_value(), response.energy.has_value());
   // The same list of impacts writes the same file.
   EXPECT_EQ(impacts_csv(c->units, results.problem, results.response), impacts_csv(c->units, problem, response));
+
+  // With the copy of the case the buildings and laws are there as they were given.
+  EXPECT_TRUE(results.c.buildings.empty());
+  AtomicFiles copy(folder.path());
+  copy.add("case.toml", c->source->text, ResultKind::case_copy);
+  copy.commit();
+  const RunResults whole = read_results(folder.path());
+  ASSERT_EQ(whole.c.buildings.size(), c->buildings.size());
+  EXPECT_EQ(whole.c.units.gravity, c->units.gravity);
+  EXPECT_EQ(whole.c.excitation.delays, c->excitation.delays);
+  EXPECT_EQ(whole.c.excitation.record.has_value(), c->excitation.record.has_value());
+  EXPECT_EQ(peak_acceleration(whole.problem.motion), c->excitation.record ? 0 : peak_acceleration(problem.motion));
+  EXPECT_EQ(whole.problem.delays, problem.delays);
+  EXPECT_EQ(whole.problem.duration, results.problem.duration);
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    EXPECT_EQ(whole.problem.buildings[b].model.stiffness, problem.buildings[b].model.stiffness);
+    EXPECT_EQ(whole.problem.buildings[b].modal_damping, problem.buildings[b].modal_damping);
+  }
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    EXPECT_EQ(whole.problem.points[i].law->parameters(), problem.points[i].law->parameters());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,

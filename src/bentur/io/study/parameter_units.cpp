@@ -30,6 +30,8 @@ const KeyUnit key_units[] = {
     {"rayleigh", "periods", "s"},
     {"frame", "elastic_modulus", "F L-2"},
     {"frame", "floor_masses", mass},
+    {"floor_load", "pressure", "F L-2"},
+    {"floor_load", "width", "L"},
     {"*", "storey_heights", "L"},
     {"*", "bay_widths", "L"},
     {"columns", "width", "L"},
@@ -69,6 +71,7 @@ const KeyUnit key_units[] = {
     {"analysis", "step", "s"},
     {"analysis", "tolerance", "1"},
     {"analysis", "output_step", "s"},
+    {"limits", "steps", "1"},
 };
 
 /// A contact's stiffness [force/length], or of Hertz's laws [force/length^1.5]; UDUNITS has no such powers.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <variant>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/output/file_identity.h"
 #include "bentur/study/statistics/quantiles.h"
 #include "bentur/study/sweep/sweep_row.h"
 
@@ -16,19 +16,6 @@ namespace bentur {
 namespace {
 
 constexpr int most_errors = 5;  // of one axis; the rest will be alike
-
-/// FNV-1a [FowlerNollVo] of a file's bytes, as text; empty where it cannot be read.
-std::string file_hash(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  std::vector<char> buffer(1U << 16);
-  while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || stream.gcount() > 0) {
-    for (std::streamsize i = 0; i < stream.gcount(); ++i) {
-      hash = (hash ^ static_cast<unsigned char>(buffer[static_cast<std::size_t>(i)])) * 0x100000001b3U;
-    }
-  }
-  return fmt::format("{:016x}", hash);
-}
 
 /// " (case.toml:3:1)", or nothing where there is no place.
 std::string place_text(const SourcePosition& position) {
@@ -124,9 +111,9 @@ class Trial {
     ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
     if (found.ok() && read.c.excitation.record) {
       const std::filesystem::path file = study_.case_file.parent_path() / read.c.excitation.record->file;
-      if (hashed_.insert(file.string()).second) {
+      if (facts_.record_files.insert(file.string()).second) {
         std::string& hashes = facts_.records[file.filename().string()];
-        hashes += (hashes.empty() ? "" : " ") + file_hash(file);
+        hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
       }
     }
     return read;
@@ -236,7 +223,6 @@ class Trial {
   CaseMemo& memo_;
   Diagnostics& diagnostics_;
   StudyFacts facts_;
-  std::set<std::string> hashed_;
   int errors_ = 0;
 };
 

@@ -149,6 +149,14 @@ void read_distribution(const TomlView& view, const VaryContext& context, Vary& v
     table.find("high")->error_value(fmt::format("must be more than low = {}", d.low));
     return;
   }
+  if (const double off = d.deviations_off(); off > Distribution::farthest) {
+    const bool normal = d.kind == Distribution::Kind::normal;
+    table.error(
+        fmt::format("lies, cut off at low and high, {:.0f} standard deviations from its {} {}, where it has no "
+                    "values: check {}, low and high",
+                    off, normal ? "mean" : "median", d.centre, normal ? "mean" : "median"));
+    return;
+  }
   vary.distribution = d;
 }
 

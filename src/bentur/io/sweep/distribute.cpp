@@ -294,6 +294,21 @@ bool lead_work(const StudyRuns& runs, Journal& journal, Ranks& ranks, const Work
   return Lead(runs, journal, ranks, options).work();
 }
 
+void dismiss_work(Ranks& ranks) {
+  for (int others = ranks.size() - 1; others > 0;) {
+    const auto message = ranks.receive();
+    if (!message) {
+      std::this_thread::sleep_for(poll_every);
+    } else if (unpacked_report(message->bytes).leaving != 0) {
+      --others;
+    } else {
+      Order order;
+      order.end = 1;
+      ranks.send(message->from, tag_order, packed(order));
+    }
+  }
+}
+
 void follow_work(const StudyRuns& runs, Ranks& ranks, const WorkOptions& options) {
   Team team(runs, options);
   Report report;

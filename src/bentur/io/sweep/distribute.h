@@ -19,6 +19,9 @@ struct WorkOptions {
 /// ask for work whenever theirs runs low, and writes results as they come. @return false when stopped.
 [[nodiscard]] bool lead_work(const StudyRuns& runs, Journal& journal, Ranks& ranks, const WorkOptions& options);
 
+/// Rank 0: sends the others home, for whom there is nothing to do.
+void dismiss_work(Ranks& ranks);
+
 /// Any other rank: asks for work, solves it and sends the results, until there is no more.
 void follow_work(const StudyRuns& runs, Ranks& ranks, const WorkOptions& options);
 

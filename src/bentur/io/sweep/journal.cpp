@@ -16,6 +16,8 @@
 #include <thread>
 #include <utility>
 
+#include "bentur/io/output/atomic_file.h"
+
 namespace bentur {
 namespace {
 
@@ -118,30 +120,6 @@ std::size_t differing_line(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(std::count(a.begin(), at, '\n')) + 1;
 }
 
-/// What a journal was begun with, if it is not what there is now.
-std::optional<std::string> difference(const JournalOrigin& then, const JournalOrigin& now) {
-  if (then.version != now.version) return fmt::format("by bentur {}, this is {}", then.version, now.version);
-  if (then.study != now.study) {
-    return fmt::format("with another study: line {} has changed", differing_line(then.study, now.study));
-  }
-  if (then.case_text != now.case_text) {
-    return fmt::format("with another case: line {} has changed", differing_line(then.case_text, now.case_text));
-  }
-  for (const auto& [name, hash] : now.records) {
-    const auto before = then.records.find(name);
-    if (before == then.records.end()) return fmt::format("without the record {}", name);
-    if (before->second != hash) return fmt::format("with another record: {} has changed", name);
-  }
-  for (const auto& [name, hash] : then.records) {
-    if (now.records.find(name) == now.records.end()) return fmt::format("with the record {}, which is gone", name);
-  }
-  if (then.runs != now.runs || then.values != now.values) {
-    return fmt::format("with {} runs of {} values, now there are {} of {}", then.runs, then.values, now.runs,
-                       now.values);
-  }
-  return std::nullopt;
-}
-
 [[noreturn]] void fail_with(const fs::path& file, const std::string& what, int code) {
   throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), what, std::generic_category().message(code)));
 }
@@ -183,6 +161,29 @@ struct Descriptor {
 
 }  // namespace
 
+std::optional<std::string> difference(const JournalOrigin& then, const JournalOrigin& now) {
+  if (then.version != now.version) return fmt::format("by bentur {}, this is {}", then.version, now.version);
+  if (then.study != now.study) {
+    return fmt::format("with another study: line {} has changed", differing_line(then.study, now.study));
+  }
+  if (then.case_text != now.case_text) {
+    return fmt::format("with another case: line {} has changed", differing_line(then.case_text, now.case_text));
+  }
+  for (const auto& [name, hash] : now.records) {
+    const auto before = then.records.find(name);
+    if (before == then.records.end()) return fmt::format("without the record {}", name);
+    if (before->second != hash) return fmt::format("with another record: {} has changed", name);
+  }
+  for (const auto& [name, hash] : then.records) {
+    if (now.records.find(name) == now.records.end()) return fmt::format("with the record {}, which is gone", name);
+  }
+  if (then.runs != now.runs || then.values != now.values) {
+    return fmt::format("with {} runs of {} values, now there are {} of {}", then.runs, then.values, now.runs,
+                       now.values);
+  }
+  return std::nullopt;
+}
+
 Journal::Journal(fs::path file, int descriptor, const JournalOrigin& origin, std::size_t first_slot)
     : file_(std::move(file)),
       descriptor_(descriptor),
@@ -215,14 +216,25 @@ Journal Journal::begin(const fs::path& file, const JournalOrigin& origin) {
   append(header.size(), start);
   start += header;
   append(checksum(header, 0), start);
-  const fs::path unfinished = file.string() + ".new";
-  Descriptor descriptor{::open(unfinished.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-  if (descriptor.value < 0) fail_with(file, "cannot write", errno);
-  lock(descriptor.value, file);
-  write_bytes(descriptor.value, file, start, 0);
-  if (::fsync(descriptor.value) != 0) fail_with(file, "cannot write", errno);
-  if (::rename(unfinished.c_str(), file.c_str()) != 0) fail_with(file, "cannot write", errno);
-  return {file, descriptor.release(), origin, slots_begin(header.size())};
+  const fs::path unfinished = make_temporary(file);
+  try {
+    Descriptor descriptor{::open(unfinished.c_str(), O_RDWR | O_CLOEXEC)};
+    if (descriptor.value < 0) fail_with(file, "cannot write", errno);
+    lock(descriptor.value, file);
+    write_bytes(descriptor.value, file, start, 0);
+    if (::fsync(descriptor.value) != 0) fail_with(file, "cannot write", errno);
+    if (::link(unfinished.c_str(), file.c_str()) == 0) {
+      ::unlink(unfinished.c_str());
+    } else if (errno == EEXIST) {
+      throw std::runtime_error(file.string() + ": another program has just begun it");
+    } else if (::rename(unfinished.c_str(), file.c_str()) != 0) {  // a file system without hard links
+      fail_with(file, "cannot write", errno);
+    }
+    return {file, descriptor.release(), origin, slots_begin(header.size())};
+  } catch (...) {
+    ::unlink(unfinished.c_str());
+    throw;
+  }
 }
 
 Journal Journal::resume(const fs::path& file, const JournalOrigin& origin) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ struct JournalOrigin {
   std::uint64_t runs = 0;
   std::uint64_t values = 0;  ///< of a row
 };
+
+/// What differs between what something was begun with and what there is now, to be read after "was begun": "with
+/// another study: line 5 has changed"; nothing where all is the same.
+[[nodiscard]] std::optional<std::string> difference(const JournalOrigin& then, const JournalOrigin& now);
 
 /// Results of runs on disk while a study is under way. One file: a header, then a slot of one size for each run, in the
 /// order of their numbers. A slot is written once, whole, with a checksum; one that was not written, or was cut short

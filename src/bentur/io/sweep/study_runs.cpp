@@ -121,7 +121,7 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) c
   if (!found.ok()) throw NotACase(first_message(found));
   Problem problem = make_problem(read.c, made_buildings(read));
   if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors or contact points");
-  FreeResponse free(problem, read.c.analysis.solver);
+  FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
   return std::make_shared<const Group>(
       Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(free)});
 }
@@ -188,6 +188,7 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
     RunResult result{run, RunStatus::done, {}, {}};
     try {
       set_problem(bench, run);
+      options.most_steps = static_cast<long>(bench.group->read.c.analysis.limits.steps);
       const Response response = bench.group->free.solve(bench.problem, options);
       if (response.status == Status::stopped) break;
       if (response.status == Status::done) {

@@ -6,10 +6,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "bentur/io/output/atomic_file.h"
+#include "bentur/io/results/netcdf_reader.h"
 #include "bentur/io/study/study_check.h"
 #include "bentur/io/sweep/distribute.h"
 #include "bentur/io/sweep/sweep_netcdf.h"
@@ -41,42 +45,84 @@ std::unique_ptr<StudyRuns> checked_runs(const fs::path& file, StudyKind kind, Di
   return std::make_unique<StudyRuns>(std::move(*study), std::move(*facts), memo);
 }
 
-Journal open_journal(const fs::path& file, const StudyRuns& runs, const SweepOptions& options) {
-  const JournalOrigin origin{.version = options.version,
-                             .study = runs.study().text,
-                             .case_text = runs.study().case_text,
-                             .records = runs.facts().records,
-                             .runs = runs.plan().runs(),
-                             .values = row_size(runs.quantities())};
+JournalOrigin origin_of(const StudyRuns& runs, const SweepOptions& options) {
+  return {.version = options.version,
+          .study = runs.study().text,
+          .case_text = runs.study().case_text,
+          .records = runs.facts().records,
+          .runs = runs.plan().runs(),
+          .values = row_size(runs.quantities())};
+}
+
+Journal open_journal(const fs::path& file, const JournalOrigin& origin, bool resume) {
   std::error_code failed;
-  if (!fs::exists(file, failed)) return Journal::begin(file, origin);
-  if (!options.resume) {
+  const fs::file_status there = fs::status(file, failed);
+  if (!fs::exists(there)) return Journal::begin(file, origin);
+  if (!fs::is_regular_file(there)) throw RefusedOutput(file, "is not a file; remove it, or give another name");
+  if (!resume) {
     throw std::runtime_error(file.string() +
                              ": results of an unfinished sweep are there: go on with --resume, or remove the file");
   }
   return Journal::resume(file, origin);
 }
 
-/// What would only show when all the work is done.
-void check_output(const fs::path& output, const StudyRuns& runs) {
-  std::error_code failed;
-  if (fs::is_directory(output, failed)) throw std::runtime_error(output.string() + ": is a folder");
-  for (const fs::path& input : {runs.study().file, runs.study().case_file}) {
-    if (fs::equivalent(output, input, failed)) throw std::runtime_error(output.string() + ": is the study or its case");
+/// Names and hashes out of the attribute that SweepFile has made of them, a line each.
+std::map<std::string, std::string> records_of(const std::string& attribute) {
+  std::map<std::string, std::string> records;
+  std::istringstream lines(attribute);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t blank = line.find("  ");
+    if (blank != std::string::npos) records[line.substr(blank + 2)] = line.substr(0, blank);
   }
+  return records;
+}
+
+/// Whether the results are there already, all of them, of the same study. @throws std::runtime_error when they are of
+/// another one: to go on with them would be to lose them.
+bool is_finished(const fs::path& output, ResultKind kind, const JournalOrigin& origin) {
+  std::error_code failed;
+  if (!fs::is_regular_file(output, failed) || !is_result(output, kind)) return false;
+  const NetcdfReader results(output);
+  JournalOrigin there = origin;
+  there.version = results.attribute("bentur_version");
+  there.study = results.attribute("study");
+  there.case_text = results.attribute("case");
+  there.records = records_of(results.attribute("records"));
+  if (const auto differs = difference(there, origin)) {
+    throw std::runtime_error(fmt::format("{}: these finished results were begun {}. Without --resume they are replaced",
+                                         output.string(), *differs));
+  }
+  return true;
+}
+
+/// What must not be written over.
+OutputRules rules_of(const StudyRuns& runs, bool force) {
+  OutputRules rules{.inputs = {runs.study().file, runs.study().case_file}, .force = force};
+  rules.inputs.insert(rules.inputs.end(), runs.facts().record_files.begin(), runs.facts().record_files.end());
+  return rules;
+}
+
+/// The folder for the results.
+void make_folder(const fs::path& folder) {
+  std::error_code code;
+  if (folder.empty() || fs::create_directories(folder, code) || !code) return;
+  if (code == std::errc::not_a_directory)
+    throw RefusedOutput(folder, "is not a folder, or below something that is none");
+  throw std::runtime_error(folder.string() + ": cannot create the folder: " + code.message());
 }
 
 /// The results under their own name once they are whole.
-SweepTotals write_results(const fs::path& output, const StudyRuns& runs, const Journal& journal,
-                          const std::string& version) {
-  const fs::path unfinished = output.string() + ".new";
+SweepTotals write_results(const fs::path& output, ResultKind kind, const OutputRules& rules, const StudyRuns& runs,
+                          const Journal& journal, const std::string& version) {
+  const fs::path target = output_target(output, kind, rules);  // again: much may have happened since
+  const fs::path unfinished = make_temporary(target);
   try {
     const SweepTotals totals = write_sweep_netcdf(unfinished, runs, journal, version);
     const int descriptor = ::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
     if (descriptor >= 0) ::close(descriptor);
-    if (!synced) throw std::runtime_error(unfinished.string() + ": cannot write");
-    fs::rename(unfinished, output);
+    if (!synced) throw std::runtime_error(output.string() + ": cannot write");
+    fs::rename(unfinished, target);
     return totals;
   } catch (...) {
     std::error_code ignored;
@@ -114,9 +160,20 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
     follow_work(*runs, ranks, work);
     return report;
   }
-  check_output(options.output, *runs);
+  const ResultKind kind = options.kind == StudyKind::ida ? ResultKind::ida : ResultKind::sweep;
+  const OutputRules rules = rules_of(*runs, options.force);
+  const JournalOrigin origin = origin_of(*runs, options);
   const fs::path part = options.output.string() + ".part";
-  Journal journal = open_journal(part, *runs, options);
+  static_cast<void>(output_target(options.output, kind, rules));
+  std::error_code failed;
+  if (options.resume && !fs::exists(part, failed) && is_finished(options.output, kind, origin)) {
+    dismiss_work(ranks);
+    report.finished = report.before = true;
+    report.runs = report.done = runs->plan().runs();
+    return report;
+  }
+  make_folder(options.output.parent_path());
+  Journal journal = open_journal(part, origin, options.resume);
   const auto began = Clock::now();
   const std::size_t before = journal.done();
   auto shown = began;
@@ -131,7 +188,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   report.solved = report.done - before;
   report.seconds = since(began);
   if (!report.finished) return report;
-  const SweepTotals totals = write_results(options.output, *runs, journal, options.version);
+  const SweepTotals totals = write_results(options.output, kind, rules, *runs, journal, options.version);
   report.impacts = totals.impacts;
   report.unmodelled = totals.unmodelled;
   report.failed = totals.failed;

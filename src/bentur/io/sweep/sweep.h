@@ -26,6 +26,7 @@ struct SweepOptions {
   StudyKind kind = StudyKind::sweep;
   std::filesystem::path output;  ///< the results; the journal stands beside it with .part behind its name
   bool resume = false;           ///< goes on where a journal is left, instead of refusing to begin anew
+  bool force = false;            ///< a file that is not results of the same kind may be replaced
   int threads = 0;               ///< of this process; 0: one per processor it may use, under mpirun one
   std::string version;           ///< of the program
   std::function<void(const SweepProgress&)> progress;  ///< a few times a second
@@ -34,6 +35,7 @@ struct SweepOptions {
 
 struct SweepReport {
   bool finished = false;  ///< false: stopped; the journal is kept
+  bool before = false;    ///< all was done before: nothing is written, and nothing below but `runs` and `done` is known
   std::size_t runs = 0, done = 0;
   std::size_t solved = 0;      ///< by this program, not before
   double seconds = 0;          ///< that took [s]
@@ -60,14 +62,14 @@ struct SweepOutline {
 [[nodiscard]] std::optional<SweepOutline> outline_sweep(const std::filesystem::path& study, StudyKind kind,
                                                         Diagnostics& diagnostics);
 
-/// Runs a study and writes its results as NetCDF-4 (docs/studies.md), with all threads of all ranks of the job. The
-/// file does not depend on their number, on the order of work or on interruptions. Until all runs are done their
-/// results are in the journal, which no kill can take back. Rank 0 writes and reports; on the others the report is
-/// empty.
+/// Runs a study and writes its results as NetCDF-4 (docs/studies.md), with all threads of all ranks of the job. Folders
+/// that are missing are made. With `resume` results that are there already are left as they are, if they are of the
+/// same study. The file does not depend on their number, on the order of work or on interruptions. Until all runs are
+/// done their results are in the journal, which no kill can take back. Rank 0 writes and reports; on the others the
+/// report is empty.
 /// @return nothing when the study or its case has an error, all of which are in `diagnostics`.
-/// @throws std::runtime_error with file and reason when a file cannot be written, a journal is there (or with `resume`
-/// is
-///   another study's).
+/// @throws RefusedOutput where the output or its journal would harm something; std::runtime_error with file and reason
+///   when a file cannot be written, a journal is there (or with `resume` it, or finished results, are another study's).
 [[nodiscard]] std::optional<SweepReport> sweep(const std::filesystem::path& study, const SweepOptions& options,
                                                Ranks& ranks, Diagnostics& diagnostics);
 

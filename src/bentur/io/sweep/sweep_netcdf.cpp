@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bentur/io/results/netcdf_reader.h"
 #include "bentur/io/study/parameter_units.h"
 #include "bentur/io/toml_view.h"
 
@@ -76,6 +78,7 @@ class SweepFile {
   void define_places();
   void define_points();
   void define_varies();
+  void define_indices();
   void define_ida(const IdaSpec& ida);
   void define_quantities();
   void write_grid_coordinates() const;
@@ -107,7 +110,7 @@ void SweepFile::define(const std::string& version) {
   attribute(NC_GLOBAL, "study", study_.text);
   attribute(NC_GLOBAL, "case", study_.case_text);
   std::string records;
-  for (const auto& [name, hash] : runs_.facts().records) records += fmt::format("{} {}\n", name, hash);
+  for (const auto& [name, hash] : runs_.facts().records) records += fmt::format("{}  {}\n", hash, name);
   if (!records.empty()) attribute(NC_GLOBAL, "records", records);
   if (runs_.plan().is_grid()) {
     for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
@@ -120,6 +123,7 @@ void SweepFile::define(const std::string& version) {
   }
   define_places();
   define_varies();
+  if (runs_.plan().is_grid()) define_indices();
   if (study_.ida) define_ida(*study_.ida);
   define_quantities();
   check(nc_enddef(id_));
@@ -181,6 +185,30 @@ void SweepFile::define_varies() {
     if (vary.normalisation.empty()) continue;
     normalisation_ = variable("normalisation", NC_DOUBLE, dimensions, "1", "factor that normalises the record");
     coordinates_ += "normalisation ";
+  }
+}
+
+/// What a dimension along which several move together is chosen by: the first labels among them, or numbers from 0.
+void SweepFile::define_indices() {
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    const std::string& name = study_.axes[axis];
+    if (study_.ida && axis == study_.ida->axis) continue;
+    std::vector<std::string> labels;
+    bool there = false;
+    for (const Vary& vary : study_.varies) {
+      if (vary.axis != axis) continue;
+      there = there || vary.name == name;
+      if (labels.empty()) labels = vary.labels;
+    }
+    if (there) continue;
+    if (!labels.empty()) {
+      put(variable(name, NC_STRING, {run_dimensions_[axis]}, "", std::string(index_title)), labels);
+      continue;
+    }
+    const int id = variable(name, NC_INT, {run_dimensions_[axis]}, "", std::string(index_title));
+    std::vector<int> numbers(run_sizes_[axis]);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    check(nc_put_var_int(id_, id, numbers.data()));
   }
 }
 

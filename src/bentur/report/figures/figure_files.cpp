@@ -1,8 +1,9 @@
 #include "bentur/report/figures/figure_files.h"
 
 #include <optional>
+#include <system_error>
 
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/netcdf_reader.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
@@ -10,19 +11,19 @@
 namespace bentur {
 
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures,
-                   const std::vector<std::string>& formats) {
-  AtomicFiles files(folder);
+                   const std::vector<std::string>& formats, const OutputRules& rules) {
+  AtomicFiles files(folder, rules);
   std::optional<NoGnuplot> missing;
   for (const auto& [name, figure] : figures) {
     const FigureText text = figure_text(figure, name);
-    files.add(name + ".dat", text.data);
-    files.add(name + ".gp", text.script);
+    files.add(name + ".dat", text.data, ResultKind::figure_data);
+    files.add(name + ".gp", text.script, ResultKind::figure_script);
     for (const std::string& format : formats) {
       if (missing) break;
       try {
         std::string file = name;
         file.append(".").append(format);
-        files.add(file, draw(text, name, format));
+        files.add(file, draw(text, name, format), ResultKind::picture);
       } catch (const NoGnuplot& error) {
         missing = error;
       }
@@ -32,8 +33,18 @@ void write_figures(const std::filesystem::path& folder, const std::vector<NamedF
   if (missing) throw NoGnuplot(*missing);
 }
 
+void expect_figure(const std::filesystem::path& folder, const std::string& name,
+                   const std::vector<std::string>& formats, const OutputRules& rules) {
+  const auto expect = [&](const std::string& ending, ResultKind kind) {
+    static_cast<void>(output_target(folder / (name + ending), kind, rules));
+  };
+  expect(".dat", ResultKind::figure_data);
+  expect(".gp", ResultKind::figure_script);
+  for (const std::string& format : formats) expect("." + format, ResultKind::picture);
+}
+
 std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const std::string& histories,
-                                           const std::vector<std::string>& formats) {
+                                           const std::vector<std::string>& formats, const OutputRules& rules) {
   const NetcdfReader results(histories, "histories.nc");
   std::vector<NamedFigure> figures;
   std::vector<std::string> names;
@@ -41,15 +52,21 @@ std::vector<std::string> write_run_figures(const std::filesystem::path& folder, 
     figures.push_back({kind.name, make_figure(results, kind.name)});
     names.push_back(kind.name);
   }
-  // First the old ones: a picture must never stand beside data of another run.
+  write_figures(folder, figures, formats, rules);
+  return names;
+}
+
+void remove_run_figures(const std::filesystem::path& folder, const OutputRules& rules) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) return;
   for (const std::string& name : run_figure_names()) {
-    std::error_code ignored;
-    for (const char* ending : {".dat", ".gp", ".svg", ".pdf", ".png"}) {
-      std::filesystem::remove(folder / (name + ending), ignored);
+    if (!is_result(folder / (name + ".gp"), ResultKind::figure_script)) continue;
+    for (const char* ending : {".dat", ".svg", ".pdf", ".png", ".gp"}) {  // the script last: by it the others are known
+      const std::filesystem::path file = folder / (name + ending);
+      if (!rules.is_input(file)) std::filesystem::remove(file, ignored);
     }
   }
-  write_figures(folder, figures, formats);
-  return names;
+  std::filesystem::remove(folder, ignored);  // fails, as it should, where something else is in it
 }
 
 }  // namespace bentur

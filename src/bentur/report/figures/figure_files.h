@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/io/output/output_rules.h"
 #include "bentur/report/figures/figure.h"
 
 namespace bentur {
@@ -16,13 +17,21 @@ struct NamedFigure {
 
 /// Draws the figures and writes NAME.dat, NAME.gp and a NAME.svg, .pdf, .png for each format, all or none.
 /// @throws std::runtime_error naming the file, or with what gnuplot says. Where gnuplot is missing data and scripts are
-/// written all the same, and then NoGnuplot is thrown.
+/// written all the same, and then NoGnuplot is thrown. RefusedOutput by the rules.
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures,
-                   const std::vector<std::string>& formats);
+                   const std::vector<std::string>& formats, const OutputRules& rules);
 
-/// Writes all figures that a run can give, from the contents of its histories.nc, and removes from the folder those of
-/// an earlier run. @return their names. @throws as write_figures().
+/// Refuses before the work what write_figures() would refuse of a figure of that name.
+void expect_figure(const std::filesystem::path& folder, const std::string& name,
+                   const std::vector<std::string>& formats, const OutputRules& rules);
+
+/// Writes all figures that a run can give, from the contents of its histories.nc. @return their names. @throws as
+/// write_figures().
 std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const std::string& histories,
-                                           const std::vector<std::string>& formats);
+                                           const std::vector<std::string>& formats, const OutputRules& rules);
+
+/// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure
+/// by bentur (io/output/result_kind.h) stays, and so does an input.
+void remove_run_figures(const std::filesystem::path& folder, const OutputRules& rules);
 
 }  // namespace bentur

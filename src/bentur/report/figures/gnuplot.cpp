@@ -11,7 +11,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/temporary_folder.h"
 
 namespace bentur {
@@ -107,8 +107,8 @@ const std::vector<std::string>& picture_formats() {
 std::string draw(const FigureText& text, const std::string& name, const std::string& format) {
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add(name + ".dat", text.data);
-  files.add(name + ".gp", text.script);
+  files.add(name + ".dat", text.data, ResultKind::figure_data);
+  files.add(name + ".gp", text.script, ResultKind::figure_script);
   files.commit();
   const auto outcome =
       run_gnuplot({"--default-settings", "-e", "format='" + format + "'", "./" + name + ".gp"}, folder.path().string());

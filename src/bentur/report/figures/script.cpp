@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/output/result_kind.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/layout.h"
 #include "bentur/report/figures/text.h"
@@ -131,7 +132,7 @@ class Writer {
     const double dense = 300 / 2.54;  // of PNG
     data_ += "# " + plain_text(figure_.title) + "\n";
     script_ += fmt::format(
-        "# Draws the figure whose data stand beside this script (gnuplot 5.4 or newer, in this folder):\n"
+        "{} (gnuplot 5.4 or newer, in this folder):\n"
         "#   gnuplot THIS                      as SVG\n"
         "#   gnuplot -e \"format='pdf'\" THIS    as PDF; 'png' as PNG\n"
         "reset\n"
@@ -152,8 +153,8 @@ class Writer {
         "set border 31 lw 0.7\n"
         "set tics in scale 0.5,0.3 front\n"
         "set xtics offset 0,0.3\nset ytics offset 0.4,0\n",
-        gnuplot_string(name_), layout_.width * pixels, layout_.height * pixels, layout_.width, layout_.height,
-        layout_.width * dense, layout_.height * dense);
+        figure_script_mark, gnuplot_string(name_), layout_.width * pixels, layout_.height * pixels, layout_.width,
+        layout_.height, layout_.width * dense, layout_.height * dense);
   }
 
   void axis(const char* name, const Ticks& ticks) {

@@ -56,6 +56,76 @@ constexpr auto entries = std::to_array<Entry>({
     {"sweep.count", {"Values", "Banyaknya"}},
     {"sweep.values", {"From … to", "Dari … sampai"}},
 
+    {"remark.between", {"usual are {from} to {to}", "lazimnya {from} sampai {to}"}},
+    {"remark.up_to", {"usual is up to {to}", "lazimnya sampai {to}"}},
+    {"remark.at_least", {"usual is at least {from}", "lazimnya paling sedikit {from}"}},
+    {"remark.period_per_storey",
+     {"the first period is {value} per storey, {usual}. Are modulus, stiffnesses and masses in the units of the case?",
+      "periode pertama {value} per tingkat, {usual}. Apakah modulus, kekakuan dan massa dalam satuan kasus ini?"}},
+    {"remark.damping",
+     {"the damping ratio of the first mode is {value}, {usual}.", "rasio redaman ragam pertama {value}, {usual}."}},
+    {"remark.storey_height",
+     {"a storey is {value} high, {usual}. Is it in the unit of the case?",
+      "tinggi satu tingkat {value}, {usual}. Apakah dalam satuan kasus ini?"}},
+    {"remark.elastic_modulus",
+     {"the elastic modulus is {value}, {usual} (timber to steel). Is it in the units of the case?",
+      "modulus elastisitas {value}, {usual} (kayu sampai baja). Apakah dalam satuan kasus ini?"}},
+    {"remark.section",
+     {"a column or beam measures {value}, {usual}. Is it in the unit of the case?",
+      "satu kolom atau balok berukuran {value}, {usual}. Apakah dalam satuan kasus ini?"}},
+    {"remark.gap_width",
+     {"the gap is {value} wide, {usual}. Is it in the unit of the case?",
+      "lebar celah {value}, {usual}. Apakah dalam satuan kasus ini?"}},
+    {"remark.initial_overlap",
+     {"the buildings overlap by {value} at the start, {usual}: they begin with a push that no earthquake gives.",
+      "bangunan saling tumpang tindih {value} pada awal, {usual}: keduanya mulai dengan dorongan yang tidak berasal "
+      "dari gempa."}},
+    {"remark.contact_stiffness",
+     {"the contact stiffness is {value}, {usual}. It decides force and duration of the impacts.",
+      "kekakuan kontak {value}, {usual}. Nilai ini menentukan gaya dan durasi benturan."}},
+    {"remark.motion_of_zeros",
+     {"the ground motion is zero throughout: nothing shakes the buildings.",
+      "gerakan tanah nol seluruhnya: tidak ada yang mengguncang bangunan."}},
+    {"remark.pga",
+     {"the peak ground acceleration is {value}, {usual}. Are unit and scale right?",
+      "percepatan tanah puncak {value}, {usual}. Apakah satuan dan skalanya benar?"}},
+    {"remark.delay",
+     {"the ground motion arrives {value} late, after the end of the analysis, so the building never moves by it; "
+      "{usual}.",
+      "gerakan tanah tiba {value} kemudian, setelah analisis berakhir, sehingga tidak menggerakkan bangunan ini; "
+      "{usual}."}},
+    {"remark.duration",
+     {"the analysis ends after {value}, before the peak of the record; {usual}.",
+      "analisis berakhir setelah {value}, sebelum puncak rekaman; {usual}."}},
+    {"remark.output_step",
+     {"histories have a sample every {value}, too few to see a vibration; {usual}. Peaks do not depend on it.",
+      "riwayat waktu dicuplik setiap {value}, terlalu jarang untuk melihat getaran; {usual}. Nilai puncak tidak "
+      "bergantung padanya."}},
+    {"remark.drift",
+     {"the drift reaches {value}, {usual}. Beyond that buildings crack and yield; this one is computed as linear "
+      "elastic, so that its forces come out too large and its displacements may be wrong either way.",
+      "simpangan antartingkat mencapai {value}, {usual}. Di atasnya bangunan retak dan leleh; bangunan ini dihitung "
+      "elastis linear, sehingga gayanya terlalu besar dan perpindahannya dapat keliru ke kedua arah."}},
+    {"remark.base_shear",
+     {"the base shear reaches {value} of the weight, {usual} before buildings yield; this one is computed as linear "
+      "elastic, so that forces and impacts are those of a building that never yields.",
+      "gaya geser dasar mencapai {value} dari berat, {usual} sebelum bangunan leleh; bangunan ini dihitung elastis "
+      "linear, sehingga gaya dan benturannya adalah milik bangunan yang tidak pernah leleh."}},
+    {"remark.penetration",
+     {"the bodies sink {value} into one another, {usual}. Is the contact too soft?",
+      "kedua benda saling menembus sedalam {value}, {usual}. Apakah kontaknya terlalu lunak?"}},
+    {"remarks.heading", {"Remarks", "Catatan"}},
+    {"remarks.model",
+     {"The model: linear elastic buildings that move in one horizontal line, level floors, fixed bases; no yielding, "
+      "no "
+      "second-order effect of gravity (P-Δ), no torsion, no soil. Forces and drifts beyond yielding are not real.",
+      "Model: bangunan elastis linear yang bergerak dalam satu garis horizontal, lantai datar, dasar terjepit; tanpa "
+      "pelelehan, tanpa efek orde kedua gravitasi (P-Δ), tanpa torsi, tanpa tanah. Gaya dan simpangan di atas batas "
+      "leleh tidak nyata."}},
+    {"peaks.proportions",
+     {"Weight {weight}; base shear {coefficient} of it; first period {period}, {per_storey} per storey.",
+      "Berat {weight}; gaya geser dasar {coefficient} darinya; periode pertama {period}, {per_storey} per tingkat."}},
+
     {"word.and", {"and", "dan"}},
     {"word.no", {"no", "tidak"}},
 
@@ -194,6 +264,7 @@ constexpr auto entries = std::to_array<Entry>({
     {"column.beam_area", {"Beam A", "Balok A"}},
     {"column.beam_inertia", {"Beam I", "Balok I"}},
     {"column.beam_mass", {"Beam mass", "Massa balok"}},
+    {"column.beam_mean_mass", {"Beam mass, mean of the bays", "Massa balok, rata-rata bentang"}},
     {"column.floor_mass", {"Added mass", "Massa tambahan"}},
     {"column.mass", {"Mass", "Massa"}},
     {"column.stiffness", {"Stiffness", "Kekakuan"}},

@@ -73,6 +73,17 @@ Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
                                                                       : "input.uncondensed"));
   if (!frame.base_coupling) rows.emplace_back(say("input.base_coupling"), say("word.no"));
   const std::size_t storeys = frame.storey_heights.size();
+  const bool by_length =
+      std::any_of(frame.beams.begin(), frame.beams.end(), [](const Section& beam) { return beam.line_mass > 0; });
+  const bool equal_bays = std::all_of(frame.bay_widths.begin(), frame.bay_widths.end(),
+                                      [&](double bay) { return bay == frame.bay_widths.front(); });
+  std::vector<double> column_masses, beam_masses;
+  for (std::size_t i = 0; i < storeys; ++i) {
+    double beams = 0;
+    for (const double bay : frame.bay_widths) beams += frame.beams[i].mass_of(bay);
+    column_masses.push_back(frame.columns[i].mass_of(frame.storey_heights[i]));
+    beam_masses.push_back(beams / static_cast<double>(frame.bay_widths.size()));
+  }
   const auto values = [&](const std::vector<Section>& sections, double Section::*member) {
     std::vector<double> list;
     for (const Section& section : sections) list.push_back(section.*member);
@@ -83,10 +94,11 @@ Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
   table.add(say("column.height"), units.length, reversed(frame.storey_heights, storeys));
   table.add(say("column.column_area"), units.length + "²", values(frame.columns, &Section::area));
   table.add(say("column.column_inertia"), units.length + "⁴", values(frame.columns, &Section::inertia));
-  table.add(say("column.column_mass"), mass_unit(story.c), values(frame.columns, &Section::mass));
+  table.add(say("column.column_mass"), mass_unit(story.c), reversed(column_masses, storeys));
   table.add(say("column.beam_area"), units.length + "²", values(frame.beams, &Section::area));
   table.add(say("column.beam_inertia"), units.length + "⁴", values(frame.beams, &Section::inertia));
-  table.add(say("column.beam_mass"), mass_unit(story.c), values(frame.beams, &Section::mass));
+  table.add(say(by_length && !equal_bays ? "column.beam_mean_mass" : "column.beam_mass"), mass_unit(story.c),
+            reversed(beam_masses, storeys));
   if (std::any_of(frame.floor_masses.begin(), frame.floor_masses.end(), [](double mass) { return mass != 0; })) {
     table.add(say("column.floor_mass"), mass_unit(story.c), reversed(frame.floor_masses, storeys));
   }

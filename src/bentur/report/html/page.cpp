@@ -53,7 +53,9 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
   const std::string nonce = nonce_of(body.str());
   const std::string head =
       "<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+      std::string(report_mark) +
+      "\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-" +
       nonce + "'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n";
   Html content = body;

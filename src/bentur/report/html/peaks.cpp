@@ -6,6 +6,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/html/sections.h"
+#include "bentur/report/remark_text.h"
 #include "bentur/study/restitution.h"
 
 namespace bentur::html {
@@ -123,7 +124,28 @@ Html restitution_table(const Story& story) {
          element("p", Html::text(say("peaks.restitution_note")), "class=\"note\"");
 }
 
+Html proportions_text(const Story& story, std::size_t b) {
+  const Building& building = story.problem.buildings[b];
+  const Proportions found = proportions(building, story.c.units, &story.response.buildings[b]);
+  if (!found.base_shear_coefficient) return {};  // results do not hold the masses
+  const auto floors = static_cast<double>(building.model.elevations.size());
+  return element("p",
+                 Html::text(story.say("peaks.proportions", {{"weight", quantity(found.weight, story.c.units.force)},
+                                                            {"coefficient", number(*found.base_shear_coefficient)},
+                                                            {"period", quantity(found.period_per_storey * floors, "s")},
+                                                            {"per_storey", quantity(found.period_per_storey, "s")}})));
+}
+
 }  // namespace
+
+Html remarks_section(const Story& story) {
+  Html content;
+  for (const Remark& remark : story.remarks)
+    content += element("li", Html::text(remark_text(remark, story.say.language())));
+  if (!story.remarks.empty()) content = element("ul", content);
+  content += element("p", Html::text(model_text(story.say.language())));
+  return section("remarks", story.say("remarks.heading"), content);
+}
 
 Html peaks_section(const Story& story) {
   const Words& say = story.say;
@@ -136,7 +158,8 @@ Html peaks_section(const Story& story) {
   content += restitution_table(story);
   for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
     const std::string name = story.problem.buildings[b].name;
-    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b);
+    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
+               proportions_text(story, b);
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (story.response.energy) {

@@ -129,7 +129,11 @@ std::string report_html(const Case& c, const Problem& problem, const Response& r
   }
   const Words say(options.language);
   const Story story{
-      c, problem, response, say,
+      c,
+      problem,
+      response,
+      say,
+      c.buildings.empty() ? options.remarks : remarks(c, problem, response),
       c.buildings.empty() ? from_peaks(problem, response) : separations(problem, response, c.code, c.units)};
   const std::vector<std::size_t> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
@@ -137,9 +141,9 @@ std::string report_html(const Case& c, const Problem& problem, const Response& r
   Html body = element("header",
                       element("h1", Html::text(title)) +
                           element("p", Html::text(say("report.by", {{"version", options.version}})), "class=\"note\""));
-  body += html::verdict_section(story) + motion_section(story) + html::gap_section(story) + html::peaks_section(story) +
-          html::impacts_section(story, listed) + html::figures_section(say, options.figures) +
-          html::input_section(story);
+  body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
+          html::gap_section(story) + html::peaks_section(story) + html::impacts_section(story, listed) +
+          html::figures_section(say, options.figures) + html::input_section(story);
   body += element("footer", element("p", Html::text(say("report.footer")), "class=\"note\""));
   body += element("script", html::json_markup(html::animation_json(story, listed)),
                   "type=\"application/json\" id=\"data\"") +

@@ -7,6 +7,7 @@
 #include "bentur/report/html/words.h"
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur {
 
@@ -20,6 +21,7 @@ struct ReportOptions {
   std::string language = "en";  ///< one of report_languages()
   std::string version;          ///< of the program
   std::vector<ReportFigure> figures = {};
+  std::vector<Remark> remarks = {};  ///< of a run read from result files; else they are made
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so

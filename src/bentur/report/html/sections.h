@@ -8,6 +8,7 @@
 #include "bentur/solve/response.h"
 #include "bentur/study/case.h"
 #include "bentur/study/minimum_gap.h"
+#include "bentur/study/remarks/remarks.h"
 
 namespace bentur::html {
 
@@ -17,6 +18,7 @@ struct Story {
   const Problem& problem;
   const Response& response;
   const Words& say;
+  std::vector<Remark> remarks;
   std::vector<PointSeparation> separations;  ///< one per contact point; a rule that cannot be applied has NaN
 
   /// The buildings as given are known; not so where the run comes from result files (io/results/result_reading.h).
@@ -28,6 +30,9 @@ constexpr std::size_t most_impacts = 1500;
 
 /// Does it pound, where, how often, how hard, and how wide the gap would have to be; one block a gap.
 [[nodiscard]] Html verdict_section(const Story& story);
+
+/// What is unusual, and what the model leaves out.
+[[nodiscard]] Html remarks_section(const Story& story);
 
 /// The gap needed at each level, simulated and by every rule.
 [[nodiscard]] Html gap_section(const Story& story);

@@ -23,6 +23,10 @@ Window window(const RunData& run, const FigureOptions& options) {
     throw NoFigure(fmt::format("the histories run from {} s to {} s, and --from must lie before --to",
                                number_text(run.time.front()), number_text(run.time.back())));
   }
+  // Ten digits are left to tell two numbers of the axis apart.
+  if (!(asked.to - asked.from > 1e-6 * std::max(std::abs(asked.from), std::abs(asked.to)))) {
+    throw NoFigure("--from and --to lie too near to one another for an axis");
+  }
   return asked;
 }
 

@@ -86,6 +86,7 @@ SweepData::SweepData(const NetcdfReader& results) : results_(results) {
   for (std::size_t d = 0; d < status.dimensions.size(); ++d) {
     const std::string& name = status.dimensions[d];
     const NetcdfVariable* variable = results.find(name);
+    if (variable != nullptr && variable->long_name == index_title) variable = nullptr;
     for (std::size_t i = 0; variable == nullptr && i < status.coordinates.size() && name != "sample"; ++i) {
       const NetcdfVariable* other = results.find(status.coordinates[i]);  // of several that move together
       if (other != nullptr && other->dimensions == std::vector<std::string>{name}) variable = other;

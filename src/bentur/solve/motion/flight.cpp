@@ -137,15 +137,15 @@ void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::Le
   kernels::fly(map_, {block.begin, block.room}, input(ground), leg);
 }
 
+Flights make_flights(const ModalSystem& system, double length) {
+  if (!system.classical) return {};
+  const double to_one_series = std::ceil(std::log2(std::max(1.0, length * system.rate({}) / series_reach)));
+  return Flight::make(system, length, static_cast<int>(to_one_series));
+}
+
 FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid) {
   FlightTable table(grid.kinds());
-  if (!system.classical) return table;
-  const double rate = system.rate({});
-  for (std::size_t kind = 0; kind < table.size(); ++kind) {
-    const double length = grid.length(kind);
-    const double to_one_series = std::ceil(std::log2(std::max(1.0, length * rate / series_reach)));
-    table[kind] = Flight::make(system, length, static_cast<int>(to_one_series));
-  }
+  for (std::size_t kind = 0; kind < table.size(); ++kind) table[kind] = make_flights(system, grid.length(kind));
   return table;
 }
 

@@ -46,5 +46,7 @@ using Flights = std::vector<Flight>;
 /// (docs/performance.md), no further. Empty where a damping matrix is full.
 using FlightTable = std::vector<Flights>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
+/// The same of one length [s].
+[[nodiscard]] Flights make_flights(const ModalSystem& system, double length);
 
 }  // namespace bentur::engine

@@ -87,6 +87,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   omega_squared = VectorXd::Zero(size);
   two_sigma = VectorXd::Zero(size);
   gamma = VectorXd::Zero(size);
+  of_mode = VectorXd::Zero(size);
   initial_q = VectorXd::Zero(size);
   initial_v = VectorXd::Zero(size);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -96,6 +97,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     omega_squared.segment(begin, modes) = building.modes.omega.cwiseAbs2();
     two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
     gamma(begin + modes) = 1.0;
+    of_mode.segment(begin, modes).setOnes();
     gamma.segment(begin, modes) = -building.modes.shapes.transpose() * building.model.load;
     const auto to_modes = [&building](const VectorXd& x) -> VectorXd {
       return building.modes.shapes.transpose() * (building.model.mass * x);
@@ -149,8 +151,8 @@ double ModalSystem::rate(const ContactForces& forces) const {
     double damping_row = 0.0;
     for (const std::size_t j : forces.pressing) {
       const double between = std::abs(coupling(static_cast<Index>(i), static_cast<Index>(j)));
-      stiffness_row += between * std::sqrt(forces.linear[i].stiffness * forces.linear[j].stiffness);
-      damping_row += between * std::sqrt(forces.linear[i].damping * forces.linear[j].damping);
+      stiffness_row += between * std::sqrt(std::abs(forces.linear[i].stiffness * forces.linear[j].stiffness));
+      damping_row += between * std::sqrt(std::abs(forces.linear[i].damping * forces.linear[j].damping));
     }
     stiffness = std::max(stiffness, stiffness_row);
     damping = std::max(damping, damping_row);

@@ -75,6 +75,8 @@ struct ModalSystem {
   Eigen::VectorXd omega_squared;  ///< Ω² [1/s²]
   Eigen::VectorXd two_sigma;      ///< diagonal of D [1/s]
   Eigen::VectorXd gamma;          ///< −φᵀ load for modes, 1 for ground coordinates
+  /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
+  Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
   std::vector<Point> points;
   std::vector<Point> watched;  ///< floors that face a neighbour where nothing acts
@@ -84,8 +86,12 @@ struct ModalSystem {
 
   Eigen::VectorXd initial_q, initial_v;
 
+  /// √(v²) over the modes, [length/s] √[mass]; v² is twice the kinetic energy of the buildings' relative motion.
+  [[nodiscard]] double speed(const Eigen::VectorXd& v) const { return v.cwiseProduct(of_mode).norm(); }
+
   /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A = Ω² + ‖contact
   /// stiffness‖, B = ‖D‖ + ‖contact damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν.
+  /// Stiffness and damping of a point may be negative: with S its rows of sense, ‖SᵀDS‖ ≤ ‖ |D|^½ S Sᵀ |D|^½ ‖.
   [[nodiscard]] double rate(const ContactForces& forces) const;
 
   /// q̈ by (T-1) at the given state, ground input and force of each point [force] (empty: none).

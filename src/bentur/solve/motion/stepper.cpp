@@ -74,7 +74,7 @@ double Stepper::longest_before_parting(const Start& start, double h) const {
 bool Stepper::begin_contact(const Start& start, double longest, Expansion& motion, State& to) {
   using Gauss = boost::math::quadrature::gauss<double, 7>;
   const double limit = std::sqrt(tolerance_of(solver_));
-  const double size = std::sqrt(start.state.v.squaredNorm());
+  const double size = system_->speed(start.state.v);
   const auto points = static_cast<Eigen::Index>(system_->points.size());
   longest = std::min(longest, series_reach / system_->rate(start.forces));
   double h = first_guess_;
@@ -105,7 +105,7 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
       system_->push(i, impulse(static_cast<Eigen::Index>(i)), dv);
       system_->push(i, moment(static_cast<Eigen::Index>(i)), dq);
     }
-    double change = dv.norm() / size;
+    double change = system_->speed(dv) / size;
     for (const std::size_t i : start.forces.nonlinear) {  // and, at each point, its closing speed
       const auto& point = system_->points[i];
       change = std::max(change, std::abs(point.sense(dv) / point.sense(start.state.v)));

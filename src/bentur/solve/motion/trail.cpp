@@ -19,7 +19,11 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
   std::vector<GroundInput> ground;
   for (long period = 0;; ++period) {
     for (std::size_t kind = 0; kind < flights.size(); ++kind, ++segments) {
-      if (duration - grid.start(period, kind) < grid.length(kind) * (1.0 - whole_slack)) return;
+      const double left = duration - grid.start(period, kind);
+      if (left < grid.length(kind) * (1.0 - whole_slack)) {
+        if (left > grid.length(kind) * whole_slack) rest = make_flights(system, left);
+        return;
+      }
       grid.input(period, kind, ground);
       bool jumps_here = false;
       for (const GroundInput& input : ground) {

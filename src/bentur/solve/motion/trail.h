@@ -15,6 +15,7 @@ struct FlightPlan {
   std::vector<kernels::FlightInput> inputs;  ///< segments × buildings
   long segments = 0;                         ///< whole ones of the analysis; none where there are no flights
   std::vector<long> jumps;                   ///< segments that begin with a jump of some ground acceleration
+  Flights rest;                              ///< of what the analysis has beyond them; none where that is nothing
 
   /// `exact`: otherwise there are none.
   FlightPlan(const ModalSystem& system, const TimeGrid& grid, double duration, bool exact);

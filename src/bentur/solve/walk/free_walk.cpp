@@ -88,7 +88,9 @@ void FreeWalk::take_trail(const Trail& trail) {
     for (Gaps& gaps : gaps_) all_settled = settled(gaps, trail, leg) && all_settled;
     if (all_settled) continue;
     const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
-    unsettled_.push_back({trail.leg(leg).length,
+    unsettled_.push_back({trail.leg(leg).flights,
+                          trail.leg(leg).halvings,
+                          trail.leg(leg).length,
                           {all(trail.q(leg)), all(trail.v(leg))},
                           {trail.inputs(leg), trail.inputs(leg) + system_.blocks.size()},
                           {}});
@@ -134,11 +136,19 @@ void FreeWalk::raise(const State& from, const State& to) {
 void FreeWalk::settle() {
   for (const Unsettled& interval : unsettled_) {
     if (below(interval.reach)) continue;
-    replay(interval.start, interval.inputs, interval.length,
-           [this](double, const State& from, const auto&, const State& to) {
-             (void)motion_.find_rises();
-             raise(from, to);
-           });
+    replay(
+        {interval.flights, interval.halvings, 0.0, interval.length, interval.start, interval.inputs},
+        [this](const Part& part) {
+          bool open = false;
+          for (Gaps& gaps : gaps_) {
+            open = !gaps.look(part.from.q.data(), part.to.q.data(), part.rise.data()) || open;
+          }
+          return open;
+        },
+        [this](double, const State& from, const auto&, const State& to) {
+          (void)motion_.find_rises();
+          raise(from, to);
+        });
   }
   unsettled_.clear();
 }

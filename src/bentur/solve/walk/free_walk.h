@@ -51,6 +51,8 @@ class FreeWalk final : public Walk {
 
   /// A leg in which a gap may have been exceeded.
   struct Unsettled {
+    const Flights* flights;  ///< none: a power series
+    std::size_t halvings;
     double length;  ///< [s]
     State start;
     std::vector<GroundInput> inputs;

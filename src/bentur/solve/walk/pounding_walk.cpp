@@ -90,13 +90,16 @@ void PoundingWalk::arrived(double time) {
 
 bool PoundingWalk::notes_flights() const { return sampler_.due(problem_.duration) || energy_; }
 
-void PoundingWalk::pass(double start, double length) {
+void PoundingWalk::pass(double start, const Flights& flights, std::size_t halvings) {
+  const double length = flights[halvings].length();
   if (!sampler_.due(start + length) && !energy_) return;
-  replay(state_, inputs_, length,
-         [&](double offset, const State&, const std::vector<GroundInput>& inputs, const State&) {
-           sampler_.take(motion_, start + offset, start + offset + motion_.h(), inputs, contacts_);
-           if (energy_) energy_->take(motion_, start + offset, 1.0, inputs, contacts_);
-         });
+  replay(
+      {&flights, halvings, start, length, state_, inputs_},
+      [this](const Part& part) { return energy_ || sampler_.due(part.start + part.length); },
+      [this](double time, const State&, const std::vector<GroundInput>& inputs, const State&) {
+        sampler_.take(motion_, time, time + motion_.h(), inputs, contacts_);
+        if (energy_) energy_->take(motion_, time, 1.0, inputs, contacts_);
+      });
 }
 
 }  // namespace bentur::engine

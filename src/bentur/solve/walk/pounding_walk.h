@@ -32,7 +32,7 @@ class PoundingWalk final : public Walk {
   void arrived(double time) override;
   [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
   [[nodiscard]] bool notes_flights() const override;
-  void pass(double start, double length) override;
+  void pass(double start, const Flights& flights, std::size_t halvings) override;
 
   long first_contact_;
   Openings openings_;

@@ -22,6 +22,8 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
     histories_.displacement.emplace_back(MatrixXd::Zero(block.floors, count_));
     histories_.velocity.emplace_back(MatrixXd::Zero(block.floors, count_));
     histories_.acceleration.emplace_back(MatrixXd::Zero(block.floors, count_));
+    histories_.drift_ratio.emplace_back(MatrixXd::Zero(block.floors, count_));
+    histories_.storey_shear.emplace_back(MatrixXd::Zero(block.floors, count_));
   }
   const auto points = static_cast<Index>(system.points.size());
   histories_.opening = MatrixXd::Zero(points, count_);
@@ -44,7 +46,10 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
     for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
       const auto& block = system_->blocks[b];
       const auto rows = block.outputs.topRows(block.floors);
-      histories_.displacement[b].col(taken_) = rows * state_.q.segment(block.begin, block.size);
+      const auto q = state_.q.segment(block.begin, block.size);
+      histories_.displacement[b].col(taken_) = rows * q;
+      histories_.drift_ratio[b].col(taken_) = block.outputs.middleRows(block.floors, block.floors) * q;
+      histories_.storey_shear[b].col(taken_) = block.outputs.middleRows(2 * block.floors, block.floors) * q;
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
@@ -59,7 +64,8 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
 
 void Sampler::finish() {
   if (taken_ == count_) return;
-  for (auto* list : {&histories_.displacement, &histories_.velocity, &histories_.acceleration}) {
+  for (auto* list : {&histories_.displacement, &histories_.velocity, &histories_.acceleration, &histories_.drift_ratio,
+                     &histories_.storey_shear}) {
     for (MatrixXd& matrix : *list) matrix.conservativeResize(Eigen::NoChange, taken_);
   }
   histories_.opening.conservativeResize(Eigen::NoChange, taken_);

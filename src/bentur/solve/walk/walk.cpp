@@ -11,7 +11,8 @@ namespace {
 constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
 constexpr long segments_between_reports = 256;
-constexpr Eigen::Index first_ahead = 1;  // flights that are looked at together, then twice as many, and so on
+constexpr long steps_between_reports = 4096;  // where segments take long
+constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
 constexpr const char* not_finite = "the response is no longer a finite number";
 
 }  // namespace
@@ -29,7 +30,8 @@ Walk::Walk(const Ground& ground)
       floors_(system_, ground.grid),
       grid_(ground.grid),
       plan_(ground.plan),
-      largest_ground_(system_.blocks.size(), 0.0) {}
+      largest_ground_(system_.blocks.size(), 0.0),
+      most_steps_(ground.most_steps) {}
 
 void Walk::resume(const Checkpoint& checkpoint) {
   segment_ = checkpoint.segment;
@@ -40,6 +42,7 @@ void Walk::resume(const Checkpoint& checkpoint) {
 }
 
 Status Walk::run(const std::function<bool(double)>& progress) {
+  progress_ = &progress;
   for (long reported = segment_ - segments_between_reports;;) {
     const double start = grid_.start(segment_);
     const std::size_t kind = static_cast<std::size_t>(segment_) % grid_.kinds();
@@ -49,15 +52,19 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     if (plan_.may_jump(segment_)) trail_.break_off();
     if (segment_ >= plan_.segments) {
       grid_.input(segment_, inputs_);
-      walk(start, left >= length * (1.0 - end_slack) ? length : left);
+      if (plan_.rest.empty()) {
+        walk(start, left >= length * (1.0 - end_slack) ? length : left);
+      } else {
+        advance(plan_.rest, 0, start, left);
+      }
       ++segment_;
     } else if (!may_fly() || !cruise()) {
       grid_.input(segment_, inputs_);
-      halve(kind, 0, start, length);
+      halve(plan_.flights[kind], 0, start, length);
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
-    if (!trouble_.empty()) return Status::failed;
+    if (status() != Status::done) return status();
     if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
     if (floors_.much_is_open()) settle_floors();
     if (progress && segment_ - reported >= segments_between_reports) {
@@ -69,7 +76,22 @@ Status Walk::run(const std::function<bool(double)>& progress) {
   search_.settle(stepper_.series(), motion_);
   settle_floors();
   settle();
-  return Status::done;
+  return status();
+}
+
+Status Walk::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
+
+/// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
+bool Walk::go_on(long steps) {
+  const long before = taken_;
+  taken_ += steps;
+  if (most_steps_ > 0 && taken_ > most_steps_ && trouble_.empty()) {
+    fail(fmt::format("the limit of {} steps is reached", most_steps_), grid_.start(segment_));
+  }
+  if (taken_ / steps_between_reports != before / steps_between_reports && *progress_ && !stopped_) {
+    stopped_ = !(*progress_)(std::min(grid_.start(segment_) / problem_.duration, 1.0));
+  }
+  return status() == Status::done;
 }
 
 void Walk::end_trail() {
@@ -114,6 +136,7 @@ bool Walk::cruise() {
   state_.q = all(trail_.q(legs));
   state_.v = all(trail_.v(legs));
   steps_ += legs - first;
+  (void)go_on(legs - first);
   if (trail_.room() == 0) {
     end_trail();
     if (settle_before(segment_)) {
@@ -131,25 +154,25 @@ void Walk::pass_legs(Eigen::Index first) {
     std::copy_n(trail_.q(n), system_.size, state_.q.data());
     std::copy_n(trail_.v(n), system_.size, state_.v.data());
     inputs_.assign(trail_.inputs(n), trail_.inputs(n) + system_.blocks.size());
-    pass(grid_.start(trail_.leg(n).segment), trail_.leg(n).length);
+    pass(grid_.start(trail_.leg(n).segment), *trail_.leg(n).flights, 0);
   }
 }
 
 /// Part of a segment, after so many halvings.
-void Walk::advance(std::size_t kind, std::size_t halvings, double start, double length) {
-  if (!trouble_.empty()) return;
-  if (may_fly() && fly(plan_.flights[kind], halvings, start, length)) return;
-  halve(kind, halvings, start, length);
+void Walk::advance(const Flights& flights, std::size_t halvings, double start, double length) {
+  if (!go_on()) return;
+  if (may_fly() && fly(flights, halvings, start, length)) return;
+  halve(flights, halvings, start, length);
 }
 
-void Walk::halve(std::size_t kind, std::size_t halvings, double start, double length) {
-  if (halvings + 1 >= plan_.flights[kind].size()) {
+void Walk::halve(const Flights& flights, std::size_t halvings, double start, double length) {
+  if (halvings + 1 >= flights.size()) {
     walk(start, length);
     return;
   }
   const double half = 0.5 * length;
-  advance(kind, halvings + 1, start, half);
-  advance(kind, halvings + 1, start + half, half);
+  advance(flights, halvings + 1, start, half);
+  advance(flights, halvings + 1, start + half, half);
 }
 
 /// False, and nothing has changed, when something may happen.
@@ -160,7 +183,7 @@ bool Walk::fly(const Flights& flights, std::size_t halvings, double start, doubl
   trail_.fly(flights, halvings, inputs_);
   if (quiet(1) == 0) return false;
   trail_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
-  pass(start, length);
+  pass(start, flights, halvings);
   std::copy_n(trail_.q(n + 1), system_.size, next_.q.data());
   std::copy_n(trail_.v(n + 1), system_.size, next_.v.data());
   end_inputs_ = inputs_;
@@ -173,7 +196,8 @@ bool Walk::fly(const Flights& flights, std::size_t halvings, double start, doubl
 void Walk::walk(double start, double length) {
   double elapsed = 0.0;
   long cuts = 0;
-  while (elapsed < length && trouble_.empty()) {
+  while (elapsed < length && go_on()) {
+    if (search_.much_is_open()) search_.settle(stepper_.series(), motion_);
     const double left = length - elapsed;
     const double time = start + elapsed;
     if (!step(time, left)) return;
@@ -185,6 +209,10 @@ void Walk::walk(double start, double length) {
     system_.advance(end_inputs_, cut * h);
     watch_step(time, cut);
     const bool at_end = whole == left && h == whole && cut == 1.0;
+    if (!at_end && cut == 1.0 && elapsed + h == elapsed) {
+      fail("steps have become too short to tell one time from the next", time);
+      return;
+    }
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
     arrived(start + elapsed);
@@ -224,18 +252,37 @@ void Walk::watch_step(double time, double cut) {
   trail_.break_off();
 }
 
-void Walk::replay(State from, std::vector<GroundInput> inputs, double length, const EachStep& each) {
-  const ContactForces none;
-  State to = from;
-  const auto count = std::max(1.0, std::ceil(length * system_.rate(none) / series_reach));
-  const double h = length / count;
-  for (double n = 0.0; n < count; n += 1.0) {
-    stepper_.series().expand(from, inputs, h, none, motion_);
-    motion_.evaluate(1.0, to);
-    each(n * h, from, inputs, to);
-    system_.advance(inputs, h);
-    from.q.swap(to.q);
-    from.v.swap(to.v);
+void Walk::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
+  if (!go_on()) return;
+  if (stretch.flights == nullptr || stretch.halvings + 1 >= stretch.flights->size()) {
+    replayed_.q.resize(system_.size);
+    replayed_.v.resize(system_.size);
+    stepper_.series().expand(stretch.from, stretch.inputs, stretch.length, {}, motion_);
+    motion_.evaluate(1.0, replayed_);
+    each(stretch.start, stretch.from, stretch.inputs, replayed_);
+    return;
+  }
+  const auto zeros = [this] { return Eigen::VectorXd::Zero(system_.size); };
+  while (halvings_.size() < stretch.flights->size()) {
+    halvings_.push_back({{zeros(), zeros()}, {zeros(), zeros()}, {}, zeros(), zeros(), zeros()});
+  }
+  const Flight& half = (*stretch.flights)[stretch.halvings + 1];
+  Halving& at = halvings_[stretch.halvings];
+  at.inputs = stretch.inputs;
+  double start = stretch.start;
+  const State* from = &stretch.from;
+  for (State* to : {&at.middle, &at.end}) {
+    for (std::size_t b = 0; b < at.inputs.size(); ++b) {
+      half.advance(b, at.inputs[b],
+                   {from->q.data(), from->v.data(), to->q.data(), to->v.data(), at.acceleration.data(), at.rise.data(),
+                    at.acceleration_rise.data()});
+    }
+    if (wanted({start, half.length(), *from, *to, at.rise})) {
+      replay({stretch.flights, stretch.halvings + 1, start, half.length(), *from, at.inputs}, wanted, each);
+    }
+    from = to;
+    start += half.length();
+    system_.advance(at.inputs, half.length());
   }
 }
 
@@ -243,11 +290,13 @@ void Walk::replay(State from, std::vector<GroundInput> inputs, double length, co
 void Walk::settle_floors() {
   for (const FloorWatch::Open& flight : floors_.take_open()) {
     if (floors_.settled(flight)) continue;
-    replay(flight.start, flight.inputs, flight.length,
-           [&](double offset, const State& from, const std::vector<GroundInput>&, const State& to) {
-             (void)motion_.find_rises();
-             floors_.take(motion_, 1.0, from, to, flight.time + offset);
-           });
+    replay(
+        {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
+        [this](const Part& part) { return floors_.may_come_nearer(part.from, part.to, part.rise); },
+        [this](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
+          (void)motion_.find_rises();
+          floors_.take(motion_, 1.0, from, to, time);
+        });
   }
 }
 

@@ -24,6 +24,7 @@ class Walk {
     const Solver& solver;
     const TimeGrid& grid;
     const FlightPlan& plan;
+    long most_steps = 0;  ///< more are a failure; 0: no limit
   };
   explicit Walk(const Ground& ground);
   virtual ~Walk() = default;
@@ -77,8 +78,8 @@ class Walk {
   virtual void arrived(double /*time*/) {}
   /// When the run is over.
   virtual void settle() {}
-  /// A stretch from state_ over which nothing happened, for those who want samples of it.
-  virtual void pass(double /*start*/, double /*length*/) {}
+  /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
+  virtual void pass(double /*start*/, const Flights& /*flights*/, std::size_t /*halvings*/) {}
 
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
@@ -88,10 +89,26 @@ class Walk {
   /// What the next step starts from.
   [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
 
-  /// Expands a flight of `length` [s] from a state again, in steps (motion_); `each` is given where in it a step
-  /// begins [s], and state and inputs there and the state at its end.
+  /// A stretch without events, by flights[halvings]; without flights it is no longer than one power series.
+  struct Stretch {
+    const Flights* flights;
+    std::size_t halvings;
+    double start, length;  ///< [s]
+    const State& from;
+    const std::vector<GroundInput>& inputs;  ///< at its start
+  };
+  /// A part of it: both ends, and how far coordinates leave their chords in between.
+  struct Part {
+    double start, length;  ///< [s]
+    const State &from, &to;
+    const Eigen::VectorXd& rise;
+  };
+  /// Goes over a stretch again: it is halved until one power series spans a part, and what is not wanted is left out on
+  /// the way, so that a fast mode costs no more than the logarithm of its frequency. The series is in motion_; `each`
+  /// is given when it begins [s], state and inputs there, and the state at its end.
+  using Wanted = std::function<bool(const Part&)>;
   using EachStep = std::function<void(double, const State&, const std::vector<GroundInput>&, const State&)>;
-  void replay(State from, std::vector<GroundInput> inputs, double length, const EachStep& each);
+  void replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
   void fail(const std::string& reason, double time);
 
   const ModalSystem& system_;
@@ -106,8 +123,8 @@ class Walk {
   void make_room();
   void end_trail();
   [[nodiscard]] bool cruise();
-  void advance(std::size_t kind, std::size_t halvings, double start, double length);
-  void halve(std::size_t kind, std::size_t halvings, double start, double length);
+  void advance(const Flights& flights, std::size_t halvings, double start, double length);
+  void halve(const Flights& flights, std::size_t halvings, double start, double length);
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
   void walk(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
@@ -116,6 +133,15 @@ class Walk {
   void arrive();
   void note_ground(const double* q);
   void pass_legs(Eigen::Index first);
+  [[nodiscard]] bool go_on(long steps = 1);
+  [[nodiscard]] Status status() const;
+
+  /// Room to replay one halving: the instants at the middle and the end.
+  struct Halving {
+    State middle, end;
+    std::vector<GroundInput> inputs;
+    Eigen::VectorXd acceleration, rise, acceleration_rise;
+  };
 
   PeakSearch search_;
   FloorWatch floors_;
@@ -127,6 +153,11 @@ class Walk {
   std::string trouble_;
   long segment_ = 0;  ///< under way
   long steps_ = 0;
+  long taken_ = 0, most_steps_;  ///< steps, those gone over again included
+  bool stopped_ = false;
+  const std::function<bool(double)>* progress_ = nullptr;
+  std::vector<Halving> halvings_;  ///< room
+  State replayed_;                 ///< room
 };
 
 }  // namespace bentur::engine

@@ -42,6 +42,14 @@ double Distribution::quantile(double u) const {
   return std::clamp(centre * std::exp(spread * truncated(u, z_low, z_high)), std::max(low, 0.0), high);
 }
 
+double Distribution::deviations_off() const {
+  if (kind == Kind::normal) return std::max({0.0, low - centre, centre - high}) / spread;
+  if (kind == Kind::lognormal) {
+    return std::max({0.0, low > 0 ? std::log(low / centre) : 0.0, std::log(centre / high)}) / spread;
+  }
+  return 0;
+}
+
 double lognormal_spread(double cov) { return std::sqrt(std::log1p(cov * cov)); }
 
 Extremes extremes(const Distribution& d) {

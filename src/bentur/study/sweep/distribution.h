@@ -26,6 +26,10 @@ struct Distribution {
 
   /// x with probability u of not being exceeded; always within [low, high] and within the support.
   [[nodiscard]] double quantile(double u) const;
+  /// How far [low, high] lies from the centre of a normal or lognormal distribution, in σ; 0 where it holds the centre.
+  /// Beyond `farthest` there is no probability left to be reckoned with.
+  [[nodiscard]] double deviations_off() const;
+  static constexpr double farthest = 35;  ///< [-]
 };
 
 /// σ of ln x of a lognormal distribution whose x has coefficient of variation `cov` [-] > 0.

@@ -42,6 +42,26 @@ TEST(Distribution, WhatIsCutOffIsNeverDrawnAndTheRestIsScaled) {
   EXPECT_LE(lognormal.quantile(1 - 0x1p-53), 6);
 }
 
+/// As far out as is allowed the quantiles are still numbers within the bounds.
+TEST(Distribution, SaysHowFarItsBoundsAreFromItsCentre) {
+  Distribution normal{.kind = Distribution::Kind::normal, .centre = 2, .spread = 0.5, .low = 3, .high = 4};
+  EXPECT_DOUBLE_EQ(normal.deviations_off(), 2);
+  normal.low = 2 - 0.5;
+  EXPECT_EQ(normal.deviations_off(), 0);
+  Distribution lognormal{.kind = Distribution::Kind::lognormal, .centre = std::exp(1.0), .spread = 0.25, .high = 1};
+  EXPECT_DOUBLE_EQ(lognormal.deviations_off(), 4);
+  for (const double side : {-1.0, 1.0}) {
+    normal.low = side > 0 ? 2 + 0.5 * Distribution::farthest : -100;
+    normal.high = side > 0 ? 100 : 2 - 0.5 * Distribution::farthest;
+    EXPECT_DOUBLE_EQ(normal.deviations_off(), Distribution::farthest);
+    for (const double u : {0x1p-54, 0.5, 1 - 0x1p-53}) {
+      EXPECT_GE(normal.quantile(u), normal.low);
+      EXPECT_LE(normal.quantile(u), normal.high);
+    }
+    EXPECT_NEAR(normal.quantile(0.5), 2 + side * 0.5 * (Distribution::farthest + 0.02), 0.01);
+  }
+}
+
 TEST(Distribution, ExtremesTellWhatTheSupportForbids) {
   // A normal distribution however narrow reaches below zero and above one.
   const Distribution narrow{.kind = DistributionKind::normal, .centre = 0.5, .spread = 1e-3};

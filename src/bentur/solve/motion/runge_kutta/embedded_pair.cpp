@@ -212,17 +212,19 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
       three_q += table.three_q[n] * rate;
       three_v += error_three[n] * rate;
     }
-    five += h * h * (five_q.square() + five_v.square()).sum();
-    three += h * h * (three_q.square() + three_v.square()).sum();
+    const L of_mode = Eigen::Map<const L>(system_->of_mode.data() + k);
+    five += h * h * (of_mode * (five_q.square() + five_v.square())).sum();
+    three += h * h * (of_mode * (three_q.square() + three_v.square())).sum();
   });
   if (five == 0.0 && three == 0.0) return 0.0;
+  const auto of_mode = system_->of_mode.segment(begin_, count_).array();
   const auto omega_squared = system_->omega_squared.segment(begin_, count_).array();
   const auto energy = [&](const State& state) {
-    return (state.v.segment(begin_, count_).array().square() +
+    return (of_mode * state.v.segment(begin_, count_).array().square() +
             omega_squared * state.q.segment(begin_, count_).array().square())
         .sum();
   };
-  const double change = h * h * rate_.col(0).segment(begin_, count_).squaredNorm();
+  const double change = h * h * (of_mode * rate_.col(0).segment(begin_, count_).array().square()).sum();
   const double size = std::sqrt(std::max({energy(from), energy(to), change}));
   return five / std::sqrt(five + 0.01 * three) / (tolerance_ * size);
 }

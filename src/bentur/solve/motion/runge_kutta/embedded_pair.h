@@ -22,7 +22,8 @@ struct BuildingRange {
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the
 /// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends and the change of v. As coordinates are
-/// normalised by mass this is an error of the square root of energy.
+/// normalised by mass this is an error of the square root of energy; ground coordinates, which are not, have
+/// no part in it.
 class EmbeddedPair {
  public:
   EmbeddedPair(const ModalSystem& system, double tolerance);

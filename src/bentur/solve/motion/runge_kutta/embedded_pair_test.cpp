@@ -67,6 +67,30 @@ TEST(EmbeddedPair, IsOfOrderEight) {
   EXPECT_LE(order(errors), 8.8);
 }
 
+// The same oscillator in units of mass that are 10¹⁰ times larger and smaller, on ground that moves: its coordinates
+// change with the root of that, the ground's do not.
+TEST(EmbeddedPair, JudgesAStepAlikeInAllUnits) {
+  std::vector<double> errors;
+  for (const double mass : {1.0, 1e-10, 1e10}) {
+    Problem problem =
+        test::pair(test::oscillator(mass, 4 * mass), test::oscillator(mass, 9 * mass), {test::contact(5, 1)}, 9);
+    problem.kinematics = Kinematics::absolute;
+    const ModalSystem system(problem);
+    const ForceFunction force = [mass](const State& state, const std::vector<GroundInput>&, VectorXd& forces) {
+      forces = VectorXd::Constant(1, 30 * mass * std::pow(state.q(0) / std::sqrt(mass), 3));
+    };
+    State state{VectorXd::Zero(system.size), VectorXd::Zero(system.size)};
+    state.q(0) = 0.8 * std::sqrt(mass);
+    for (const auto& block : system.blocks) state.v(block.begin + 1) = 2;  // of the ground
+    State next = state;
+    EmbeddedPair pair(system, 1e-9);
+    errors.push_back(pair.step(state, {{1.5, 0}, {1.5, 0}}, 0.3, {0, 2}, force, next));
+  }
+  EXPECT_GT(errors[0], 1);
+  EXPECT_NEAR(errors[1] / errors[0], 1, 1e-6);
+  EXPECT_NEAR(errors[2] / errors[0], 1, 1e-6);
+}
+
 TEST(EmbeddedPair, InterpolatesSpeedsWithOrderSeven) {
   const Duffing duffing;
   EmbeddedPair pair(duffing.system, 1e-9);

@@ -79,7 +79,9 @@ void FloorWatch::take(const Trail& trail) {
         continue;
       }
       const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_->size); };
-      open_.push_back({start(leg),
+      open_.push_back({at.flights,
+                       at.halvings,
+                       start(leg),
                        at.length,
                        {all(trail.q(leg)), all(trail.v(leg))},
                        {trail.inputs(leg), trail.inputs(leg) + system_->blocks.size()},
@@ -122,6 +124,12 @@ void FloorWatch::search(Gaps& gaps, const Curves& left, const Curves& right, dou
 bool FloorWatch::much_is_open() const { return open_.size() >= most_open; }
 
 std::vector<FloorWatch::Open> FloorWatch::take_open() { return std::exchange(open_, {}); }
+
+bool FloorWatch::may_come_nearer(const State& from, const State& to, const Eigen::VectorXd& rise) {
+  bool open = false;
+  for (Gaps& gaps : gaps_) open = !gaps.look(from.q.data(), to.q.data(), rise.data()) || open;
+  return open;
+}
 
 bool FloorWatch::settled(const Open& flight) const {
   const Gaps& gaps = gaps_[flight.gaps];

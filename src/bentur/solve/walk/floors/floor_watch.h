@@ -30,6 +30,8 @@ class FloorWatch {
 
   /// A flight in which a floor may have come nearer.
   struct Open {
+    const Flights* flights = nullptr;
+    std::size_t halvings = 0;
     double time = 0, length = 0;  ///< [s]
     State start;
     std::vector<GroundInput> inputs;
@@ -40,6 +42,8 @@ class FloorWatch {
   [[nodiscard]] bool much_is_open() const;
   /// All that is open, to be expanded again and taken in step by step.
   [[nodiscard]] std::vector<Open> take_open();
+  /// Whether one may come nearer between two states, from whose chord coordinates stray by `rise` at most.
+  [[nodiscard]] bool may_come_nearer(const State& from, const State& to, const Eigen::VectorXd& rise);
   /// Whether by now it is known that none has.
   [[nodiscard]] bool settled(const Open& flight) const;
 

@@ -1,4 +1,4 @@
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ class AtomicFilesTest : public testing::Test {
 
 TEST_F(AtomicFilesTest, FilesAppearTogetherAtCommit) {
   AtomicFiles files(root_ / "a" / "b" / "");
-  files.add("one", "1\n");
-  files.add("two", std::string("nul\0byte", 8));
+  files.add("one", "1\n", ResultKind::report);
+  files.add("two", std::string("nul\0byte", 8), ResultKind::report);
   EXPECT_FALSE(fs::exists(root_ / "a/b/one"));
   files.commit();
   EXPECT_EQ(read(root_ / "a/b/one"), "1\n");
@@ -41,7 +41,7 @@ TEST_F(AtomicFilesTest, FilesAppearTogetherAtCommit) {
 TEST_F(AtomicFilesTest, WithoutCommitNothingStays) {
   {
     AtomicFiles files(root_ / "a" / "b");
-    files.add("one", "1");
+    files.add("one", "1", ResultKind::report);
     EXPECT_TRUE(fs::exists(root_ / "a/b"));
   }
   EXPECT_EQ(entries(root_), 0);
@@ -51,7 +51,7 @@ TEST_F(AtomicFilesTest, WithoutCommitWhatWasThereStays) {
   std::ofstream(root_ / "one") << "old";
   {
     AtomicFiles files(root_);
-    files.add("one", "new");
+    files.add("one", "new", ResultKind::report);
   }
   EXPECT_EQ(read(root_ / "one"), "old");
   EXPECT_EQ(entries(root_), 1);
@@ -60,7 +60,7 @@ TEST_F(AtomicFilesTest, WithoutCommitWhatWasThereStays) {
 TEST_F(AtomicFilesTest, ReplacesAtCommit) {
   std::ofstream(root_ / "one") << "a long old content";
   AtomicFiles files(root_);
-  files.add("one", "new");
+  files.add("one", "new", ResultKind::report);
   files.commit();
   EXPECT_EQ(read(root_ / "one"), "new");
 }
@@ -76,15 +76,15 @@ TEST_F(AtomicFilesTest, RefusesAFolderInPlaceOfAFileAndLeavesNothing) {
   fs::create_directory(root_ / "two");
   {
     AtomicFiles files(root_);
-    files.add("one", "1");
-    EXPECT_THROW(files.add("two", "2"), std::runtime_error);
+    files.add("one", "1", ResultKind::report);
+    EXPECT_THROW(files.add("two", "2"), std::runtime_error, ResultKind::report);
   }
   EXPECT_EQ(entries(root_), 1);
 }
 
 TEST_F(AtomicFilesTest, NewFilesHaveTheUsualPermissions) {
   AtomicFiles files(root_);
-  files.add("one", "1");
+  files.add("one", "1", ResultKind::report);
   files.commit();
   std::ofstream(root_ / "two") << "2";
   EXPECT_EQ(fs::status(root_ / "one").permissions(), fs::status(root_ / "two").permissions());

@@ -1,4 +1,4 @@
-#include "bentur/io/results/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,16 +19,28 @@ namespace fs = std::filesystem;
   throw std::runtime_error(path.string() + ": " + what + ": " + std::generic_category().message(code));
 }
 
-/// Writes all of `content` to a new file made from `pattern` (ending in XXXXXX) with the permissions any new file gets.
-/// @return its path; nothing is left behind on failure.
-fs::path write_temporary(std::string pattern, std::string_view content, const fs::path& shown) {
-  const int descriptor = ::mkstemp(pattern.data());
-  if (descriptor < 0) {
-    fail(shown, "cannot write", errno);
-  }
+/// A new file beside `file`, open for writing, with the permissions any new file gets; `path` becomes its name.
+int open_temporary(const fs::path& file, std::string& path) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  path = (folder / ("." + file.filename().string() + "-XXXXXX")).string();
+  const int descriptor = ::mkstemp(path.data());
+  if (descriptor < 0) fail(file, "cannot write", errno);
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  int error = ::fchmod(descriptor, 0666 & ~mask) == 0 ? 0 : errno;
+  if (::fchmod(descriptor, 0666 & ~mask) != 0) {
+    const int error = errno;
+    ::close(descriptor);
+    ::unlink(path.c_str());
+    fail(file, "cannot write", error);
+  }
+  return descriptor;
+}
+
+/// Writes all of `content` to a new file beside `file`. @return its path; nothing is left behind on failure.
+fs::path write_temporary(const fs::path& file, std::string_view content) {
+  std::string path;
+  const int descriptor = open_temporary(file, path);
+  int error = 0;
   while (error == 0 && !content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
     if (written >= 0) {
@@ -41,15 +53,18 @@ fs::path write_temporary(std::string pattern, std::string_view content, const fs
     error = errno;
   }
   if (error != 0) {
-    ::unlink(pattern.c_str());
-    fail(shown, "cannot write", error);
+    ::unlink(path.c_str());
+    fail(file, "cannot write", error);
   }
-  return pattern;
+  return path;
 }
 
 }  // namespace
 
-AtomicFiles::AtomicFiles(fs::path directory) : directory_(directory.empty() ? fs::path(".") : std::move(directory)) {
+fs::path make_temporary(const fs::path& file) { return write_temporary(file, ""); }
+
+AtomicFiles::AtomicFiles(fs::path directory, OutputRules rules)
+    : directory_(directory.empty() ? fs::path(".") : std::move(directory)), rules_(std::move(rules)) {
   std::error_code code;
   for (fs::path path = directory_; !path.empty() && !fs::exists(path, code); path = path.parent_path()) {
     if (path.has_filename()) {  // "a/b/" has an empty last part
@@ -61,13 +76,12 @@ AtomicFiles::AtomicFiles(fs::path directory) : directory_(directory.empty() ? fs
   try {
     for (; done < made_.size(); ++done) {
       if (::mkdir(made_[done].c_str(), 0777) != 0) {
+        if (errno == ENOTDIR) throw RefusedOutput(directory_, "is below something that is not a folder");
         fail(directory_, "cannot create the folder", errno);
       }
     }
-    if (!fs::is_directory(directory_, code)) {
-      throw std::runtime_error(directory_.string() + ": is not a folder");
-    }
-    fs::remove(write_temporary((directory_ / ".bentur-XXXXXX").string(), "", directory_));
+    if (!fs::is_directory(directory_, code)) throw RefusedOutput(directory_, "is not a folder; give another name");
+    fs::remove(make_temporary(directory_ / "bentur"));
   } catch (...) {
     while (done > 0) {
       fs::remove(made_[--done], code);
@@ -86,12 +100,13 @@ AtomicFiles::~AtomicFiles() {
   }
 }
 
-void AtomicFiles::add(const std::string& name, std::string_view content) {
-  const fs::path path = directory_ / name;
-  if (fs::is_directory(path)) {
-    throw std::runtime_error(path.string() + ": is a folder");
-  }
-  files_.emplace_back(write_temporary((directory_ / ("." + name + "-XXXXXX")).string(), content, path), path);
+void AtomicFiles::expect(const std::string& name, ResultKind kind) const {
+  static_cast<void>(output_target(directory_ / name, kind, rules_));
+}
+
+void AtomicFiles::add(const std::string& name, std::string_view content, ResultKind kind) {
+  const fs::path target = output_target(directory_ / name, kind, rules_);
+  files_.emplace_back(write_temporary(target, content), target);
 }
 
 void AtomicFiles::commit() {

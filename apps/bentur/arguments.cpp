@@ -1,0 +1,69 @@
+#include "arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+
+namespace bentur::cli {
+namespace {
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = nearest(word, known);
+  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+}
+
+std::vector<std::string> commands(const CLI::App& app) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+  }
+  return known;
+}
+
+}  // namespace
+
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return std::string(text.empty() ? "must not be empty" : ""); }, ""};
+}
+
+CLI::Validator positive() {
+  return {[](const std::string& text) {
+            double value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool right =
+                error == std::errc() && end == text.data() + text.size() && value > 0 && std::isfinite(value);
+            return right ? std::string() : fmt::format("{}: must be a number above 0", text);
+          },
+          ""};
+}
+
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "replace files even where they are not results of the same kind");
+}
+
+bool is_command(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> known = commands(app);
+  return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+std::string meant_command(const CLI::App& app, const std::string& word) { return did_you_mean(word, commands(app)); }
+
+std::string meant_option(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    for (const std::string& extra : command->remaining()) {
+      if (extra.starts_with("--")) return did_you_mean(extra.substr(0, extra.find('=')), known);
+    }
+  }
+  return "";
+}
+
+}  // namespace bentur::cli

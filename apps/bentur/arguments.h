@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace bentur::cli {
+
+// Rules for the values of options, whose messages say what is allowed.
+
+[[nodiscard]] CLI::Validator not_empty();
+/// A number above 0.
+[[nodiscard]] CLI::Validator positive();
+
+/// Adds --force to a command that writes.
+void add_force(CLI::App& command, bool& force);
+
+[[nodiscard]] bool is_command(const CLI::App& app, const std::string& word);
+
+/// The command, or the option of a command, that a user may have meant by one there is none of: ` (did you mean
+/// "run"?)`, or nothing.
+[[nodiscard]] std::string meant_command(const CLI::App& app, const std::string& word);
+[[nodiscard]] std::string meant_option(const CLI::App& app);
+
+}  // namespace bentur::cli

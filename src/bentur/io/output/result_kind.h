@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace bentur {
+
+/// The files that bentur writes.
+enum class ResultKind {
+  summary,        ///< summary.json
+  impacts,        ///< impacts.csv
+  histories,      ///< histories.nc
+  case_copy,      ///< case.toml beside them
+  sweep,          ///< results of bentur sweep
+  ida,            ///< results of bentur ida
+  spectrum,       ///< a response spectrum as CSV
+  report,         ///< HTML
+  figure_script,  ///< NAME.gp
+  figure_data,    ///< NAME.dat beside it
+  picture,        ///< NAME.svg, .pdf or .png beside it
+  example         ///< a case or record built into the program
+};
+
+/// What such a file is called, with its article: "a report by bentur".
+[[nodiscard]] std::string_view kind_name(ResultKind kind);
+
+/// Begins every script of a figure.
+inline constexpr std::string_view figure_script_mark = "# Draws the figure whose data stand beside this script";
+/// Stands in the head of every report.
+inline constexpr std::string_view report_mark = "<meta name=\"generator\" content=\"bentur";
+
+/// Whether a regular file is a result of this kind that bentur has written, by its content (docs/result-files.md): what
+/// a user has is never taken for one, a result that is damaged may not be known. Never an example.
+[[nodiscard]] bool is_result(const std::filesystem::path& file, ResultKind kind);
+
+}  // namespace bentur

@@ -1,0 +1,144 @@
+#include "bentur/solve/effort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bentur/solve/motion/modal_system.h"
+#include "bentur/solve/motion/series.h"
+#include "bentur/solve/motion/time_grid.h"
+#include "bentur/solve/motion/trail.h"
+
+namespace bentur {
+namespace {
+
+using By = Effort::Fastest::By;
+using engine::ModalSystem;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+// By measurement (effort_test.cpp): what the pair takes in radians of the fastest mode, from slow to damped ones.
+constexpr double pair_least = 5.5;
+constexpr double pair_most = 1.0;
+constexpr double unstable = 2.83;        // ω · step beyond which the rule of order four lets an oscillator grow [-]
+constexpr double seconds_a_step = 3e-6;  // in contact; by measurement, as the next one
+constexpr double seconds_a_coordinate = 3e-7;  // of a step
+constexpr double copies = 4.0;                 // of histories while their file is made, and of a record
+constexpr double room = 48e6;                  // [byte] of the program and of what its search for peaks keeps
+
+/// The force of every point while its bodies touch.
+engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
+  engine::ContactForces forces;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const ContactLaw& law = *problem.points[i].law;
+    const ContactState closed = law.next({}, 0, 0.0, 0.0, 1.0);
+    const Branch branch = law.branch(closed);
+    forces.linear.push_back({0.0, branch.stiffness, branch.damping});
+    forces.pressing.push_back(i);
+    nonlinear = nonlinear || !branch.linear;
+    const Branch after = law.branch(law.next(closed, 0, 0.0, 0.0, -1.0));
+    for (std::size_t g = 0; g < after.guard_count; ++g) {
+      if (after.guards[g].decaying != 0.0) forces.fading = std::max(forces.fading, after.guards[g].rate);
+    }
+  }
+  return forces;
+}
+
+void raise(Effort::Fastest& fastest, double rate, const Effort::Fastest& other) {
+  if (!(rate > two_pi * fastest.frequency)) return;
+  fastest = other;
+  fastest.frequency = rate / two_pi;
+}
+
+/// Of the buildings and the motion.
+Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system) {
+  Effort::Fastest fastest;
+  raise(fastest, system.nu, {.by = By::motion});
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    Eigen::Index mode = 0;
+    const double omega = problem.buildings[b].modes.omega.maxCoeff(&mode);
+    raise(fastest, omega, {.by = By::mode, .building = b, .mode = static_cast<long>(mode)});
+    raise(fastest, system.blocks[b].half_damping, {.by = By::damping, .building = b});
+  }
+  return fastest;
+}
+
+/// The same with contacts, each as if it were the only one.
+Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::ContactForces& forces,
+                                   Effort::Fastest fastest) {
+  for (const std::size_t i : forces.pressing) {
+    const double own = system.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+    raise(fastest, std::sqrt(own * forces.linear[i].stiffness), {.by = By::contact, .point = i});
+    raise(fastest, 0.5 * own * forces.linear[i].damping, {.by = By::contact, .point = i});
+    raise(fastest, forces.fading, {.by = By::contact, .point = i});
+  }
+  return fastest;
+}
+
+/// Bytes that grow with the case.
+double memory(const Problem& problem, const ModalSystem& system, double segments, double samples) {
+  double floors = 0.0;
+  for (const auto& block : system.blocks) floors += static_cast<double>(block.floors);
+  const auto points = static_cast<double>(problem.points.size());
+  const auto size = static_cast<double>(system.size);
+  const double plan = segments * static_cast<double>(problem.buildings.size()) * sizeof(engine::kernels::FlightInput);
+  const double reaches = 16.0 * segments * points;
+  const double checkpoints = segments / static_cast<double>(engine::Trail::most) * 8.0 * (2.0 * size + 4.0 * floors);
+  const double histories = 8.0 * samples * (2.0 + 3.0 * floors + 2.0 * points);
+  const auto* record = std::get_if<SampledMotion>(&problem.motion);
+  const double motion = record != nullptr ? 8.0 * static_cast<double>(record->acceleration.size()) : 0.0;
+  return room + plan + reaches + checkpoints + copies * (histories + motion);
+}
+
+}  // namespace
+
+Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options) {
+  validate(problem);
+  const bool exact = std::holds_alternative<ExactSolver>(solver);
+  const ModalSystem system(problem);
+  const engine::TimeGrid grid(problem, exact);
+  bool nonlinear = false;
+  const engine::ContactForces forces = touching(problem, nonlinear);
+
+  Effort result;
+  result.apart = fastest_apart(problem, system);
+  result.in_contact = fastest_in_contact(system, forces, result.apart);
+  const double free_rate = system.rate({});
+  const double contact_rate = system.rate(forces);
+  double period = 0.0;
+  double series = 0.0;  // in a period of the grid, without contact
+  double halved = 0.0;
+  for (std::size_t kind = 0; kind < grid.kinds(); ++kind) {
+    const double product = grid.length(kind) * free_rate / engine::series_reach;
+    period += grid.length(kind);
+    series += std::max(1.0, std::ceil(product));
+    halved += std::exp2(std::ceil(std::log2(std::max(1.0, product))));
+  }
+  const double periods = problem.duration / period;
+  constexpr double round_off = 1e-12;
+  const double segments = std::ceil(periods * static_cast<double>(grid.kinds()) * (1.0 - round_off));
+  if (options.output_step > 0.0) result.samples = std::floor(problem.duration / options.output_step) + 1.0;
+  if (exact) {
+    result.steps = system.classical ? segments : periods * series;
+    // Contact cuts steps short, and what is near to one is halved.
+    result.steps_in_contact =
+        (nonlinear ? engine::series_reach / pair_most : 1.0) * contact_rate / engine::series_reach;
+    const double audited = options.energy_audit ? periods * halved : 0.0;
+    result.certain_steps = result.steps + audited;
+    result.most_steps = 2.0 * (result.steps + result.samples) + audited + problem.duration * result.steps_in_contact;
+  } else if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) {
+    result.growing_step = unstable / (two_pi * result.apart.frequency);
+    result.steps = segments + problem.duration / fixed->step;
+    result.steps_in_contact = 3.0 / fixed->step + segments / problem.duration;
+    result.most_steps = result.steps + problem.duration * result.steps_in_contact;
+  } else {
+    result.steps = std::max(segments, problem.duration * free_rate / pair_least);
+    result.steps_in_contact = contact_rate / pair_most + segments / problem.duration;
+    result.most_steps = 2.0 * problem.duration * result.steps_in_contact;
+  }
+  result.certain_steps = std::max(result.certain_steps, result.steps);
+  result.memory = memory(problem, system, exact && system.classical ? segments : 0.0, result.samples);
+  result.seconds = result.most_steps * (seconds_a_step + seconds_a_coordinate * static_cast<double>(system.size));
+  return result;
+}
+
+}  // namespace bentur
