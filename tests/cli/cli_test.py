@@ -420,7 +420,7 @@ class Run(CommandLine):
             self.assertEqual(set(point), {
                 "elevation", "width", "minimum_gap_no_contact", "impacts", "contact_duration", "peak_force",
                 "peak_force_time", "peak_penetration", "peak_closing_speed", "impulse", "energy_lost", "peak_tension",
-                "contact", "restitution"})
+                "slow_starts", "contact", "restitution"})
             self.assertEqual(point["contact"]["law"], "linear")
         self.assertGreater(gap["points"][2]["impacts"], 0)
 

@@ -138,7 +138,7 @@ struct FreeParts {
   TimeGrid grid{problem, exact};
   FlightPlan plan{system, affordable(grid, problem.duration, most_steps), problem.duration, exact};
   FreeRun run;
-  Response response;                         ///< as far as it goes without contact
+  Response response;  ///< as far as it goes without contact
   // Scales per point: of floors and ground together.
   std::vector<double> largest_displacement;  ///< [length]
   std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, that of the whole row

@@ -137,6 +137,9 @@ class Work {
         for (const ContactPoint& point : problem.points) {
           if (point.left == static_cast<int>(gap)) given.widths.push_back(point.width);
         }
+        if (given.widths.empty()) {
+          for (const std::size_t i : watched_of(problem, gap)) given.widths.push_back(problem.watched[i].width);
+        }
         for (const RecordNeed& record : needs.records) {
           given.beyond += needs_more(record, problem, static_cast<int>(gap)) ? 1 : 0;
         }
@@ -146,10 +149,14 @@ class Work {
   }
 
   static bool needs_more(const RecordNeed& record, const Problem& given, int gap) {
-    return std::any_of(record.separations.begin(), record.separations.end(), [&](const PointSeparation& one) {
+    const auto more = [&](const PointSeparation& one) {
       const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
       return point.left == gap && one.simulated > point.width;
-    });
+    };
+    const std::vector<std::size_t> floors = watched_of(given, static_cast<std::size_t>(gap));
+    return std::any_of(record.separations.begin(), record.separations.end(), more) ||
+           std::any_of(floors.begin(), floors.end(),
+                       [&](std::size_t i) { return record.watched.at(i) > given.watched[i].width; });
   }
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
@@ -213,7 +220,8 @@ class Work {
     for (ContactPoint& point : problem.points) point.width = far_apart * height;
     const Response response = free.solve(problem);
     if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
-    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
+    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
+    for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
     for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
       result.gaps.push_back(need_of(problem, response, result.separations, gap));
     }

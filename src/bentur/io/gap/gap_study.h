@@ -25,6 +25,7 @@ struct GapNeed {
 struct RecordNeed {
   std::string record;                        ///< what the study calls it
   std::vector<PointSeparation> separations;  ///< per contact point
+  std::vector<double> watched;               ///< [length] needed, per watched floor
   std::vector<GapNeed> gaps;                 ///< per gap
 };
 
@@ -37,8 +38,8 @@ struct GapQuantile {
 /// A gap as the case or the study gives it.
 struct GivenGap {
   std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
-  std::vector<double> widths;                               ///< [length], of its contact points
-  std::size_t beyond = 0;                                   ///< records that need more at one of them, simulated
+  std::vector<double> widths;  ///< [length], of its contact points, or of its watched floors where it has none
+  std::size_t beyond = 0;      ///< records that need more somewhere, simulated
 };
 
 /// One gap over all records.
