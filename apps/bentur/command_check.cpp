@@ -4,9 +4,9 @@
 
 #include "arguments.h"
 #include "commands.h"
-#include "effort_text.h"
 #include "session.h"
-#include "table.h"
+#include "text/effort_text.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

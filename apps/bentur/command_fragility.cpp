@@ -11,7 +11,7 @@
 #include "bentur/io/fragility/fragility_report.h"
 #include "commands.h"
 #include "session.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

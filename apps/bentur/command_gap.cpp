@@ -15,9 +15,9 @@
 #include "bentur/study/gap/gap_outcome.h"
 #include "bentur/study/minimum_gap.h"
 #include "commands.h"
-#include "gap_study_text.h"
 #include "session.h"
-#include "table.h"
+#include "text/gap_study_text.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "bentur/structure/modes.h"
 #include "commands.h"
 #include "session.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

@@ -20,7 +20,7 @@
 #include "commands.h"
 #include "output.h"
 #include "session.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "output.h"
 #include "picture.h"
 #include "session.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

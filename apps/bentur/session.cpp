@@ -16,8 +16,8 @@
 #include "bentur/io/results/temporary_folder.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/solve/solver.h"
-#include "effort_text.h"
-#include "table.h"
+#include "text/effort_text.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "gap_study_text.h"
+#include "text/gap_study_text.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "session.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "effort_text.h"
+#include "text/effort_text.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
-#include "table.h"
+#include "text/table.h"
 
 namespace bentur::cli {
 namespace {
