@@ -655,7 +655,7 @@ class Messages(CommandLine):
     def test_control_characters_of_a_case_never_reach_a_terminal(self):
         nasty = "\\u001b]0;pwned\\u0007\\u001b[2J\\u009b31m\\u007f"
         case = self.edited("m12-el-centro", '"Model 1"', f'"Model {nasty}"')
-        case.write_text(re.sub("^title = .*", f'title = "{nasty}"', case.read_text(), flags=re.MULTILINE))
+        case.write_text(re.sub("^title = .*", lambda _: f'title = "{nasty}"', case.read_text(), flags=re.MULTILINE))
         control = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
         for command in ["run", case], ["run", case, "--json"], ["check", case], ["modes", case], ["gap", case]:
             output = self.done(*command)

@@ -133,6 +133,8 @@ class Places(Outputs):
         (self.folder / "plain").write_text(MINE)
         for place in "plain", "plain/below":
             self.assertIn("not a folder", self.refused("run", "case.toml", "-q", "-o", place))
+        for _, command in self.writers():
+            self.assertIn("not a folder", self.refused(*command, "plain/below"))
         self.assertEqual((self.folder / "plain").read_text(), MINE)
 
     def test_missing_folders_are_made_by_all_alike(self):

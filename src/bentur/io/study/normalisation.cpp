@@ -80,7 +80,8 @@ void read_factor_file(const TomlView& table, const fs::path& folder, const std::
   const auto name = file ? file->as_text() : std::nullopt;
   if (!name) return;
   std::string problem;
-  const auto factors = factor_table(folder / *name, problem);
+  vary.normalisation_file = folder / *name;
+  const auto factors = factor_table(vary.normalisation_file, problem);
   if (!factors) {
     file->error_value(problem + " (names are relative to the study)");
     return;

@@ -33,6 +33,7 @@ struct Vary {
   std::vector<FileKey> file_keys;               ///< of files
   std::string normalise_by;                     ///< of files: the rule, "pgv" or "pgv-pairs", where one is asked for
   std::vector<double> normalisation;            ///< of files [-]: what each record is multiplied by; empty: nothing
+  std::filesystem::path normalisation_file;     ///< that these were read from, if they were
   std::optional<Distribution> distribution;     ///< to sample from
   TomlValue original;                           ///< what the case says; of a factor
   SourcePosition parameter_position, position;  ///< of the parameter and of its values in the study

@@ -52,6 +52,9 @@ class Trial {
     facts_.units = read.c.units;
     facts_.title = read.c.title;
     facts_.energy_audit = read.c.analysis.energy_audit;
+    for (const Vary& vary : study_.varies) {
+      if (!vary.normalisation_file.empty()) note(vary.normalisation_file);
+    }
     return true;
   }
 
@@ -104,18 +107,19 @@ class Trial {
   StudyFacts take() { return std::move(facts_); }
 
  private:
+  /// A file that the results come from.
+  void note(const std::filesystem::path& file) {
+    if (!facts_.record_files.insert(file.string()).second) return;
+    std::string& hashes = facts_.records[file.filename().string()];
+    hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
+  }
+
   ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
     TomlValue root = study_.case_root;
     put_choices(study_, choices, root);
     const std::string name = study_.case_file.string();
     ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
-    if (found.ok() && read.c.excitation.record) {
-      const std::filesystem::path file = study_.case_file.parent_path() / read.c.excitation.record->file;
-      if (facts_.record_files.insert(file.string()).second) {
-        std::string& hashes = facts_.records[file.filename().string()];
-        hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
-      }
-    }
+    if (found.ok() && read.c.excitation.record) note(study_.case_file.parent_path() / read.c.excitation.record->file);
     return read;
   }
 

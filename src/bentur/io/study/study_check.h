@@ -19,7 +19,7 @@ struct StudyFacts {
   Units units;
   std::string title;
   bool energy_audit = false;
-  std::map<std::string, std::string> records;  ///< file name of every record to its SHA-256
+  std::map<std::string, std::string> records;  ///< file name of every record, and of factors, to its SHA-256
   std::set<std::string> record_files;          ///< where they are
   bool floors_move = false;                    ///< elevations of floors differ between runs
   bool points_move = false;                    ///< elevations of contact points differ between runs
