@@ -12,6 +12,7 @@
 #include "bentur/io/case_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/solve/solver.h"
+#include "tests/support/awaited_cases.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {
@@ -135,7 +136,9 @@ TEST(ReferenceCases, EveryOneIsInTheListAbove) {
   for (const auto& entry : fs::directory_iterator(shared / "reference")) {
     if (entry.path().extension() == ".toml") there.insert(entry.path().stem().string());
   }
-  EXPECT_EQ(there, std::set<std::string>(std::begin(all_cases), std::end(all_cases)));
+  std::set<std::string> known = test::awaited_cases;
+  known.insert(std::begin(all_cases), std::end(all_cases));
+  EXPECT_EQ(there, known);
 }
 
 }  // namespace

@@ -307,7 +307,7 @@ distribution = {{ {kind} }}
 """)
             result = self.run_sweep(study, "-o", self.folder / "r.nc")
             self.assertEqual(result.returncode, 2, result.stderr)
-            self.assertRegex(result.stderr, r"study\.toml:7:\d+: error: .* standard deviations from its (mean|median) 0\.\d+")
+            self.assertRegex(result.stderr, r"study\.toml:8:\d+: error: .* standard deviations from its (mean|median) 0\.\d+")
             self.assertNotIn("boost", result.stderr)
 
     def test_check_says_what_would_run(self):

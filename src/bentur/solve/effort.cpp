@@ -107,11 +107,16 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
   double period = 0.0;
   double series = 0.0;  // in a period of the grid, without contact
   double halved = 0.0;
+  double closed = 0.0;  // in contact all the time
   for (std::size_t kind = 0; kind < grid.kinds(); ++kind) {
     const double product = grid.length(kind) * free_rate / engine::series_reach;
     period += grid.length(kind);
     series += std::max(1.0, std::ceil(product));
-    halved += std::exp2(std::ceil(std::log2(std::max(1.0, product))));
+    const double parts = std::exp2(std::ceil(std::log2(std::max(1.0, product))));
+    halved += parts;
+    // Contact is walked through in the parts that a segment is halved into, each by whole steps.
+    const double walked = system.classical ? parts : 1.0;
+    closed += walked * std::ceil(grid.length(kind) / walked * contact_rate / engine::series_reach);
   }
   const double periods = problem.duration / period;
   constexpr double round_off = 1e-12;
@@ -120,8 +125,7 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
   if (exact) {
     result.steps = system.classical ? segments : periods * series;
     // Contact cuts steps short, and what is near to one is halved.
-    result.steps_in_contact =
-        (nonlinear ? engine::series_reach / pair_most : 1.0) * contact_rate / engine::series_reach;
+    result.steps_in_contact = nonlinear ? contact_rate / pair_most : closed / period;
     const double audited = options.energy_audit ? periods * halved : 0.0;
     result.certain_steps = result.steps + audited;
     result.most_steps = 2.0 * (result.steps + result.samples) + audited + problem.duration * result.steps_in_contact;

@@ -120,12 +120,12 @@ TEST(FirstContact, IsFoundByOthersToo) {
 TEST(FirstContact, AFreeResponseRefusesAnotherProblem) {
   const auto row = [] {
     Problem problem = problem_with(0.01, 0.054, Kinematics::relative);
-    const Eigen::MatrixXd mass = 2e5 * Eigen::MatrixXd::Identity(2, 2),
-                          stiffness = 3e7 * Eigen::MatrixXd::Identity(2, 2);
+    const Eigen::MatrixXd mass = 2e5 * Eigen::MatrixXd::Identity(3, 3),
+                          stiffness = 3e7 * Eigen::MatrixXd::Identity(3, 3);
     problem.buildings[0] = problem.buildings[1] = matrix_building(mass, stiffness, 0 * stiffness);
     problem.points = {contact(0.01, 1e8, 0), contact(0.02, 1e8, 1)};
-    problem.initial_displacement.assign(2, Eigen::VectorXd::Zero(2));
-    problem.initial_velocity.assign(2, Eigen::VectorXd::Zero(2));
+    problem.initial_displacement.assign(2, Eigen::VectorXd::Zero(3));
+    problem.initial_velocity.assign(2, Eigen::VectorXd::Zero(3));
     return problem;
   };
   const FreeResponse free(row());
@@ -138,10 +138,10 @@ TEST(FirstContact, AFreeResponseRefusesAnotherProblem) {
     std::string what;
     std::function<void(Problem&)> change;
   } changes[] = {
-      {"points", [](Problem& p) { p.points.push_back(p.points.back()); }},
+      {"points", [](Problem& p) { p.points.push_back(contact(0.02, 1e8, 2)); }},
       {"points", [](Problem& p) { p.points.pop_back(); }},
-      {"points[1]", [](Problem& p) { p.points[1].left_floor = 0; }},
-      {"points[1]", [](Problem& p) { p.points[1].right_floor = 0; }},
+      {"points[1]", [](Problem& p) { p.points[1].left_floor = 2; }},
+      {"points[1]", [](Problem& p) { p.points[1].right_floor = 2; }},
       {"buildings",
        [](Problem& p) {
          p.buildings.push_back(p.buildings[0]);

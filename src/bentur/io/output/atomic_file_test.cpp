@@ -50,7 +50,7 @@ TEST_F(AtomicFilesTest, WithoutCommitNothingStays) {
 TEST_F(AtomicFilesTest, WithoutCommitWhatWasThereStays) {
   std::ofstream(root_ / "one") << "old";
   {
-    AtomicFiles files(root_);
+    AtomicFiles files(root_, {.force = true});
     files.add("one", "new", ResultKind::report);
   }
   EXPECT_EQ(read(root_ / "one"), "old");
@@ -59,7 +59,7 @@ TEST_F(AtomicFilesTest, WithoutCommitWhatWasThereStays) {
 
 TEST_F(AtomicFilesTest, ReplacesAtCommit) {
   std::ofstream(root_ / "one") << "a long old content";
-  AtomicFiles files(root_);
+  AtomicFiles files(root_, {.force = true});
   files.add("one", "new", ResultKind::report);
   files.commit();
   EXPECT_EQ(read(root_ / "one"), "new");

@@ -69,7 +69,7 @@ TEST(NetcdfReaderTest, SaysWhatIsWrong) {
     const NetcdfReader reader(folder.path() / "a.nc");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("a.nc: cannot be read as NetCDF"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("a.nc: is not a NetCDF file"), std::string::npos) << error.what();
   }
   EXPECT_THROW(NetcdfReader(folder.path() / "none.nc"), std::runtime_error);
   const NetcdfReader reader(example_histories(), "h.nc");

@@ -199,7 +199,7 @@ factor = [0.02, 1]
 }
 
 TEST_F(Runs, NumbersThatFailAreMarked) {
-  const StudyRuns runs = runs_of("[[vary]]\nparameter = 'excitation.displacement_amplitude'\nvalues = [1.0, 1e306]\n");
+  const StudyRuns runs = runs_of("[[vary]]\nparameter = 'excitation.displacement_amplitude'\nvalues = [1.0, 3e305]\n");
   const auto results = runs.solve(std::vector<std::size_t>{1, 0}, [] { return true; });
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].status, RunStatus::failed);
