@@ -87,8 +87,8 @@ done
 for name in "$@"; do
   say "./dev $name in a bare $suite"
   log=$folder/$suite-$name.log begin=$(date +%s) status=0
-  # The command's processes end with it.
-  unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$tree" \
+  # All processes in there end when this one does, however it ends.
+  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$tree" \
     /usr/bin/env -i "${variables[@]}" bash -c "cd ~/bentur && time ./dev $name" >"$log" 2>&1 || status=$?
   seconds=$(($(date +%s) - begin))
   if [ $status != 0 ]; then
