@@ -39,7 +39,8 @@ std::string fastest_text(const Loaded& loaded, const Effort::Fastest& fastest) {
 
 /// "40 s", "7 min", "3 h": no more is known.
 std::string time_text(double seconds) {
-  if (seconds < 90) return fmt::format("{:.1g} s", std::max(seconds, 1.0));
+  if (seconds < 90)
+    return fmt::format("{:.0f} s", seconds < 10 ? std::max(seconds, 1.0) : 10 * std::round(seconds / 10));
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 2e5) return fmt::format("{:.0f} h", seconds / 3600);
   return fmt::format("{:.3g} days", seconds / 86400);

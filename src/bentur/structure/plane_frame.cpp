@@ -1,5 +1,7 @@
 #include "bentur/structure/plane_frame.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <array>
 #include <numeric>
@@ -148,6 +150,10 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     model.left_joints(floor, rotation(floor, 0)) = 1;
     model.right_joints(floor, rotation(floor, lines - 1)) = 1;
+  }
+  if (!model.stiffness.allFinite() || !model.mass.allFinite()) {
+    throw InvalidParameter("elastic_modulus", fmt::format("{}", frame.elastic_modulus),
+                           "must be one that numbers can hold together with these sections, lengths and masses");
   }
   model.load = model.mass.leftCols(floors).rowwise().sum();  // M r
   if (frame.base_coupling) model.load += base_coupling;
