@@ -56,8 +56,10 @@ std::vector<std::size_t> points_of(const Problem& problem, int gap) {
 std::string unmodelled_text(const Loaded& loaded, const Response& response, const std::vector<std::size_t>& floors) {
   const Problem& problem = loaded.problem;
   const std::string& length = loaded.c.units.length;
+  constexpr std::size_t most = 3;  // told one by one
   std::string text;
-  for (const std::size_t i : floors) {
+  for (std::size_t n = 0; n < std::min(most, floors.size()); ++n) {
+    const std::size_t i = floors[n];
     const WatchedFloor& floor = problem.watched[i];
     const WatchedSummary& summary = response.watched[i];
     const std::string met = fmt::format(
@@ -69,6 +71,10 @@ std::string unmodelled_text(const Loaded& loaded, const Response& response, cons
                                met)
                          : fmt::format("  Also {}.\n", met);
     text += fmt::format("  To model it: {}.\n", remedy_text(problem, floor, length));
+  }
+  if (floors.size() > most) {
+    const std::size_t more = floors.size() - most;
+    text += fmt::format("  And {} more floor{} less deep: --json lists them all.\n", more, more == 1 ? "" : "s");
   }
   return text;
 }

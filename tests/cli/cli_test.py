@@ -859,6 +859,13 @@ duration = 5.0
         self.assertIn("NO POUNDING", self.done("run", wide).stdout)
         self.assertIn("wide enough", self.done("gap", wide).stdout)
 
+    def test_the_three_deepest_are_told_and_the_others_counted(self):
+        case = self.with_width(0.01)
+        self.assertEqual(len(self.summary(case)["unmodelled_contact"]), 5)
+        text = self.done("run", case).stdout
+        self.assertEqual(text.count("To model it"), 3)
+        self.assertIn("And 2 more floors", text)
+
     def test_floors_that_nearly_meet_are_told_of_the_tolerance(self):
         # A's middle floor at 6 faces B's column 0.5 m below a floor, B's lowest floor meets A's.
         case = self.with_width(0.01)
@@ -894,6 +901,8 @@ duration = 5.0
         self.with_width(0.01)
         warning = self.done("sweep", study, "-o", results).stderr
         self.assertIn(f"in {met} of 3 runs a floor meets a column", warning)
+        error = self.fails(2, "plot", results, "peak-force", "-o", self.folder / "force.svg").stderr
+        self.assertIn('no figure "peak-force"', error)
         self.done("report", results, "-o", page)
         text = html.unescape(page.read_text()).replace("\u00a0", " ")
         self.assertIn(f"The buildings collide in {met} of 3 runs.", text)

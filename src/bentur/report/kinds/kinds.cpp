@@ -52,6 +52,11 @@ bool can(const NetcdfReader& results, const RunKind& kind) {
   return std::string(kind.name) != "force" || has_impact_force(results);
 }
 
+/// Of contact points there are none where a study models no contact.
+bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
+  return results.find(kind.quantity) != nullptr || results.find(kind.quantity + "_1") != nullptr;
+}
+
 }  // namespace
 
 std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
@@ -68,8 +73,7 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
     kinds.push_back({"fragility", "probability of pounding against intensity, with bounds"});
   }
   for (const SweepKind& kind : sweep_kinds()) {
-    if (results.find(kind.quantity) == nullptr && results.find(kind.quantity + "_1") == nullptr) continue;
-    kinds.push_back({kind.kind, kind.label + " against what varies"});
+    if (has_quantity(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
   }
   return kinds;
 }
@@ -90,7 +94,7 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
     for (const SweepKind& one : sweep_kinds()) {
-      if (kind == one.kind) return sweep_figure(sweep, one, options);
+      if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
     }
   }
   std::vector<std::string> known;
