@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "bentur/io/fragility/fragility_report.h"
+#include "bentur/io/results/netcdf_reader.h"
 #include "bentur/io/results/temporary_folder.h"
 #include "bentur/io/sweep/sweep_netcdf.h"
 
@@ -44,14 +45,14 @@ class MadeUp : public testing::Test {
   /// Runs are record × width × level. `ida` empty: a sweep.
   [[nodiscard]] fs::path written(
       const std::string& ida = "[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = [0.1, 0.2, 0.4, 0.8]\n",
-      const std::string& parameter = "gap[0].width") const {
+      const std::string& parameter = "gap[0].width", const std::string& of_files = "") const {
     const fs::path& folder = folder_.path();
     std::ofstream(folder / "bentur-made-up.toml")
         << "case = '" << (tests / "bad_study/plain-case.toml").string() << "'\n"
         << ida << "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['"
         << (tests / "bad_input/good.AT2").string() << "', {file = '"
-        << (tests / "bad_input/good-two-column.txt").string() << "', unit = 'm/s2'}]\n[[vary]]\nparameter = '"
-        << parameter << "'\nvalues = [0.02, 0.01, 0.03]\n";
+        << (tests / "bad_input/good-two-column.txt").string() << "', unit = 'm/s2'}]\n"
+        << of_files << "[[vary]]\nparameter = '" << parameter << "'\nvalues = [0.02, 0.01, 0.03]\n";
     Diagnostics diagnostics;
     auto study = read_study(folder / "bentur-made-up.toml", diagnostics);
     const auto memo = std::make_shared<CaseMemo>();
@@ -134,6 +135,36 @@ TEST_F(MadeUp, ErrorsSayWhatToDo) {
             std::string::npos);
   EXPECT_NE(error_of(tests / "bad_input/good.AT2", {}).find("NetCDF"), std::string::npos);
   EXPECT_NE(error_of(tests / "none.nc", {}).find("no such file"), std::string::npos);
+}
+
+TEST_F(MadeUp, RecordsBothWaysRoundAndNormalised) {
+  const fs::path file = written("[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = [0.1, 0.2]\npolarity = 'both'\n",
+                                "gap[0].width", "normalisation = [2, 0.5]\n");
+  std::string error;
+  Diagnostics diagnostics;
+  const auto results = read_ida_results(file, *parse_event("peak_force > 11.5", error), diagnostics);
+  ASSERT_TRUE(results.has_value());
+  EXPECT_EQ(results->table.records, 2 * records);
+  EXPECT_EQ(results->table.together, 2U);
+  EXPECT_EQ(results->table.cases, widths);
+  EXPECT_EQ(results->intensity, "peak ground acceleration, median of the normalised records");
+  // Runs are record × width × polarity × level; in the table the two polarities of a record stand together.
+  for (std::size_t record = 0; record < records; ++record) {
+    for (std::size_t polarity = 0; polarity < 2; ++polarity) {
+      const std::size_t run = (record * widths * 2 + polarity) * 2;  // first width, first level
+      EXPECT_EQ(results->table.at(0, record * 2 + polarity, 0), force(run) > 11.5 ? Outcome::event : Outcome::no_event);
+    }
+  }
+  const NetcdfReader reader(file);
+  EXPECT_EQ(reader.numbers("normalisation"), (std::vector<double>{2, 0.5}));
+  const std::vector<double> intensity = reader.numbers("record_intensity");  // record × polarity
+  ASSERT_EQ(intensity.size(), 4U);
+  EXPECT_EQ(intensity[0], intensity[1]);
+  const double median = (2 * intensity[0] + 0.5 * intensity[2]) / 2;
+  const std::vector<double> factors = reader.numbers("scale_factor");  // × level
+  ASSERT_EQ(factors.size(), 8U);
+  EXPECT_DOUBLE_EQ(factors[1], 2 * 0.2 / median);
+  EXPECT_DOUBLE_EQ(factors[6], 0.5 * 0.1 / median);
 }
 
 TEST_F(MadeUp, ASweepIsNotAnAnalysisOfIntensities) {

@@ -201,7 +201,8 @@ std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const Record
     errors.error(all[i].number, bad == cells.end() ? 1 : bad->column,
                  why + heading_hint(options, all[begin].number - 1));
   }
-  found.rows.assign(all.begin() + static_cast<std::ptrdiff_t>(begin), all.end());
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+  found.rows = std::move(all);
   bool points = false, commas = false;
   for (const Line& row : found.rows) {
     for (const Token& cell : found.cells(row)) {

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "bentur/io/records/column_rows.h"
 #include "bentur/io/records/record_text.h"
@@ -14,6 +15,29 @@ namespace {
 
 /// What the columns of a file mean, once it is known.
 enum class Meaning { time_first, channels, values };
+
+/// Rows of numbers, one behind the other: a file may have millions.
+class NumberRows {
+ public:
+  void add(double number) { numbers_.push_back(number); }
+  void end_row() { ends_.push_back(static_cast<std::uint32_t>(numbers_.size())); }
+  [[nodiscard]] std::size_t size() const { return ends_.size(); }
+  [[nodiscard]] std::span<const double> operator[](std::size_t row) const {
+    const std::size_t begin = row == 0 ? 0 : ends_[row - 1];
+    return {numbers_.data() + begin, ends_[row] - begin};
+  }
+  [[nodiscard]] std::vector<double> column(std::size_t index) const {
+    std::vector<double> result(size());
+    for (std::size_t row = 0; row < size(); ++row) result[row] = (*this)[row][index];
+    return result;
+  }
+  /// All of them, row by row.
+  [[nodiscard]] const std::vector<double>& all() const { return numbers_; }
+
+ private:
+  std::vector<double> numbers_;
+  std::vector<std::uint32_t> ends_;  // of the rows
+};
 
 class ColumnReader {
  public:
@@ -26,14 +50,14 @@ class ColumnReader {
 
   std::optional<Record> read() {
     read_numbers();
-    if (numbers_.empty()) return std::nullopt;
+    if (numbers_.size() == 0) return std::nullopt;
     const auto meaning = settled();
     if (!meaning) return std::nullopt;
     Record record;
     record.header_lines = found_.header_lines;
     if (*meaning == Meaning::values) {
       record.format = columns_ == 1 ? "one-column" : "values";
-      for (const auto& row : numbers_) record.values.insert(record.values.end(), row.begin(), row.end());
+      record.values = numbers_.all();
       record.time_step = needed_step();
     } else {
       check_widths();
@@ -42,7 +66,7 @@ class ColumnReader {
       const auto column = chosen_column(timed);
       if (!timed) record.time_step = needed_step();
       if (!errors_.ok() || !column) return std::nullopt;
-      for (const auto& row : numbers_) record.values.push_back(row[*column]);
+      record.values = numbers_.column(*column);
       if (timed) record.time_step = step_of_times();
       if (columns_ > (timed ? 2 : 1)) record.channel = fmt::format("column {} of {}", *column + 1, columns_);
     }
@@ -54,25 +78,21 @@ class ColumnReader {
   void read_numbers() {
     for (const Line& row : found_.rows) {
       if (errors_.full()) return;
-      std::vector<double> numbers;
       for (const Token& cell : found_.cells(row)) {
-        numbers.push_back(finite_number(cell, found_.decimal_comma, errors_).value_or(0));
+        numbers_.add(finite_number(cell, found_.decimal_comma, errors_).value_or(0));
       }
-      numbers_.push_back(std::move(numbers));
+      numbers_.end_row();
     }
   }
 
   /// Every row but the last has as many numbers as the first, and the last no more; `ragged`: it has fewer.
   [[nodiscard]] bool is_block(bool& ragged) const {
-    ragged = numbers_.back().size() < columns_;
-    return numbers_.back().size() <= columns_ &&
-           std::all_of(numbers_.begin(), numbers_.end() - 1, [&](const auto& row) { return row.size() == columns_; });
-  }
-
-  [[nodiscard]] std::vector<double> first_column() const {
-    std::vector<double> result;
-    for (const auto& row : numbers_) result.push_back(row.front());
-    return result;
+    const std::size_t last = numbers_.size() - 1;
+    ragged = numbers_[last].size() < columns_;
+    for (std::size_t row = 0; row < last; ++row) {
+      if (numbers_[row].size() != columns_) return false;
+    }
+    return numbers_[last].size() <= columns_;
   }
 
   /// An asked-for format decides. Else times are told by going up, and accelerations without time only where nothing
@@ -98,7 +118,7 @@ class ColumnReader {
       fail("has no commas, semicolons or tabs between its numbers, as a csv file has");
       return std::nullopt;
     }
-    if (!errors_.ok() || goes_up(first_column())) return Meaning::time_first;
+    if (!errors_.ok() || goes_up(numbers_.column(0))) return Meaning::time_first;
     return without_time();
   }
 
@@ -113,9 +133,7 @@ class ColumnReader {
     bool ragged = false;
     const bool block = is_block(ragged);
     if (options_.column) return Meaning::channels;
-    std::size_t total = 0;
-    for (const auto& row : numbers_) total += row.size();
-    const bool counted = found_.stated && static_cast<std::size_t>(found_.stated->count) == total;
+    const bool counted = found_.stated && static_cast<std::size_t>(found_.stated->count) == numbers_.all().size();
     if ((block && ragged && step_) || counted) return Meaning::values;
     if (columns_ == 2 && !step_) return Meaning::time_first;  // more likely bad times than no times
     if (!block) {
@@ -171,7 +189,7 @@ class ColumnReader {
   }
 
   double step_of_times() {
-    const std::vector<double> times = first_column();
+    const std::vector<double> times = numbers_.column(0);
     std::size_t bad = 0;
     const auto step = even_step(times, bad);
     if (step && found_.stated && std::abs(*step / found_.stated->time_step - 1) > 0.01) {
@@ -206,7 +224,7 @@ class ColumnReader {
   RecordErrors& errors_;
   std::optional<double> step_;  // [s], where the file's heading or the user says it
   std::size_t columns_ = 0;     // of the first row
-  std::vector<std::vector<double>> numbers_;
+  NumberRows numbers_;
 };
 
 /// A heading that names another quantity than acceleration, as VT2 and DT2 files have it.

@@ -75,6 +75,15 @@ std::optional<Record> read_record(const std::filesystem::path& file, const Recor
   std::vector<Line> lines = lines_of(text);
   const auto skipped = std::min(static_cast<std::size_t>(options.skip_lines), lines.size());
   lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
+  if (lines.size() > most_lines) {
+    errors.error(0, 0, fmt::format("has more than {} lines, which no record has", most_lines));
+    return std::nullopt;
+  }
+  for (const Line& line : lines) {
+    if (line.text.size() <= longest_line) continue;
+    errors.error(line.number, 1, fmt::format("is a line of more than {} MiB, which no record has", longest_line >> 20));
+    return std::nullopt;
+  }
   const bool blank = std::all_of(lines.begin(), lines.end(), [](const Line& line) {
     return line.text.find_first_not_of(" \t") == std::string_view::npos;
   });

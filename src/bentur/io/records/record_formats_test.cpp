@@ -346,6 +346,7 @@ TEST_F(RecordFormats, LinesBeforeAnyFormatCanBeSkipped) {
 
 TEST_F(RecordFormats, Utf16AndMarks) {
   const std::string text = "Beschl\xE4unigung\r\n0.00 0.5\r\n0.02 -0.25\r\n0.04 0.1\r\n";
+  const std::string rows = text.substr(text.find('\n') + 1);
   for (const bool mark : {true, false}) {
     for (const bool big : {true, false}) {
       std::string wide = !mark ? "" : big ? "\xFE\xFF" : "\xFF\xFE";
@@ -354,6 +355,9 @@ TEST_F(RecordFormats, Utf16AndMarks) {
       ASSERT_TRUE(record.has_value()) << messages();
       EXPECT_EQ(record->values, (Numbers{0.5, -0.25, 0.1}));
       EXPECT_EQ(record->header_lines, 1);
+      std::string bare = wide.substr(0, mark ? 2 : 0);  // the mark is no part of the first number
+      for (const char c : rows) bare += big ? std::string{'\0', c} : std::string{c, '\0'};
+      EXPECT_EQ(read(bare).value().values, (Numbers{0.5, -0.25, 0.1}));
     }
   }
 }
@@ -363,6 +367,17 @@ TEST_F(RecordFormats, WhatIsNoText) {
   EXPECT_NE(messages().find("spreadsheet"), std::string::npos) << messages();
   EXPECT_FALSE(read(std::string("CDF\x01 abc\0\0\0\x02 1 2 3 4 5 6 7 8 9 a b c d e f g h", 50)).has_value());
   EXPECT_EQ(messages(), ": error: is a binary file, but records are text\n");
+}
+
+TEST_F(RecordFormats, SizesAreBounded) {
+  std::string lines;
+  for (int i = 0; i < 5000001; ++i) lines += "1\n";
+  EXPECT_FALSE(read(lines).has_value());
+  EXPECT_EQ(messages(), ": error: has more than 5000000 lines, which no record has\n");
+  EXPECT_FALSE(read("1 2\n" + std::string((std::size_t{4} << 20) + 1, '1') + "\n").has_value());
+  EXPECT_EQ(messages(), ":2:1: error: is a line of more than 4 MiB, which no record has\n");
+  EXPECT_FALSE(read(std::string((std::size_t{64} << 20) + 1, ' ')).has_value());
+  EXPECT_EQ(messages(), ": error: is larger than 64 MiB, which no record is\n");
 }
 
 TEST_F(RecordFormats, OnlyRegularFilesAreOpened) {

@@ -56,7 +56,7 @@ std::vector<Line> lines_of(std::string_view text) {
   while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);
   std::vector<Line> lines;
   int number = 1;
-  while (!text.empty()) {
+  while (!text.empty() && lines.size() <= most_lines) {
     const std::size_t end = text.find_first_of("\r\n");
     lines.push_back({text.substr(0, end), number++});
     if (end == std::string_view::npos) break;

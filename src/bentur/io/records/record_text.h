@@ -44,7 +44,11 @@ class RecordErrors {
 /// beyond ASCII becomes '?'; a mark of UTF-8 is left out.
 [[nodiscard]] std::string decoded(std::string bytes);
 
-/// Lines ending in LF, CR LF or CR; a trailing empty line and an end-of-file mark of DOS are left out.
+/// A file with more or longer lines is no record.
+inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4} << 20;
+
+/// Lines ending in LF, CR LF or CR, up to one more than most_lines; a trailing empty line and an end-of-file mark of
+/// DOS are left out.
 [[nodiscard]] std::vector<Line> lines_of(std::string_view text);
 
 /// The words of a line between any of `separators`; runs of separators count as one.

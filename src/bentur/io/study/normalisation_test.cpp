@@ -127,6 +127,10 @@ TEST_F(RecordSet, FactorsByListAndByFileGoWithTheCasesScale) {
   const auto table = read("normalisation = { file = \"index.csv\" }\n");
   ASSERT_TRUE(table.has_value()) << messages();
   expect_near(applied(*table), {2, 2, 2, 24});
+  CaseMemo memo;
+  const auto facts = check_study(*table, memo, diagnostics_);
+  EXPECT_EQ(facts->records.count("index.csv"), 1U);  // so that a sweep does not go on with another table
+  EXPECT_EQ(facts->records.count("r4.txt"), 1U);
   std::ofstream(folder_.path() / "plain.csv") << "r1.txt,2\nr2.txt,1\nr3.txt,0.5\nr4.txt,3\n";
   expect_near(applied(read("normalisation = { file = \"plain.csv\" }\n").value()), {2, 2, 2, 24});
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
