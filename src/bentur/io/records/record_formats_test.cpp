@@ -13,6 +13,7 @@
 namespace bentur {
 namespace {
 
+using namespace std::string_literals;
 using RecordFormats = test::RecordFile;
 using Numbers = std::vector<double>;
 
@@ -365,7 +366,7 @@ TEST_F(RecordFormats, Utf16AndMarks) {
 TEST_F(RecordFormats, WhatIsNoText) {
   EXPECT_FALSE(read(std::string("PK\x03\x04 and so on\n1 2\n")).has_value());
   EXPECT_NE(messages().find("spreadsheet"), std::string::npos) << messages();
-  EXPECT_FALSE(read(std::string("CDF\x01 abc\0\0\0\x02 1 2 3 4 5 6 7 8 9 a b c d e f g h", 50)).has_value());
+  EXPECT_FALSE(read("CDF\x01 abc\0\0\0\x02 1 2 3 4 5 6 7 8 9 a b c d e f g h"s).has_value());
   EXPECT_EQ(messages(), ": error: is a binary file, but records are text\n");
 }
 

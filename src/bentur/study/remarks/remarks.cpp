@@ -192,9 +192,10 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   }
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const auto left = static_cast<std::size_t>(problem.points[i].left);
-    list.most("penetration", problem.buildings[left].name + " | " + problem.buildings[left + 1].name,
-              response.points.at(i).peak_penetration, list.length(), most_penetration * list.metre(),
-              usual_penetration * list.metre());
+    const std::string name = problem.buildings[left].name + " | " + problem.buildings[left + 1].name;
+    list.most("penetration", name, response.points.at(i).peak_penetration, list.length(),
+              most_penetration * list.metre(), usual_penetration * list.metre());
+    list.most("slow_starts", name, response.points.at(i).slow_starts, "", 0, 0);
   }
   return list.take();
 }

@@ -160,8 +160,9 @@ TEST(Remarks, OfAResponseBeyondElasticBuildings) {
   response.buildings[1].drift_ratio(2) = 0.0101;
   response.buildings[0].storey_shear(0) = 0.401 * weight;
   response.points[2].peak_penetration = 0.051;
+  response.points[1].slow_starts = 3;
   const std::vector<Remark> found = remarks(c, problem, response);
-  EXPECT_EQ(list(found), (Names{"base_shear A", "drift B", "penetration A | B"}));
+  EXPECT_EQ(list(found), (Names{"base_shear A", "drift B", "penetration A | B", "slow_starts A | B"}));
   EXPECT_NEAR(found[0].value, 0.401, 1e-12);
   EXPECT_NEAR(found[1].value, 1.01, 1e-12);
 }

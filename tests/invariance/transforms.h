@@ -1,0 +1,204 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bentur/solve/response.h"
+#include "tests/invariance/random_case.h"
+
+// What a case may be turned into without anything happening differently, and the way back from its response.
+
+namespace bentur::test {
+
+inline void scale(std::vector<double>& values, double by) {
+  for (double& value : values) value *= by;
+}
+
+inline GroundMotion scaled(GroundMotion motion, double by) {
+  if (auto* sampled = std::get_if<SampledMotion>(&motion)) scale(sampled->acceleration, by);
+  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= by;
+  return motion;
+}
+
+/// Seen from behind: the row is reversed and what went left goes right.
+inline Case mirrored(Case c) {
+  std::reverse(c.buildings.begin(), c.buildings.end());
+  for (BuildingSpec& building : c.buildings) {
+    if (auto* frame = std::get_if<PlaneFrame>(&building.structure)) {
+      std::reverse(frame->bay_widths.begin(), frame->bay_widths.end());
+    }
+  }
+  std::reverse(c.gaps.begin(), c.gaps.end());
+  std::reverse(c.excitation.delays.begin(), c.excitation.delays.end());
+  c.excitation.motion = scaled(c.excitation.motion, -1);
+  for (auto* initial : {&c.initial.displacements, &c.initial.velocities}) {
+    std::reverse(initial->begin(), initial->end());
+    for (auto& values : *initial) scale(values, -1);
+  }
+  return c;
+}
+
+/// `of` is the case that was mirrored.
+inline Response mirrored_back(Response response, const Problem& of) {
+  // Points and watched floors stand gap by gap, each gap from the lowest up.
+  const auto places = [&of](const auto& list) {
+    std::vector<std::size_t> back;
+    for (int left = static_cast<int>(of.buildings.size()) - 2; left >= 0; --left) {
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        if (list[i].left == left) back.push_back(i);
+      }
+    }
+    return back;
+  };
+  const auto put_back = [](auto& list, const std::vector<std::size_t>& back) {
+    const auto mirrored = list;
+    for (std::size_t i = 0; i < list.size(); ++i) list[back[i]] = mirrored[i];
+  };
+  const std::vector<std::size_t> points = places(of.points);
+  std::reverse(response.buildings.begin(), response.buildings.end());
+  put_back(response.points, points);
+  put_back(response.watched, places(of.watched));
+  for (Impact& impact : response.impacts)
+    impact.point = static_cast<int>(points[static_cast<std::size_t>(impact.point)]);
+  return response;
+}
+
+/// Everything `seconds` later, for a case that starts from rest.
+inline Case delayed(Case c, double seconds) {
+  for (double& delay : c.excitation.delays) delay += seconds;
+  c.analysis.duration += seconds;
+  return c;
+}
+
+/// The same by zeros in front of a record that begins with one.
+inline Case padded(Case c, int zeros) {
+  auto& motion = std::get<SampledMotion>(c.excitation.motion);
+  motion.acceleration.insert(motion.acceleration.begin(), static_cast<std::size_t>(zeros), 0.0);
+  c.analysis.duration += zeros * motion.time_step;
+  return c;
+}
+
+inline Response earlier(Response response, double seconds) {
+  for (Impact& impact : response.impacts) {
+    impact.start -= seconds;
+    impact.end -= seconds;
+    impact.peak_force_time -= seconds;
+  }
+  for (WatchedSummary& floor : response.watched) floor.least_time -= seconds;
+  return response;
+}
+
+/// `length` new units of length in an old one, `force` new units of force in an old one.
+struct UnitChange {
+  double length = 1, force = 1;
+};
+
+inline Case in_units(Case c, const UnitChange& units) {
+  const double mass = units.force / units.length, stiffness = units.force / units.length;
+  const double area = units.length * units.length;
+  const auto member = [&](Section& section) {
+    section.area *= area;
+    section.inertia *= area * area;
+    section.mass *= mass;
+    section.line_mass *= mass / units.length;
+  };
+  for (BuildingSpec& building : c.buildings) {
+    if (auto* frame = std::get_if<PlaneFrame>(&building.structure)) {
+      frame->elastic_modulus *= units.force / area;
+      scale(frame->storey_heights, units.length);
+      scale(frame->bay_widths, units.length);
+      std::for_each(frame->columns.begin(), frame->columns.end(), member);
+      std::for_each(frame->beams.begin(), frame->beams.end(), member);
+      scale(frame->floor_masses, mass);
+    } else if (auto* stick = std::get_if<Stick>(&building.structure)) {
+      scale(stick->storey_heights, units.length);
+      scale(stick->masses, mass);
+      scale(stick->stiffnesses, stiffness);
+    } else {
+      auto& matrices = std::get<MatricesSpec>(building.structure);
+      scale(matrices.elevations, units.length);
+      matrices.mass *= mass;
+      matrices.stiffness *= stiffness;
+    }
+    if (auto* damping = std::get_if<MatrixDamping>(&building.damping)) damping->matrix *= stiffness;
+  }
+  for (GapSpec& gap : c.gaps) {
+    scale(gap.widths, units.length);
+    scale(gap.elevations, units.length);
+    auto& numbers = gap.contact.numbers;
+    const bool hertz = gap.contact.law == "hertz" || gap.contact.law == "hertz-damp" || gap.contact.law == "jankowski";
+    const double of_contact = hertz ? stiffness / std::sqrt(units.length) : stiffness;
+    for (const auto& [key, by] : {std::pair{"stiffness", of_contact}, std::pair{"second_stiffness", of_contact},
+                                  std::pair{"yield_penetration", units.length}, std::pair{"alpha", 1 / units.length}}) {
+      if (const auto found = numbers.find(key); found != numbers.end()) scale(found->second, by);
+    }
+  }
+  c.excitation.motion = scaled(c.excitation.motion, units.length);
+  for (auto* initial : {&c.initial.displacements, &c.initial.velocities}) {
+    for (auto& values : *initial) scale(values, units.length);
+  }
+  return c;
+}
+
+inline Response in_units_back(Response response, const UnitChange& units) {
+  for (BuildingPeaks& peaks : response.buildings) {
+    peaks.displacement /= units.length;
+    peaks.displacement_no_contact /= units.length;
+    peaks.acceleration /= units.length;
+    peaks.storey_shear /= units.force;
+  }
+  for (PointSummary& point : response.points) point.minimum_gap_no_contact /= units.length;
+  for (WatchedSummary& floor : response.watched) {
+    floor.needed /= units.length;
+    floor.least_opening /= units.length;
+  }
+  for (Impact& impact : response.impacts) {
+    for (double* x : {&impact.closing_speed, &impact.separation_speed, &impact.peak_penetration}) *x /= units.length;
+    for (double* x : {&impact.peak_force, &impact.peak_tension, &impact.impulse}) *x /= units.force;
+    impact.energy_lost /= units.length * units.force;
+  }
+  return response;
+}
+
+/// Every number of the case changed by a 1e-12th of itself, up or down; what is zero or identical stays so.
+inline Case perturbed(const RandomCase& random_case, unsigned seed) {
+  constexpr double size = 1e-12;
+  std::mt19937 random(seed);
+  const auto nudge = [&random] { return random() % 2 == 0 ? 1 + size : 1 - size; };
+  Case c = random_case.c;
+  for (std::size_t b = 0; b < c.buildings.size(); ++b) {
+    if (b > 0 && random_case.kind[b] == random_case.kind[b - 1]) {
+      c.buildings[b].structure = c.buildings[b - 1].structure;
+      continue;
+    }
+    auto& structure = c.buildings[b].structure;
+    if (auto* frame = std::get_if<PlaneFrame>(&structure)) {
+      frame->elastic_modulus *= nudge();
+      for (double& mass : frame->floor_masses) mass *= nudge();
+    } else if (auto* stick = std::get_if<Stick>(&structure)) {
+      for (double& mass : stick->masses) mass *= nudge();
+      for (double& stiffness : stick->stiffnesses) stiffness *= nudge();
+    } else {
+      std::get<MatricesSpec>(structure).mass *= nudge();
+      std::get<MatricesSpec>(structure).stiffness *= nudge();
+    }
+  }
+  for (GapSpec& gap : c.gaps) {
+    for (double& width : gap.widths) width *= nudge();
+    for (auto& [key, values] : gap.contact.numbers) {
+      if (key != "restitution") scale(values, nudge());
+    }
+  }
+  c.excitation.motion = scaled(c.excitation.motion, nudge());
+  for (auto& values : c.initial.velocities) {
+    for (double& value : values) value *= nudge();
+  }
+  return c;
+}
+
+}  // namespace bentur::test
