@@ -72,9 +72,15 @@ class CaseGenerator : private BuildingGenerator {
     if (chance(0.2)) {
       for (double& w : result.widths) w = width();
     }
-    result.contact = contact_by(among(0, 8));
+    int law = among(0, 8);
+    // From rest, where the damping is divided by next to nothing, hertz-damp takes a hundred thousand steps and more.
+    const bool touches = std::find(result.widths.begin(), result.widths.end(), 0.0) != result.widths.end();
+    if (law == hertz_damp && touches && chance(0.98)) law = hertz_damp - 1;
+    result.contact = contact_by(law);
     return result;
   }
+
+  static constexpr int hertz_damp = 5;
 
   ContactSpec contact_by(int law) {
     ContactSpec spec;

@@ -165,8 +165,9 @@ inline Response in_units_back(Response response, const UnitChange& units) {
   return response;
 }
 
-/// Every number of the case changed by a 1e-12th of itself, up or down; what is zero or identical stays so.
-inline Case perturbed(const RandomCase& random_case, unsigned seed) {
+/// Every number of the case changed by a 1e-12th of itself, up or down; what is zero or identical stays so. With odd
+/// seeds gaps are wider by the round-off of coordinates, 1e-15 of the farthest displacement.
+inline Case perturbed(const RandomCase& random_case, unsigned seed, double farthest) {
   constexpr double size = 1e-12;
   std::mt19937 random(seed);
   const auto nudge = [&random] { return random() % 2 == 0 ? 1 + size : 1 - size; };
@@ -189,12 +190,15 @@ inline Case perturbed(const RandomCase& random_case, unsigned seed) {
     }
   }
   for (GapSpec& gap : c.gaps) {
-    for (double& width : gap.widths) width *= nudge();
+    for (double& width : gap.widths) width = seed % 2 == 1 ? width + 1e-15 * farthest : width * nudge();
     for (auto& [key, values] : gap.contact.numbers) {
       if (key != "restitution") scale(values, nudge());
     }
   }
   c.excitation.motion = scaled(c.excitation.motion, nudge());
+  if (auto* sampled = std::get_if<SampledMotion>(&c.excitation.motion)) sampled->time_step *= nudge();
+  if (auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) harmonic->period *= nudge();
+  scale(c.excitation.delays, nudge());
   for (auto& values : c.initial.velocities) {
     for (double& value : values) value *= nudge();
   }

@@ -286,8 +286,8 @@ void Contacts::change(const Event& event, double time, State& state) {
   }
 }
 
-/// A contact rests within its tolerance of zero. It lets go at zero, or what is left of the tolerance, less than the
-/// round-off of the next step, would decide whether it closes again at once.
+/// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add up
+/// to. It lets go at zero, or what is left would decide whether it closes again at once.
 void Contacts::let_go(std::size_t point, State& state) {
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(forces_.resting.size()));
   for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
@@ -345,6 +345,7 @@ void Contacts::collide(std::size_t point, double time, State& state) {
     }
     log_.under_way(i).impulse += p(n);
     log_.under_way(i).energy_lost += lost;
+    if (was_resting && !rests && penetration(i, state) > start_slack_ * tolerances_[i]) let_go(i, state);
     if (rests != was_resting) set(i, rests ? ContactState{1, time, before(n), 0.0} : ContactState{});
     if (!rests && (was_resting || p(n) > 0.0)) log_.end(i, was_resting ? time : log_.under_way(i).start, -after);
     touches_[i] = {};

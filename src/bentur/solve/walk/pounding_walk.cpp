@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace bentur::engine {
+namespace {
+
+constexpr int attempts = 20;
+
+}  // namespace
 
 PoundingWalk::PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact,
                            const SolveOptions& options)
@@ -35,9 +40,17 @@ void PoundingWalk::find_event(double time) {
   contacts_.gauge(state_, next_, openings_);
   if (!stepper_.is_fixed()) {
     event_ = contacts_.next_event(motion_, state_, openings_, time);
-    if (event_ && event_->s > 0.0 && event_->s < 1.0 && !stepper_.is_series()) {
+    // A step by approximation is taken again up to its event, and ends a little elsewhere than the longer one was at
+    // that place: where it has then gone through an event at another point, that one is the first.
+    for (int attempt = 0; attempt < attempts && event_ && event_->s > 0.0 && event_->s < 1.0; ++attempt) {
+      if (stepper_.is_series()) return;
       retake(event_->s * motion_.h());
-      event_->s = 1.0;
+      const auto again = contacts_.next_event(motion_, state_, openings_, time);
+      if (again && again->point != event_->point) {
+        event_ = again;
+      } else {
+        event_->s = 1.0;
+      }
     }
     return;
   }
@@ -72,7 +85,7 @@ double PoundingWalk::look(double time) {
   (void)openings_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
   find_event(time);
   const double cut = event_ ? event_->s : 1.0;
-  contacts_.accumulate(motion_, time, cut);
+  if (lasts(cut * motion_.h())) contacts_.accumulate(motion_, time, cut);
   sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, contacts_);
   if (energy_) energy_->take(motion_, time, cut, inputs_, contacts_);
   return cut;

@@ -9,7 +9,9 @@ namespace bentur::engine {
 namespace {
 
 constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
+constexpr double instant = 0x1p-46;            // of the duration: what is over so soon has not been
 constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
+constexpr long stalled_steps_limit = 1000;      // that are too short to tell one time from the next
 constexpr long segments_between_reports = 256;
 constexpr long steps_between_reports = 4096;  // where segments take long
 constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
@@ -196,6 +198,7 @@ bool Walk::fly(const Flights& flights, std::size_t halvings, double start, doubl
 void Walk::walk(double start, double length) {
   double elapsed = 0.0;
   long cuts = 0;
+  long stalled = 0;
   while (elapsed < length && go_on()) {
     if (search_.much_is_open()) settle_peaks();
     if (floors_.much_is_open()) settle_floors();
@@ -208,9 +211,15 @@ void Walk::walk(double start, double length) {
     if (cut < 1.0 || (stepper_.is_series() && motion_.place() != cut)) motion_.evaluate(cut, next_);
     end_inputs_ = inputs_;
     system_.advance(end_inputs_, cut * h);
-    watch_step(time, cut);
+    if (lasts(cut * h)) {
+      watch_step(time, cut);
+    } else {
+      trail_.break_off();
+    }
     const bool at_end = whole == left && h == whole && cut == 1.0;
-    if (!at_end && cut == 1.0 && elapsed + h == elapsed) {
+    // A contact that begins at next to no speed makes the first steps so short; they grow again.
+    stalled = !at_end && elapsed + cut * h == elapsed ? stalled + 1 : 0;
+    if (stalled > stalled_steps_limit) {
       fail("steps have become too short to tell one time from the next", time);
       return;
     }
@@ -236,6 +245,10 @@ bool Walk::step(double time, double longest) {
   }
   return true;
 }
+
+/// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes and
+/// the other does not, is none of the motion.
+bool Walk::lasts(double length) const { return length > instant * problem_.duration; }
 
 /// Takes [0, cut] of the expanded step into the peaks.
 void Walk::watch_step(double time, double cut) {

@@ -110,6 +110,8 @@ class Walk {
   using EachStep = std::function<void(double, const State&, const std::vector<GroundInput>&, const State&)>;
   void replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
   void fail(const std::string& reason, double time);
+  /// Whether a state that lasts so long [s] is one of the motion's.
+  [[nodiscard]] bool lasts(double length) const;
 
   const ModalSystem& system_;
   const Problem& problem_;
