@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bentur/contact/laws/hertz_damp.h"
+#include "bentur/contact/laws/kelvin_voigt.h"
 #include "bentur/contact/laws/restitution.h"
 #include "bentur/core/errors.h"
 #include "bentur/solve/solver.h"
@@ -160,6 +161,21 @@ TEST(ZeroGap, RestitutionOfOneInATouchingRow) {
     problem.motion = harmonic(0.3, HarmonicMotion::Phase::sine);
     const Response shaken = solve(problem, solver);
     EXPECT_EQ(shaken.status, Status::done) << shaken.message << name(solver);
+  }
+}
+
+TEST(ZeroGap, OneThatIsPressedFromBothSidesAtOnceFeelsNoneOfTheForcesAlone) {
+  const auto law = std::make_shared<KelvinVoigt>(8e7, 0.3, 12e3, KelvinVoigt::Release::zero_force);
+  for (const Solver& solver : {Solver{ExactSolver{}}, Solver{AdaptiveSolver{}}}) {
+    Problem problem =
+        touching_row({oscillator(30e3, 2e6, 0.05), oscillator(20e3, 3e6, 0.05), oscillator(30e3, 2e6, 0.05)},
+                     {contact(0.0, law, 0), contact(0.0, law, 1)}, 0.5);
+    problem.initial_velocity[0](0) = 0.4;
+    problem.initial_velocity[2](0) = -0.4;
+    const Response response = solve(problem, solver);
+    ASSERT_EQ(response.status, Status::done) << response.message << name(solver);
+    EXPECT_GT(response.points[0].peak_force, 1e5) << name(solver);
+    EXPECT_LT(response.buildings[1].acceleration(0), 1e-6 * response.buildings[0].acceleration(0)) << name(solver);
   }
 }
 
