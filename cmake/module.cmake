@@ -1,17 +1,24 @@
 set(BENTUR_HEADER_ONLY Boost::headers nlohmann_json::nlohmann_json)
 
 # bentur_alone(file...): not merged with others in a unity build, where sources of a target are compiled many at a time
-# (preset asan, tests of preset release, clang-tidy), because helpers of theirs have the names of others' or they have
+# (preset asan, much of preset release, clang-tidy), because helpers of theirs have the names of others' or they have
 # compile options of their own.
 function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# bentur_module(NAME [DEPENDS target...] [PRIVATE_DEPENDS target...] [PRIVATE_HEADERS file...])
+# bentur_merge(TARGET): many of its sources are compiled at a time where BENTUR_MERGE is on.
+function(bentur_merge target)
+  if(BENTUR_MERGE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif()
+endfunction()
+
+# bentur_module(NAME [MERGE] [DEPENDS target...] [PRIVATE_DEPENDS target...] [PRIVATE_HEADERS file...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
-# Every header is public, and installed, but the PRIVATE_HEADERS.
+# Every header is public, and installed, but the PRIVATE_HEADERS. MERGE: see bentur_merge.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS;PRIVATE_HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "MERGE" "" "DEPENDS;PRIVATE_DEPENDS;PRIVATE_HEADERS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   list(TRANSFORM ARG_PRIVATE_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
@@ -32,6 +39,9 @@ function(bentur_module name)
     endif()
   endforeach()
   target_compile_features(bentur_${name} PUBLIC cxx_std_20)
+  if(ARG_MERGE)
+    bentur_merge(bentur_${name})
+  endif()
   bentur_compile_options(bentur_${name})
   target_precompile_headers(bentur_${name} REUSE_FROM bentur_precompiled_library)
   set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES bentur_${name})
@@ -63,10 +73,11 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  if(BENTUR_MERGE_TESTS)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
-  endif()
+  bentur_merge(${name})
   bentur_compile_options(${name})
+  if(BENTUR_MERGE)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimised; its tests compile sooner
+  endif()
   target_precompile_headers(${name} REUSE_FROM bentur_precompiled_program)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)

@@ -50,7 +50,7 @@ std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::s
     }
     const std::string text =
         say("remark." + first.key, {{"value", value_with_unit(values, first.unit)}, {"usual", usual_text(first, say)}});
-    texts.push_back(subjects.empty() ? text : subjects + ": " + text);
+    texts.push_back(subjects.empty() ? text : subjects.append(": ").append(text));
   }
   return texts;
 }

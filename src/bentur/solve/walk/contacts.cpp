@@ -286,8 +286,8 @@ void Contacts::change(const Event& event, double time, State& state) {
   }
 }
 
-/// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add up
-/// to. It lets go at zero, or what is left would decide whether it closes again at once.
+/// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add
+/// up to. It lets go at zero, or what is left would decide whether it closes again at once.
 void Contacts::let_go(std::size_t point, State& state) {
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(forces_.resting.size()));
   for (std::size_t n = 0; n < forces_.resting.size(); ++n) {

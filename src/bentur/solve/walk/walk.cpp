@@ -8,10 +8,11 @@
 namespace bentur::engine {
 namespace {
 
-constexpr double end_slack = 1e-9;              // of a segment: a remainder shorter than this is not run
-constexpr double instant = 0x1p-46;            // of the duration: what is over so soon has not been
-constexpr long events_per_walk_limit = 100000;  // more than this in one record step cannot be a pounding problem
-constexpr long stalled_steps_limit = 1000;      // that are too short to tell one time from the next
+constexpr double end_slack = 1e-9;                 // of a segment: a remainder shorter than this is not run
+constexpr double instant = 0x1p-46;                // of the duration: what is over so soon has not been
+constexpr long events_per_walk_limit = 100000;     // more than this in one record step cannot be a pounding problem
+constexpr long events_by_bisection_limit = 10000;  // where each takes fifty steps
+constexpr long stalled_steps_limit = 1000;         // that are too short to tell one time from the next
 constexpr long segments_between_reports = 256;
 constexpr long steps_between_reports = 4096;  // where segments take long
 constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
@@ -226,10 +227,9 @@ void Walk::walk(double start, double length) {
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
     arrived(start + elapsed);
-    if ((cut < 1.0 || h != whole) && ++cuts > events_per_walk_limit) {
-      fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion",
-                       events_per_walk_limit),
-           time);
+    const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_walk_limit;
+    if ((cut < 1.0 || h != whole) && ++cuts > limit) {
+      fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion", limit), time);
     }
   }
 }
@@ -246,8 +246,8 @@ bool Walk::step(double time, double longest) {
   return true;
 }
 
-/// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes and
-/// the other does not, is none of the motion.
+/// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes
+/// and the other does not, is none of the motion.
 bool Walk::lasts(double length) const { return length > instant * problem_.duration; }
 
 /// Takes [0, cut] of the expanded step into the peaks.
