@@ -119,29 +119,10 @@ std::optional<Record> read_cosmos(const std::vector<Line>& lines, const RecordOp
     block.header_lines = static_cast<int>(i + 1 - begin);
     if (block.count > 0) channels.push_back(std::move(block));
   }
-  if (!errors.ok()) return std::nullopt;
-  if (channels.empty()) {
-    errors.error(0, 0,
-                 "has no block of accelerations, which a line such as \"7000 acceleration pts, approx 70 secs, "
-                 "units=cm/sec2(04),Format=(8F10.5)\" heads");
-    return std::nullopt;
-  }
-  const Channel* const channel = chosen_channel(channels, options, errors);
-  if (channel == nullptr) return std::nullopt;
-  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
-    errors.error(lines[channel->first_line - 1].number, 1,
-                 "real 62 of the headers before this must be the step in milliseconds");
-    return std::nullopt;
-  }
-  Record record;
-  record.format = "cosmos";
-  record.time_step = channel->time_step;
-  record.channel = channel_text(channels, *channel);
-  record.header_lines = channel->header_lines;
-  const auto unit = file_unit(channel->unit);
-  if (unit) record.unit = unit->unit;
-  read_channel(lines, *channel, ends_cosmos_block, unit ? unit->factor : 1, record.values, errors);
-  return record;
+  static constexpr ChannelFormat format = {
+      "cosmos", "\"7000 acceleration pts, approx 70 secs, units=cm/sec2(04),Format=(8F10.5)\"",
+      "real 62 of the headers before this must be the step in milliseconds", ends_cosmos_block};
+  return read_channel(lines, channels, format, options, errors);
 }
 
 }  // namespace bentur

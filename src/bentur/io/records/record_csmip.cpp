@@ -91,28 +91,9 @@ std::optional<Record> read_csmip(const std::vector<Line>& lines, const RecordOpt
       channels.push_back(std::move(*block));
     }
   }
-  if (channels.empty()) {
-    errors.error(0, 0,
-                 "has no block of accelerations, which a line such as \"3000 points of accel data equally spaced at "
-                 ".020 sec\" heads");
-    return std::nullopt;
-  }
-  const Channel* const channel = chosen_channel(channels, options, errors);
-  if (channel == nullptr || !errors.ok()) return std::nullopt;
-  const int heading = lines[channel->first_line - 1].number;
-  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
-    errors.error(heading, 1, "must say how far apart the values are, more than 0 s");
-    return std::nullopt;
-  }
-  Record record;
-  record.format = "csmip";
-  record.time_step = channel->time_step;
-  record.channel = channel_text(channels, *channel);
-  record.header_lines = channel->header_lines;
-  const auto unit = file_unit(channel->unit);
-  if (unit) record.unit = unit->unit;
-  read_channel(lines, *channel, ends_csmip_block, unit ? unit->factor : 1, record.values, errors);
-  return record;
+  static constexpr ChannelFormat format = {"csmip", "\"3000 points of accel data equally spaced at .020 sec\"",
+                                           "must say how far apart the values are, more than 0 s", ends_csmip_block};
+  return read_channel(lines, channels, format, options, errors);
 }
 
 }  // namespace bentur

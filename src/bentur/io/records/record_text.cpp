@@ -185,6 +185,9 @@ std::optional<FileUnit> file_unit(std::string_view spelling) {
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
+namespace {
+
+/// The channel that the options choose: the only one, or the one with the number given. Else an error that names all.
 const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
                               RecordErrors& errors) {
   if (options.channel && static_cast<std::size_t>(*options.channel) > channels.size()) {
@@ -206,6 +209,7 @@ const Channel* chosen_channel(const std::vector<Channel>& channels, const Record
   return nullptr;
 }
 
+/// "channel 2 of 3 (TITLE)"; empty where there is one alone.
 std::string channel_text(const std::vector<Channel>& channels, const Channel& chosen) {
   if (channels.size() < 2) return "";
   std::string title;
@@ -214,8 +218,10 @@ std::string channel_text(const std::vector<Channel>& channels, const Channel& ch
                      title.empty() ? "" : " (" + title + ")");
 }
 
-void read_channel(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
-                  std::vector<double>& values, RecordErrors& errors) {
+/// Its values times `factor`. An error unless they are as many as the file says, give or take one, which such files are
+/// known to be off by.
+void read_values(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
+                 std::vector<double>& values, RecordErrors& errors) {
   (void)read_fields(lines, channel.first_line, channel.width, ends, values, errors);
   const auto count = static_cast<long>(values.size());
   if (errors.ok() && std::abs(count - channel.count) > 1) {
@@ -223,6 +229,32 @@ void read_channel(const std::vector<Line>& lines, const Channel& channel, bool (
                  fmt::format("says {} values, but {} follow", channel.count, count));
   }
   for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
+                                   const ChannelFormat& format, const RecordOptions& options, RecordErrors& errors) {
+  if (!errors.ok()) return std::nullopt;
+  if (channels.empty()) {
+    errors.error(0, 0, fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
+    return std::nullopt;
+  }
+  const Channel* const channel = chosen_channel(channels, options, errors);
+  if (channel == nullptr) return std::nullopt;
+  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
+    errors.error(lines[channel->first_line - 1].number, 1, format.step_rule);
+    return std::nullopt;
+  }
+  Record record;
+  record.format = format.name;
+  record.time_step = channel->time_step;
+  record.channel = channel_text(channels, *channel);
+  record.header_lines = channel->header_lines;
+  const auto unit = file_unit(channel->unit);
+  if (unit) record.unit = unit->unit;
+  read_values(lines, *channel, format.ends, unit ? unit->factor : 1, record.values, errors);
+  return record;
 }
 
 void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors) {

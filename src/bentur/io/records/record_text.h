@@ -107,16 +107,18 @@ struct Channel {
   std::size_t width = 0;       ///< of a field
 };
 
-/// The channel that the options choose: the only one, or the one with the number given. Else an error that names all.
-[[nodiscard]] const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
-                                            RecordErrors& errors);
-/// "channel 2 of 3 (TITLE)"; empty where there is one alone.
-[[nodiscard]] std::string channel_text(const std::vector<Channel>& channels, const Channel& chosen);
-
-/// Its values, up to a line that `ends` says true of, times `factor`. An error unless they are as many as the file
-/// says, give or take one, which such files are known to be off by.
-void read_channel(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
-                  std::vector<double>& values, RecordErrors& errors);
+/// A format whose files have several channels, each a block of values under a heading.
+struct ChannelFormat {
+  const char* name;
+  const char* heading;        ///< an example, for messages
+  const char* step_rule;      ///< the message where a channel has no step
+  bool (*ends)(const Line&);  ///< whether a line ends a block
+};
+/// The channel that the options choose: the only one, or the one with the number given. An error where there is none,
+/// or it has no step, or not as many values as the file says.
+[[nodiscard]] std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
+                                                 const ChannelFormat& format, const RecordOptions& options,
+                                                 RecordErrors& errors);
 
 /// An error unless the options leave `column` alone, in a file that has no columns to choose from.
 void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors);
