@@ -116,10 +116,10 @@ constexpr auto entries = std::to_array<Entry>({
      {"the bodies sink {value} into one another, {usual}. Is the contact too soft?",
       "kedua benda saling menembus sedalam {value}, {usual}. Apakah kontaknya terlalu lunak?"}},
     {"remark.slow_starts",
-     {"impacts at one point that began from rest: {value}, {usual}. The law divides by the closing speed; these took "
-      "10⁻⁹ of the speeds of the buildings for it.",
-      "benturan di satu titik yang mulai dari keadaan diam: {value}, {usual}. Hukum kontak ini membagi dengan "
-      "kecepatan mendekat; benturan itu memakai 10⁻⁹ dari kecepatan bangunan."}},
+     {"impacts that began from rest, where the law would divide by a closing speed of zero: {value}. They took 10⁻⁹ of "
+      "the speeds of the buildings for it.",
+      "benturan yang mulai dari keadaan diam, sehingga hukum kontak akan membagi dengan kecepatan nol: {value}. "
+      "Sebagai gantinya dipakai 10⁻⁹ dari kecepatan bangunan."}},
     {"remarks.heading", {"Remarks", "Catatan"}},
     {"remarks.model",
      {"The model: linear elastic buildings that move in one horizontal line, level floors, fixed bases; no yielding, "
