@@ -75,9 +75,6 @@ function(bentur_test name)
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
   bentur_merge(${name})
   bentur_compile_options(${name})
-  if(BENTUR_MERGE)
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimised; its tests compile sooner
-  endif()
   target_precompile_headers(${name} REUSE_FROM bentur_precompiled_program)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)

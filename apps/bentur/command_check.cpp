@@ -31,7 +31,7 @@ void run(const std::string& file) {
   }
   for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
-    text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, static_cast<int>(gap)),
+    text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
                         count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
   }

@@ -186,7 +186,7 @@ std::string law_text(const Loaded& loaded, const Response& response) {
       made += (made.empty() ? "" : ", ") + word;
     }
     for (const std::size_t i : points_of(loaded.problem, static_cast<int>(gap))) {
-      between.push_back(gap_name(loaded.problem, static_cast<int>(gap)));
+      between.push_back(gap_name(loaded.problem, gap));
       elevation.push_back(loaded.problem.points[i].elevation);
       law.push_back(gaps[gap].contact.law);
       choices.push_back(made);

@@ -190,11 +190,6 @@ std::string excitation_line(const Case& c) {
   return line;
 }
 
-std::string gap_name(const Problem& problem, int gap) {
-  const auto left = static_cast<std::size_t>(gap);
-  return problem.buildings.at(left).name + " | " + problem.buildings.at(left + 1).name;
-}
-
 std::string remarks_text(const std::vector<Remark>& remarks) {
   std::string text;
   for (const std::string& remark : remark_texts(remarks)) text += wrapped("remark: " + remark) + "\n";

@@ -89,9 +89,6 @@ class StopOnSignal {
 /// What was read from a record file, and how.
 [[nodiscard]] std::string record_line(const RecordEcho& record);
 
-/// "Model 1 | Model 2" for the gap to the right of building `gap`.
-[[nodiscard]] std::string gap_name(const Problem& problem, int gap);
-
 /// "remark: …" a line each, and nothing where there is none.
 [[nodiscard]] std::string remarks_text(const std::vector<Remark>& remarks);
 

@@ -124,15 +124,26 @@ Difference difference(const Response& one, const Response& other, double duratio
   return result;
 }
 
-/// How far perturbations move a case; as many are tried as it takes to move it by `enough`, up to twenty.
-double movement(const RandomCase& random_case, const Response& base, double enough) {
-  double most = 0;
-  for (unsigned seed = 0; seed < 20 && most < enough; ++seed) {
-    const Response moved = solve(make_problem(perturbed(random_case, seed, farthest_displacement(base))));
-    most = std::max(most, difference(base, moved, random_case.c.analysis.duration).size);
+/// How far perturbations move a case.
+class Movement {
+ public:
+  Movement(const RandomCase& random_case, const Response& base) : case_(&random_case), base_(&base) {}
+
+  /// As many are tried, those before included, as it takes to move it by `enough`, up to twenty.
+  double reach(double enough) {
+    for (; tried_ < 20 && most_ < enough; ++tried_) {
+      const Response moved = solve(make_problem(perturbed(*case_, tried_, farthest_displacement(*base_))));
+      most_ = std::max(most_, difference(*base_, moved, case_->c.analysis.duration).size);
+    }
+    return most_;
   }
-  return most;
-}
+
+ private:
+  const RandomCase* case_;
+  const Response* base_;
+  unsigned tried_ = 0;
+  double most_ = 0;
+};
 
 struct Transform {
   std::string name;
@@ -202,13 +213,14 @@ TEST_P(Invariance, OfRandomCasesHoweverTheyAreDescribed) {
     const Problem problem = make_problem(random_case.c);
     const Response base = solve(problem);
     impacts += static_cast<long>(base.impacts.size());
+    Movement movement(random_case, base);
     bool is_sensitive = false, is_unexplained = false;
     for (const Transform& transform : transforms(random_case, problem, seed)) {
       const Response other = transform.back(solve(make_problem(transform.c)));
       ++compared;
       const Difference apart = difference(base, other, duration);
       if (base.status == Status::done && apart.size <= same) continue;
-      const double moved = base.status == Status::done ? movement(random_case, base, apart.size) : 0;
+      const double moved = base.status == Status::done ? movement.reach(apart.size) : 0;
       if (10 * moved >= apart.size && base.status == Status::done) {
         is_sensitive = true;
         continue;

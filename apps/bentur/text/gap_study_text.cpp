@@ -87,8 +87,7 @@ std::string gap_study_text(const GapStudy& study) {
       others += fmt::format("{}{} = {}", others.empty() ? "" : ", ", name, value);
     }
     for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
-      text += fmt::format("\n{}{}\n\n", gap_name(study.problem, static_cast<int>(gap)),
-                          others.empty() ? "" : ": " + others) +
+      text += fmt::format("\n{}{}\n\n", gap_name(study.problem, gap), others.empty() ? "" : ": " + others) +
               gap_table(study, needs, gap) + given_text(study, needs, gap);
     }
   }

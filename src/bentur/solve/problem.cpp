@@ -121,6 +121,10 @@ bool overlap(double width, double left, double right) {
   return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
 }
 
+std::string gap_name(const Problem& problem, std::size_t gap) {
+  return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
+}
+
 std::vector<double> gap_widths(const Problem& problem) {
   std::vector<double> widths;
   widths.reserve(problem.points.size());

@@ -49,6 +49,9 @@ struct Problem {
   double duration = 0;                                ///< [s] > 0
 };
 
+/// "Model 1 | Model 2" for the gap to the right of building `gap`.
+[[nodiscard]] std::string gap_name(const Problem& problem, std::size_t gap);
+
 /// w of every point [length].
 [[nodiscard]] std::vector<double> gap_widths(const Problem& problem);
 

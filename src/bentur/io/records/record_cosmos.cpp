@@ -119,6 +119,7 @@ std::optional<Record> read_cosmos(const std::vector<Line>& lines, const RecordOp
     block.header_lines = static_cast<int>(i + 1 - begin);
     if (block.count > 0) channels.push_back(std::move(block));
   }
+  if (!errors.ok()) return std::nullopt;
   static constexpr ChannelFormat format = {
       "cosmos", "\"7000 acceleration pts, approx 70 secs, units=cm/sec2(04),Format=(8F10.5)\"",
       "real 62 of the headers before this must be the step in milliseconds", ends_cosmos_block};

@@ -235,13 +235,12 @@ void read_values(const std::vector<Line>& lines, const Channel& channel, bool (*
 
 std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
                                    const ChannelFormat& format, const RecordOptions& options, RecordErrors& errors) {
-  if (!errors.ok()) return std::nullopt;
   if (channels.empty()) {
     errors.error(0, 0, fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
     return std::nullopt;
   }
   const Channel* const channel = chosen_channel(channels, options, errors);
-  if (channel == nullptr) return std::nullopt;
+  if (channel == nullptr || !errors.ok()) return std::nullopt;
   if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
     errors.error(lines[channel->first_line - 1].number, 1, format.step_rule);
     return std::nullopt;

@@ -158,7 +158,7 @@ void SweepFile::define_points() {
     elevations.push_back(point.elevation);
   }
   for (std::size_t gap = 0; gap + 1 < problem_.buildings.size(); ++gap) {
-    gaps.push_back(problem_.buildings[gap].name + " | " + problem_.buildings[gap + 1].name);
+    gaps.push_back(gap_name(problem_, gap));
   }
   put(variable("gap_name", NC_STRING, {gaps_}, "", "buildings on both sides of the gaps"), gaps);
   if (problem_.points.empty()) return;  // a dimension of size zero would be an unlimited one

@@ -17,10 +17,6 @@ std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 
 std::string mass_unit(const Case& c) { return c.units.force + "·s²/" + c.units.length; }
 
-std::string gap_name(const Problem& problem, std::size_t gap) {
-  return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
-}
-
 std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap) {
   std::vector<std::size_t> points;
   for (std::size_t i = problem.points.size(); i-- > 0;) {
@@ -108,7 +104,7 @@ Html restitution_table(const Story& story) {
   std::vector<std::string> gaps, asked, smallest, largest;
   std::vector<double> elevations;
   for (std::size_t i = restitution.size(); i-- > 0;) {
-    gaps.push_back(gap_name(story.problem, static_cast<std::size_t>(story.problem.points[i].left)));
+    gaps.push_back(gap_name(story.problem, story.problem.points[i].left));
     elevations.push_back(story.problem.points[i].elevation);
     asked.push_back(text(restitution[i].asked));
     smallest.push_back(text(restitution[i].smallest));
@@ -186,7 +182,7 @@ Html impacts_section(const Story& story, const std::vector<std::size_t>& listed)
     const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(impact.point));
     const auto restitution = impact.restitution();
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(gap_name(story.problem, static_cast<std::size_t>(point.left)));
+    gaps.push_back(gap_name(story.problem, point.left));
     elevations.push_back(point.elevation);
     starts.push_back(impact.start);
     contact.push_back(1e3 * (impact.end - impact.start));

@@ -52,8 +52,6 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
-/// "Model 1 | Model 2" for the gap to the right of building `gap`.
-[[nodiscard]] std::string gap_name(const Problem& problem, std::size_t gap);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
 /// Values from the top floor down, as a building stands.

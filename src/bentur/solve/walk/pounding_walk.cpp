@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace bentur::engine {
-namespace {
-
-constexpr int attempts = 20;
-
-}  // namespace
 
 PoundingWalk::PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact,
                            const SolveOptions& options)
@@ -40,10 +35,11 @@ void PoundingWalk::find_event(double time) {
   contacts_.gauge(state_, next_, openings_);
   if (!stepper_.is_fixed()) {
     event_ = contacts_.next_event(motion_, state_, openings_, time);
+    if (stepper_.is_series()) return;
+    constexpr int attempts = 20;
     // A step by approximation is taken again up to its event, and ends a little elsewhere than the longer one was at
     // that place: where it has then gone through an event at another point, that one is the first.
     for (int attempt = 0; attempt < attempts && event_ && event_->s > 0.0 && event_->s < 1.0; ++attempt) {
-      if (stepper_.is_series()) return;
       retake(event_->s * motion_.h());
       const auto again = contacts_.next_event(motion_, state_, openings_, time);
       if (again && again->point != event_->point) {

@@ -218,8 +218,14 @@ void Walk::walk(double start, double length) {
       trail_.break_off();
     }
     const bool at_end = whole == left && h == whole && cut == 1.0;
-    // A contact that begins at next to no speed makes the first steps so short; they grow again.
-    stalled = !at_end && elapsed + cut * h == elapsed ? stalled + 1 : 0;
+    const bool event = cut < 1.0 || h != whole;
+    // A contact that begins at next to no speed makes the first steps so short; they grow again. Any number of contacts
+    // may change at one instant.
+    if (at_end || elapsed + cut * h > elapsed) {
+      stalled = 0;
+    } else if (!event) {
+      ++stalled;
+    }
     if (stalled > stalled_steps_limit) {
       fail("steps have become too short to tell one time from the next", time);
       return;
@@ -228,7 +234,7 @@ void Walk::walk(double start, double length) {
     arrive();
     arrived(start + elapsed);
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_walk_limit;
-    if ((cut < 1.0 || h != whole) && ++cuts > limit) {
+    if (event && ++cuts > limit) {
       fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion", limit), time);
     }
   }

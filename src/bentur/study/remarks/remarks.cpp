@@ -67,7 +67,8 @@ class List {
 
  private:
   static double distance(const Remark& remark) {
-    const double over = remark.usual_to ? remark.value / *remark.usual_to : 0;
+    // Where nothing at all is usual, by its size.
+    const double over = !remark.usual_to ? 0 : *remark.usual_to > 0 ? remark.value / *remark.usual_to : remark.value;
     const double under = remark.usual_from && remark.value > 0 ? *remark.usual_from / remark.value : 0;
     return std::max(over, under);
   }
@@ -120,7 +121,7 @@ double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t bu
 void check_gaps(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
     const auto left = static_cast<std::size_t>(point.left);
-    const std::string name = problem.buildings[left].name + " | " + problem.buildings[left + 1].name;
+    const std::string name = gap_name(problem, left);
     list.most("gap_width", name, point.width, list.length(), most_gap * list.metre(), usual_gap * list.metre());
     const double overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
                            first_floor_value(problem.initial_displacement, left + 1, point.right_floor) - point.width;
@@ -190,12 +191,15 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
     list.most("base_shear", building.name, found.base_shear_coefficient.value_or(0), "", most_base_shear,
               most_base_shear);
   }
+  std::vector<int> slow_starts(problem.buildings.size(), 0);  // per gap
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const auto left = static_cast<std::size_t>(problem.points[i].left);
-    const std::string name = problem.buildings[left].name + " | " + problem.buildings[left + 1].name;
-    list.most("penetration", name, response.points.at(i).peak_penetration, list.length(),
+    list.most("penetration", gap_name(problem, left), response.points.at(i).peak_penetration, list.length(),
               most_penetration * list.metre(), usual_penetration * list.metre());
-    list.most("slow_starts", name, response.points.at(i).slow_starts, "", 0, 0);
+    slow_starts.at(left) += response.points.at(i).slow_starts;
+  }
+  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+    list.most("slow_starts", gap_name(problem, gap), slow_starts[gap], "", 0, 0);
   }
   return list.take();
 }

@@ -160,11 +160,13 @@ TEST(Remarks, OfAResponseBeyondElasticBuildings) {
   response.buildings[1].drift_ratio(2) = 0.0101;
   response.buildings[0].storey_shear(0) = 0.401 * weight;
   response.points[2].peak_penetration = 0.051;
+  response.points[0].slow_starts = 1;
   response.points[1].slow_starts = 3;
   const std::vector<Remark> found = remarks(c, problem, response);
   EXPECT_EQ(list(found), (Names{"base_shear A", "drift B", "penetration A | B", "slow_starts A | B"}));
   EXPECT_NEAR(found[0].value, 0.401, 1e-12);
   EXPECT_NEAR(found[1].value, 1.01, 1e-12);
+  EXPECT_EQ(found[3].value, 4);  // of all points of the gap
 }
 
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.
