@@ -132,7 +132,9 @@ void run(const SweepArguments& arguments) {
     if (!report) throw Failure(diagnostics);
     report_end(arguments, *report);
   } catch (const Failure& failure) {
-    throw;
+    // Said before the ranks part: the first that ends with an error makes mpirun end the others.
+    if (*failure.what() != '\0') message(failure.what());
+    throw Failure(failure.status(), "");
   } catch (const RefusedOutput& error) {
     message(error.what());
     ranks.end_job(exit_bad_input);
