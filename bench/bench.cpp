@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "bentur/contact/laws.h"
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
-#include "bentur/solve/motion/polynomial.h"
+#include "bentur/solve/engine/motion/polynomial.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/modes.h"
 

@@ -17,7 +17,7 @@
 
 #include "bench/peers/peers.h"
 #include "bench/timing.h"
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/solve/solver.h"
 
 namespace {

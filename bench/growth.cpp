@@ -15,7 +15,7 @@
 
 #include "bench/arithmetic.h"
 #include "bench/timing.h"
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 
 namespace {
 

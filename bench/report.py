@@ -16,6 +16,9 @@ import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "tools"))
+from wrap import wrapped  # noqa: E402
+
 OURS = ["exact", "exact after free response", "exact of frames"]
 GENERIC = ["cvode", "arkode order 5", "arkode order 8", "odeint dopri5"]
 OPENSEES = ["opensees frames", "opensees matrices"]
@@ -276,6 +279,7 @@ def main():
     text += "### Accuracy and time\n\n" + accuracies(cases)
     text += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
     text += "### Parts\n\n" + parts(folder / "parts.json")
+    text = wrapped(text)
     (folder / "results.md").write_text(text)
     print(text)
     svg = figure(folder, cases)

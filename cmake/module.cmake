@@ -14,15 +14,15 @@ function(bentur_merge target)
   endif()
 endfunction()
 
-# bentur_module(NAME [MERGE] [DEPENDS target...] [PRIVATE_DEPENDS target...] [PRIVATE_HEADERS file...])
+# bentur_module(NAME [MERGE] [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
-# Every header is public, and installed, but the PRIVATE_HEADERS. MERGE: see bentur_merge.
+# Every header is public, and installed, but those in folders named engine or internal, which only the module itself
+# includes. MERGE: see bentur_merge.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "MERGE" "" "DEPENDS;PRIVATE_DEPENDS;PRIVATE_HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "MERGE" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
-  list(TRANSFORM ARG_PRIVATE_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  list(REMOVE_ITEM headers "" ${ARG_PRIVATE_HEADERS})
+  list(FILTER headers EXCLUDE REGEX "/(engine|internal)/")
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")

@@ -19,6 +19,7 @@ if importlib.util.find_spec("netCDF4") is None:  # the distribution's Python has
 import monograph_page  # noqa: E402
 from monograph_figures import Panel, draw  # noqa: E402
 from monograph_runs import MOTIONS, PAIRS, SUFFIX, Runs, curves  # noqa: E402
+from wrap import wrapped  # noqa: E402
 
 NAMES = monograph_page.NAMES
 BEGIN, END = "<!-- digitisation -->", "<!-- /digitisation -->"
@@ -190,7 +191,7 @@ def main():
         digitisation = old.split(BEGIN)[1].split(END)[0].strip("\n") if BEGIN in old else monograph_page.NO_DIGITISATION
     text = monograph_page.page(gathered, f"{BEGIN}\n{digitisation}\n{END}")
     temporary = output / "README.md.part"
-    temporary.write_text(text)
+    temporary.write_text(wrapped(text))
     temporary.replace(output / "README.md")
 
 

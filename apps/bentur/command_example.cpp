@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "arguments.h"
-#include "bentur/io/examples/example_files.h"
+#include "bentur/files/example_files.h"
 #include "commands.h"
 #include "session.h"
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bentur/io/fragility/fragility_report.h"
+#include "bentur/files/ida_reading.h"
+#include "bentur/study/fragility/fragility_report.h"
 #include "commands.h"
 #include "session.h"
 #include "text/table.h"
@@ -191,7 +192,10 @@ void run(const FragilityArguments& arguments) {
                   fmt::format("bentur: --confidence {}: must be in (0, 1)", request.bootstrap.confidence));
   }
   Diagnostics diagnostics;
-  const auto report = fragility_report(arguments.file, request, diagnostics);
+  auto results = read_ida_results(arguments.file, request.event, diagnostics);
+  std::string error;
+  const auto report = results ? fragility_report(std::move(*results), request, error) : std::nullopt;
+  if (!error.empty()) diagnostics.error({arguments.file, 0, 0}, error);
   if (!report) throw Failure(diagnostics);
   long failed = 0;
   for (const CaseFragility& one : report->fragilities) failed += one.failed;

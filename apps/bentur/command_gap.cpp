@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "arguments.h"
-#include "bentur/io/gap/gap_study.h"
 #include "bentur/io/results/result_json.h"
-#include "bentur/study/gap/gap_outcome.h"
-#include "bentur/study/minimum_gap.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/study/gap/gap_study.h"
 #include "commands.h"
 #include "session.h"
 #include "text/gap_study_text.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bentur/io/results/netcdf_reader.h"
-#include "bentur/io/results/result_reading.h"
+#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/result_reading.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
 #include "bentur/report/html/sweep_report.h"

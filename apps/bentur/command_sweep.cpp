@@ -9,7 +9,7 @@
 #include <string>
 
 #include "arguments.h"
-#include "bentur/io/sweep/sweep.h"
+#include "bentur/runner/sweep.h"
 #include "commands.h"
 #include "output.h"
 #include "session.h"

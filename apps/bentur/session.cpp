@@ -10,10 +10,10 @@
 #include <utility>
 #include <variant>
 
-#include "bentur/io/case_toml.h"
-#include "bentur/io/examples/example_files.h"
+#include "bentur/files/example_files.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
-#include "bentur/io/results/temporary_folder.h"
+#include "bentur/io/temporary_folder.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/solve/solver.h"
 #include "text/effort_text.h"

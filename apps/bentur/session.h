@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/case.h"
+#include "bentur/model/remarks.h"
 #include "bentur/solve/response.h"
-#include "bentur/study/case.h"
-#include "bentur/study/remarks/remarks.h"
 
 namespace bentur::cli {
 

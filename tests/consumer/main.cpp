@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "bentur/contact/laws/linear.h"
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/stick.h"

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/study/case.h"
+#include "bentur/model/case.h"
 
 namespace bentur::test {
 

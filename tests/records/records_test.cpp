@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bentur/io/records/record_files.h"
-#include "bentur/io/results/temporary_folder.h"
-#include "bentur/io/study/study.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/study/plan/study.h"
 
 namespace bentur {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/awaited_cases.h"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/solve/solver.h"
 
 namespace bentur {

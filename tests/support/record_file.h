@@ -9,7 +9,7 @@
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/io/records/record_files.h"
-#include "bentur/io/results/temporary_folder.h"
+#include "bentur/io/temporary_folder.h"
 
 namespace bentur::test {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/io/gap/gap_study.h"
+#include "bentur/study/gap/gap_study.h"
 
 namespace bentur::cli {
 

@@ -10,9 +10,8 @@
 #include <string>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/io/case_toml.h"
-#include "bentur/io/results/temporary_folder.h"
-#include "bentur/io/study/study.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/temporary_folder.h"
 
 namespace bentur {
 namespace {
@@ -77,15 +76,13 @@ TEST_F(InputFile, SaysWhyTheSystemRefuses) {
   const bool root = ::geteuid() == 0;
   if (root && ::seteuid(65534) != 0) GTEST_SKIP() << "may not become another user";
   const std::string problem = refused(file);
-  Diagnostics of_case, of_study;
+  Diagnostics of_case;
   EXPECT_FALSE(read_case(file, of_case).has_value());
-  EXPECT_FALSE(read_study(file, of_study).has_value());
   if (root) {
     ASSERT_EQ(::seteuid(0), 0);
   }
   EXPECT_EQ(problem, "cannot be read: Permission denied");
   EXPECT_EQ(of_case.errors().at(0).message, "cannot be read: Permission denied");
-  EXPECT_EQ(of_study.errors().at(0).message, "cannot be read: Permission denied");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "bentur/report/remark_text.h"
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/html/words.h"
+#include "bentur/report/html/internal/words.h"
 
 namespace bentur {
 namespace {

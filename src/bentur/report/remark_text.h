@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/study/remarks/remarks.h"
+#include "bentur/model/remarks.h"
 
 namespace bentur {
 

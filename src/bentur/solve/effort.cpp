@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bentur/solve/motion/modal_system.h"
-#include "bentur/solve/motion/series.h"
-#include "bentur/solve/motion/time_grid.h"
-#include "bentur/solve/motion/trail.h"
+#include "bentur/solve/engine/motion/modal_system.h"
+#include "bentur/solve/engine/motion/series.h"
+#include "bentur/solve/engine/motion/time_grid.h"
+#include "bentur/solve/engine/motion/trail.h"
 
 namespace bentur {
 namespace {

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "bentur/core/errors.h"
-#include "bentur/solve/motion/modal_system.h"
-#include "bentur/solve/motion/series.h"
+#include "bentur/solve/engine/motion/modal_system.h"
+#include "bentur/solve/engine/motion/series.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/free_masses.h"
 #include "tests/support/small_buildings.h"

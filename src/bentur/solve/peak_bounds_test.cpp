@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "bentur/solve/walk/peak_watch.h"
+#include "bentur/solve/engine/walk/peak_watch.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::engine {

@@ -10,9 +10,9 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
-#include "bentur/solve/same_but_gaps.h"
-#include "bentur/solve/walk/free_walk.h"
-#include "bentur/solve/walk/pounding_walk.h"
+#include "bentur/solve/engine/same_but_gaps.h"
+#include "bentur/solve/engine/walk/free_walk.h"
+#include "bentur/solve/engine/walk/pounding_walk.h"
 
 namespace bentur {
 namespace engine {

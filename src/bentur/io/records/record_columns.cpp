@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include "bentur/io/records/column_rows.h"
-#include "bentur/io/records/record_text.h"
+#include "bentur/io/records/internal/column_rows.h"
+#include "bentur/io/records/internal/record_text.h"
 
 namespace bentur {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bentur/io/records/record_text.h"
+#include "bentur/io/records/internal/record_text.h"
 
 namespace bentur {
 namespace {

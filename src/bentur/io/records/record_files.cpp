@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bentur/io/input_file.h"
-#include "bentur/io/records/record_text.h"
+#include "bentur/io/records/internal/record_text.h"
 
 namespace bentur {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/study/case.h"
+#include "bentur/model/case.h"
 
 namespace bentur {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "bentur/io/records/record_text.h"
+#include "bentur/io/records/internal/record_text.h"
 
 namespace bentur {
 namespace {

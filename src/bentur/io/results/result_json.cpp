@@ -6,11 +6,11 @@
 #include <optional>
 #include <variant>
 
-#include "bentur/io/results/record_json.h"
+#include "bentur/io/results/internal/record_json.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/remarks.h"
+#include "bentur/model/restitution.h"
 #include "bentur/structure/modes.h"
-#include "bentur/study/gap/gap_outcome.h"
-#include "bentur/study/remarks/remarks.h"
-#include "bentur/study/restitution.h"
 
 namespace bentur {
 namespace {

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/model/case.h"
+#include "bentur/model/gap/minimum_gap.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
-#include "bentur/study/case.h"
-#include "bentur/study/minimum_gap.h"
 
 namespace bentur {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "bentur/io/results/record_json.h"
+#include "bentur/io/results/internal/record_json.h"
 
 namespace bentur {
 

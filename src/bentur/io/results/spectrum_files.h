@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bentur/core/units.h"
-#include "bentur/study/case.h"
-#include "bentur/study/response_spectrum.h"
+#include "bentur/model/case.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
 
 namespace bentur {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <system_error>
 
-#include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/files/atomic_file.h"
+#include "bentur/files/netcdf_reader.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
 

@@ -8,7 +8,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/report/figures/gnuplot.h"
-#include "bentur/report/figures/layout.h"
+#include "bentur/report/figures/internal/layout.h"
 
 namespace bentur {
 namespace {

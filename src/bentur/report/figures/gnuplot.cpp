@@ -11,8 +11,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/temporary_folder.h"
+#include "bentur/files/atomic_file.h"
+#include "bentur/io/temporary_folder.h"
 
 namespace bentur {
 namespace {

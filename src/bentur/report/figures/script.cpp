@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "bentur/core/errors.h"
-#include "bentur/io/output/result_kind.h"
+#include "bentur/files/result_kind.h"
 #include "bentur/report/figures/figure.h"
-#include "bentur/report/figures/layout.h"
-#include "bentur/report/figures/text.h"
-#include "bentur/report/figures/thin.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/thin.h"
 
 namespace bentur {
 namespace {

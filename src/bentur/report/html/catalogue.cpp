@@ -1,6 +1,6 @@
 #include <array>
 
-#include "bentur/report/html/words.h"
+#include "bentur/report/html/internal/words.h"
 
 namespace bentur::html {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
-#include "bentur/report/html/sections.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur::html {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/html/sections.h"
+#include "bentur/model/restitution.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/remark_text.h"
-#include "bentur/study/restitution.h"
 
 namespace bentur::html {
 

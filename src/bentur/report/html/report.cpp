@@ -10,10 +10,10 @@
 #include <numeric>
 
 #include "bentur/core/errors.h"
-#include "bentur/report/html/animation.h"
-#include "bentur/report/html/markup.h"
-#include "bentur/report/html/page.h"
-#include "bentur/report/html/sections.h"
+#include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/sections.h"
 
 namespace bentur {
 namespace {

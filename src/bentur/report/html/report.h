@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/report/html/words.h"
+#include "bentur/model/case.h"
+#include "bentur/model/remarks.h"
+#include "bentur/report/html/internal/words.h"
 #include "bentur/solve/response.h"
-#include "bentur/study/case.h"
-#include "bentur/study/remarks/remarks.h"
 
 namespace bentur {
 
@@ -31,7 +31,7 @@ struct ReportOptions {
 /// One HTML page that needs nothing else: verdict, gap needed, peaks, impacts, the buildings in motion, figures, input.
 /// Text of a case cannot bring in markup or script, and the page's own policy lets it fetch nothing and run no other
 /// script. The same run gives the same bytes. The response must have histories. A run read from result files
-/// (io/results/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.
+/// (files/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.
 /// @throws InvalidParameter for an unknown language, or a response that is not that of the problem.
 [[nodiscard]] std::string report_html(const Case& c, const Problem& problem, const Response& response,
                                       const ReportOptions& options);

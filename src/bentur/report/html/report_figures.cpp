@@ -1,9 +1,9 @@
 #include "bentur/report/html/report_figures.h"
 
-#include "bentur/io/results/netcdf_reader.h"
-#include "bentur/io/results/result_netcdf.h"
+#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/result_netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
-#include "bentur/report/html/words.h"
+#include "bentur/report/html/internal/words.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {

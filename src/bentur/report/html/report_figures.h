@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/files/netcdf_reader.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/io/case_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_csv.h"
-#include "bentur/report/html/animation.h"
+#include "bentur/report/html/internal/animation.h"
 
 namespace bentur {
 namespace {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/figures/text.h"
-#include "bentur/report/html/markup.h"
-#include "bentur/report/html/page.h"
-#include "bentur/report/html/sections.h"
-#include "bentur/report/kinds/sweep_data.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/sections.h"
+#include "bentur/report/kinds/internal/sweep_data.h"
 
 namespace bentur {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/files/netcdf_reader.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/html/sections.h"
-#include "bentur/study/gap/gap_outcome.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
 namespace {

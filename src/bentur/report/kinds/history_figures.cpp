@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "bentur/report/figures/text.h"
-#include "bentur/report/kinds/run_data.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_data.h"
 
 namespace bentur {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/io/fragility/ida_results.h"
-#include "bentur/report/figures/text.h"
-#include "bentur/report/kinds/run_data.h"
-#include "bentur/report/kinds/sweep_data.h"
-#include "bentur/study/ida/ida_fragility.h"
+#include "bentur/files/ida_reading.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/study/fragility/ida_fragility.h"
 
 namespace bentur {
 namespace {

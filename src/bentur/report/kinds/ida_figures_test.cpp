@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/io/results/temporary_folder.h"
+#include "bentur/io/temporary_folder.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {

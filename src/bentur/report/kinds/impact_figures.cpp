@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/report/figures/text.h"
-#include "bentur/report/kinds/run_data.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_data.h"
 
 namespace bentur {
 namespace {

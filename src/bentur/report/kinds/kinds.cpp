@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/report/kinds/run_data.h"
-#include "bentur/report/kinds/sweep_data.h"
+#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/sweep_data.h"
 
 namespace bentur {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/io/results/netcdf_reader.h"
+#include "bentur/files/netcdf_reader.h"
 #include "bentur/report/figures/figure.h"
-#include "bentur/study/response_spectrum.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
 
 namespace bentur {
 

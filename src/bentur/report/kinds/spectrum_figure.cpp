@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "bentur/report/figures/text.h"
-#include "bentur/report/kinds/run_data.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_data.h"
 
 namespace bentur {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "bentur/report/figures/text.h"
-#include "bentur/report/kinds/run_data.h"
-#include "bentur/report/kinds/sweep_data.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/sweep_data.h"
 
 namespace bentur {
 namespace {

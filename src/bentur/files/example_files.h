@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/files/output_rules.h"
+
+namespace bentur {
+
+/// A file of examples/ or data/ as it stood when the program was built.
+struct EmbeddedFile {
+  std::string_view name;  ///< "m12-el-centro.toml"
+  std::string_view content;
+};
+
+/// All of them, in the order of the build.
+[[nodiscard]] std::span<const EmbeddedFile> embedded_files();
+
+/// A case built into the program.
+struct Example {
+  std::string_view name;                   ///< "m12-el-centro"
+  std::string_view description;            ///< the first comment line of its file
+  std::vector<const EmbeddedFile*> files;  ///< the case first, then the record it names, if any
+};
+
+/// The default case first, then by name.
+[[nodiscard]] std::vector<Example> examples();
+
+/// Writes an example's files into `directory`, which is made if missing.
+/// A file that is there already with other content is not overwritten unless forced.
+/// @return the path of the case. @throws as AtomicFiles; nothing is written then.
+std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
+                                    const OutputRules& rules = {});
+
+}  // namespace bentur

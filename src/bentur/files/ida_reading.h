@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/files/netcdf_reader.h"
+#include "bentur/study/fragility/ida_results.h"
+
+namespace bentur {
+
+/// Reads the results of an incremental dynamic analysis. The quantity of the event is a variable's name; of those with
+/// a building's number also the name without it, for all buildings; `drift` is peak_drift_ratio.
+/// @throws NetcdfError when there is no such quantity, or the file does not hold such results.
+[[nodiscard]] IdaResults read_ida_results(const NetcdfReader& file, const EventRule& event);
+
+/// The same of a file that is not open, with the event as its user wrote it (`--event`).
+/// @return nothing when there is an error, which is in `diagnostics`.
+[[nodiscard]] std::optional<IdaResults> read_ida_results(const std::filesystem::path& file, const std::string& event,
+                                                         Diagnostics& diagnostics);
+
+}  // namespace bentur

@@ -1,0 +1,416 @@
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bentur/files/result_netcdf.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two sticks with two and one floors that meet at 3 m, and a response made up so that every number is its own.
+struct Fixture {
+  Fixture() {
+    c.title = "A \"title\"";
+    c.units = {.length = "m", .force = "tf", .gravity = 9.80665};
+    BuildingSpec left;
+    left.name = "Left, old";
+    left.structure = Stick{.storey_heights = {3, 3}, .masses = {20, 20}, .stiffnesses = {2e4, 2e4}};
+    left.damping = ModalDamping{{0.05}};
+    BuildingSpec right;
+    right.name = "Right";
+    right.structure = Stick{.storey_heights = {3}, .masses = {20}, .stiffnesses = {2e4}};
+    right.damping = ModalDamping{{0.05}};
+    c.buildings = {left, right};
+    GapSpec gap;
+    gap.widths = {0.1};
+    gap.elevations = {3};
+    gap.contact = {.law = "kelvin-voigt",
+                   .numbers = {{"stiffness", {1e6}}, {"restitution", {0.65}}},
+                   .words = {{"release", "separation"}}};
+    c.gaps = {gap};
+    c.excitation.motion = HarmonicMotion{.period = 0.5, .displacement_amplitude = 0.01};
+    c.excitation.delays = {0, 0.25};
+    c.analysis.duration = 2;
+    problem = make_problem(c);
+
+    response.steps = 7;
+    response.events = 2;
+    response.wall_time = 0.125;
+    for (const Eigen::Index floors : {2, 1}) {
+      BuildingPeaks peaks;
+      peaks.displacement = Eigen::VectorXd::LinSpaced(floors, 1, 2);
+      peaks.displacement_no_contact = Eigen::VectorXd::Constant(floors, 0.5);
+      peaks.drift_ratio = Eigen::VectorXd::Constant(floors, 0.25);
+      peaks.acceleration = Eigen::VectorXd::Constant(floors, 8);
+      peaks.storey_shear = Eigen::VectorXd::Constant(floors, 16);
+      response.buildings.push_back(peaks);
+    }
+    response.buildings[1].displacement_no_contact(0) = 0;
+    response.points.resize(1);
+    response.points[0].minimum_gap_no_contact = 0.3;
+  }
+
+  void add_histories() {
+    Histories& h = response.histories;
+    h.time = {0, 0.5, 1};
+    h.ground_acceleration = {0, -1, 1};
+    for (const Eigen::Index floors : {2, 1}) {
+      Eigen::MatrixXd values(floors, 3);
+      for (Eigen::Index i = 0; i < values.size(); ++i) {
+        values(i % floors, i / floors) = static_cast<double>(10 * (i % floors) + i / floors);  // 10·floor + sample
+      }
+      h.displacement.push_back(values);
+      h.velocity.push_back(2 * values);
+      h.acceleration.push_back(3 * values);
+      h.drift_ratio.push_back(4 * values);
+      h.storey_shear.push_back(5 * values);
+    }
+    h.opening = Eigen::RowVector3d(0.1, 0, -0.1);
+    h.force = Eigen::RowVector3d(0, 0, 1e5);
+  }
+
+  void add_energy() {
+    response.energy = EnergyAudit{.peak_input = 8, .residual = 2, .histories = {}};
+    EnergyHistories& e = response.energy->histories;
+    double first = 0;
+    for (Eigen::VectorXd* curve : {&e.input, &e.kinetic, &e.strain, &e.damping, &e.contact_stored, &e.contact_lost}) {
+      *curve = Eigen::VectorXd::LinSpaced(3, first, first + 2);
+      first += 10;
+    }
+  }
+
+  Case c;
+  Problem problem;
+  Response response;
+};
+
+TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
+  Fixture f;
+  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1.2.3"));
+  EXPECT_EQ(json["title"], "A \"title\"");
+  EXPECT_EQ(json["units"], (Json{{"length", "m"}, {"force", "tf"}}));
+  EXPECT_EQ(json["version"], "1.2.3");
+  EXPECT_EQ(json["solver"], (Json{{"name", "exact"},
+                                  {"steps", 7},
+                                  {"events", 2},
+                                  {"wall_time", 0.125},
+                                  {"energy_residual", nullptr},
+                                  {"peak_input_energy", nullptr}}));
+  EXPECT_EQ(json["excitation"]["kind"], "harmonic");
+  EXPECT_EQ(json["excitation"]["delays"], (Json{0.0, 0.25}));
+  const Json& left = json["buildings"][0];
+  EXPECT_EQ(left["name"], "Left, old");
+  EXPECT_EQ(left["elevations"], (Json{3.0, 6.0}));
+  EXPECT_EQ(left["periods"].size(), 2U);
+  EXPECT_EQ(left["peak_displacement"], (Json{1.0, 2.0}));
+  EXPECT_EQ(left["amplification"], (Json{2.0, 4.0}));
+  EXPECT_EQ(left["peak_storey_shear"], (Json{16.0, 16.0}));
+  EXPECT_EQ(json["buildings"][1]["amplification"], Json::array({nullptr}));
+  const Json& gap = json["gaps"][0];
+  EXPECT_EQ(gap["between"], (Json{"Left, old", "Right"}));
+  EXPECT_EQ(gap["minimum_gap_no_contact"], 0.3);
+  // ξ = −ln e/√(π² + ln² e), exact where contact ends at separation; c = 2ξ√(k m_e), m_e = 10.
+  const double ratio = -std::log(0.65) / std::hypot(std::numbers::pi, std::log(0.65));
+  Json point = gap["points"][0];
+  EXPECT_NEAR(point["contact"]["damping_ratio"].get<double>(), ratio, 1e-15);
+  EXPECT_NEAR(point["contact"]["damping"].get<double>() / (2 * ratio * std::sqrt(1e7)), 1, 1e-14);
+  point["contact"].erase("damping_ratio");
+  point["contact"].erase("damping");
+  EXPECT_EQ(point, (Json{{"elevation", 3.0},
+                         {"width", 0.1},
+                         {"minimum_gap_no_contact", 0.3},
+                         {"impacts", 0},
+                         {"slow_starts", 0},
+                         {"contact_duration", 0.0},
+                         {"peak_force", 0.0},
+                         {"peak_force_time", nullptr},
+                         {"peak_penetration", 0.0},
+                         {"peak_closing_speed", 0.0},
+                         {"impulse", 0.0},
+                         {"energy_lost", 0.0},
+                         {"peak_tension", 0.0},
+                         {"contact",
+                          {{"law", "kelvin-voigt"},
+                           {"stiffness", 1e6},
+                           {"restitution", 0.65},
+                           {"release", "separation"},
+                           {"calibration", "exact"}}},
+                         {"restitution", {{"asked", 0.65}, {"smallest", nullptr}, {"largest", nullptr}}}}));
+}
+
+TEST(SummaryJson, RestitutionOfTheImpactsThatHaveEnded) {
+  Fixture f;
+  const auto impact = [](double closing, double separation, bool open_ended) {
+    return Impact{.open_ended = open_ended, .closing_speed = closing, .separation_speed = separation};
+  };
+  f.response.impacts = {impact(2, 1, false), impact(4, 3, false), impact(4, 1, true), impact(0, 1, false)};
+  const Json point = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  EXPECT_EQ(point["restitution"], (Json{{"asked", 0.65}, {"smallest", 0.5}, {"largest", 0.75}}));
+  f.c.gaps[0].contact = {.law = "linear", .numbers = {{"stiffness", {1e6}}}};
+  f.problem = make_problem(f.c);
+  const Json linear = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  EXPECT_EQ(linear["contact"], (Json{{"law", "linear"}, {"stiffness", 1e6}}));
+  EXPECT_EQ(linear["restitution"], (Json{{"asked", nullptr}, {"smallest", 0.5}, {"largest", 0.75}}));
+}
+
+TEST(SummaryJson, EachSolverWithItsNumberAndTheAudit) {
+  Fixture f;
+  f.add_energy();
+  f.c.analysis.solver = AdaptiveSolver{.tolerance = 1e-7};
+  Json solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  EXPECT_EQ(solver["name"], "adaptive");
+  EXPECT_EQ(solver["tolerance"], 1e-7);
+  EXPECT_EQ(solver["energy_residual"], 0.25);
+  EXPECT_EQ(solver["peak_input_energy"], 8.0);
+  f.c.analysis.solver = RungeKuttaSolver{.step = 0.002};
+  solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  EXPECT_EQ(solver["name"], "runge-kutta");
+  EXPECT_EQ(solver["step"], 0.002);
+}
+
+TEST(SummaryJson, EchoesTheRecord) {
+  Fixture f;
+  f.c.excitation.record = RecordEcho{.file = "a.csv",
+                                     .path = "/somewhere/a.csv",
+                                     .size = 77,
+                                     .sha256 = "0123",
+                                     .format = "two-column",
+                                     .unit = "g",
+                                     .time_step = 0.02,
+                                     .count = 3,
+                                     .duration = 0.04,
+                                     .pga_read = 0.3,
+                                     .pga = 2.9};
+  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["excitation"];
+  EXPECT_EQ(json["kind"], "record");
+  EXPECT_EQ(json["file"], "a.csv");
+  EXPECT_EQ(json["count"], 3);
+  EXPECT_EQ(json["pga"], 2.9);
+  EXPECT_EQ(json["size"], 77);
+  EXPECT_EQ(json["sha256"], "0123");
+  EXPECT_EQ(json.dump().find("somewhere"), std::string::npos) << "no path of this machine";
+}
+
+// The shortest decimal that reads back to the same double must be written, whatever the number.
+TEST(SummaryJson, NumbersSurviveToTheLastBit) {
+  Fixture f;
+  f.response.points[0].peak_force = 0.1 + 0.2;
+  f.response.points[0].impulse = std::numeric_limits<double>::denorm_min();
+  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1"));
+  EXPECT_EQ(json["gaps"][0]["points"][0]["peak_force"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["gaps"][0]["points"][0]["impulse"].get<double>(), std::numeric_limits<double>::denorm_min());
+}
+
+TEST(ModesJson, ShapesAreMassNormalisedAndFractionsAddUpToOne) {
+  const Fixture f;
+  const Json json = Json::parse(modes_json(f.problem.buildings, f.c.units))["buildings"];
+  ASSERT_EQ(json.size(), 2U);
+  const Json& left = json[0];
+  for (const Json& shape : left["shapes"]) {
+    EXPECT_NEAR(
+        20 * (shape[0].get<double>() * shape[0].get<double>() + shape[1].get<double>() * shape[1].get<double>()), 1,
+        1e-12);
+  }
+  EXPECT_NEAR(left["effective_mass_fraction"][0].get<double>() + left["effective_mass_fraction"][1].get<double>(), 1,
+              1e-12);
+  EXPECT_GT(left["periods"][0].get<double>(), left["periods"][1].get<double>());
+  EXPECT_EQ(left["participation"].size(), 2U);
+}
+
+TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
+  Fixture f;
+  f.problem.points.push_back(f.problem.points[0]);
+  const std::vector<PointSeparation> points = {{.point = 0, .simulated = 1, .abs = 8, .srss = 3, .ddc = 2},
+                                               {.point = 1, .simulated = 2, .abs = 7, .srss = 4, .ddc = 1}};
+  f.response.points.assign(2, {});
+  for (const std::size_t i : {0U, 1U}) f.response.points[i].minimum_gap_no_contact = points[i].simulated;
+  const Json gap = Json::parse(gap_json(f.c, f.problem, f.response, points, "1"))["gaps"][0];
+  EXPECT_EQ(gap["simulated"], 2.0);
+  EXPECT_EQ(gap["abs"], 8.0);
+  EXPECT_EQ(gap["srss"], 4.0);
+  EXPECT_EQ(gap["ddc"], 2.0);
+  EXPECT_EQ(gap["points"][1], (Json{{"elevation", 3.0},
+                                    {"width", 0.1},
+                                    {"simulated", 2.0},
+                                    {"abs", 7.0},
+                                    {"srss", 4.0},
+                                    {"ddc", 1.0},
+                                    {"codes", Json::array()}}));
+}
+
+TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
+  Fixture f;
+  Impact impact{.point = 0,
+                .start = 0.5,
+                .end = 0.75,
+                .open_ended = true,
+                .closing_speed = 0.1,
+                .separation_speed = 0.2,
+                .peak_force = 3,
+                .peak_force_time = 0.625,
+                .peak_penetration = 0.001,
+                .impulse = 4,
+                .peak_tension = 6,
+                .energy_lost = 5};
+  f.response.impacts = {impact};
+  impact.open_ended = false;
+  f.response.impacts.push_back(impact);
+  EXPECT_EQ(impacts_csv(f.c.units, f.problem, f.response),
+            "left,right,elevation [m],start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
+            "restitution,peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m],"
+            "peak_tension [tf]\n"
+            "\"Left, old\",Right,3,0.5,0.75,1,0.1,0.2,,3,0.625,0.001,4,5,6\n"
+            "\"Left, old\",Right,3,0.5,0.75,0,0.1,0.2,2,3,0.625,0.001,4,5,6\n");
+}
+
+/// Reads one variable back.
+std::vector<double> values(int file, const char* name, std::vector<std::size_t> expected_shape) {
+  int variable = 0, rank = 0;
+  EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR) << name;
+  EXPECT_EQ(nc_inq_varndims(file, variable, &rank), NC_NOERR);
+  std::vector<int> dimensions(static_cast<std::size_t>(rank));
+  nc_inq_vardimid(file, variable, dimensions.data());
+  std::vector<std::size_t> shape;
+  std::size_t size = 1;
+  for (const int dimension : dimensions) {
+    std::size_t length = 0;
+    nc_inq_dimlen(file, dimension, &length);
+    shape.push_back(length);
+    size *= length;
+  }
+  EXPECT_EQ(shape, expected_shape) << name;
+  std::vector<double> result(size);
+  EXPECT_EQ(nc_get_var_double(file, variable, result.data()), NC_NOERR);
+  return result;
+}
+
+std::string attribute(int file, const char* variable_name, const char* name) {
+  int variable = NC_GLOBAL;
+  if (variable_name != nullptr) {
+    EXPECT_EQ(nc_inq_varid(file, variable_name, &variable), NC_NOERR);
+  }
+  std::size_t length = 0;
+  EXPECT_EQ(nc_inq_attlen(file, variable, name, &length), NC_NOERR) << name;
+  std::string text(length, ' ');
+  nc_get_att_text(file, variable, name, text.data());
+  return text;
+}
+
+TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
+  Fixture f;
+  f.add_histories();
+  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1.2.3");
+  int file = 0;
+  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  EXPECT_EQ(values(file, "time", {3}), (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(values(file, "ground_acceleration", {3}), (std::vector<double>{0, -1, 1}));
+  EXPECT_EQ(values(file, "elevation_1", {2}), (std::vector<double>{3, 6}));
+  EXPECT_EQ(values(file, "displacement_1", {3, 2}), (std::vector<double>{0, 10, 1, 11, 2, 12}));
+  EXPECT_EQ(values(file, "velocity_2", {3, 1}), (std::vector<double>{0, 2, 4}));
+  EXPECT_EQ(values(file, "acceleration_2", {3, 1}), (std::vector<double>{0, 3, 6}));
+  EXPECT_EQ(values(file, "drift_ratio_1", {3, 2}), (std::vector<double>{0, 40, 4, 44, 8, 48}));
+  EXPECT_EQ(values(file, "storey_shear_1", {3, 2}), (std::vector<double>{0, 50, 5, 55, 10, 60}));
+  EXPECT_EQ(values(file, "base_shear_1", {3}), (std::vector<double>{0, 5, 10}));
+  EXPECT_EQ(attribute(file, "drift_ratio_1", "units"), "1");
+  EXPECT_EQ(attribute(file, "base_shear_2", "units"), "1000 kgf");
+  EXPECT_EQ(values(file, "opening", {3, 1}), (std::vector<double>{0.1, 0, -0.1}));
+  EXPECT_EQ(values(file, "force", {3, 1}), (std::vector<double>{0, 0, 1e5}));
+  EXPECT_EQ(values(file, "point_width", {1}), (std::vector<double>{0.1}));
+  EXPECT_EQ(values(file, "building_delay", {2}), (std::vector<double>{0, 0.25}));
+  EXPECT_EQ(attribute(file, nullptr, "Conventions"), "CF-1.8");
+  EXPECT_EQ(attribute(file, nullptr, "title"), "A \"title\"");
+  EXPECT_EQ(attribute(file, nullptr, "history"), "written by bentur 1.2.3");
+  EXPECT_EQ(attribute(file, "time", "units"), "s");
+  EXPECT_EQ(attribute(file, "acceleration_1", "units"), "m s-2");
+  EXPECT_EQ(attribute(file, "force", "units"), "1000 kgf");  // tf, as UDUNITS knows it
+  EXPECT_NE(attribute(file, "displacement_1", "long_name").find("Left, old"), std::string::npos);
+  int count = 0;
+  nc_inq_nvars(file, &count);
+  for (int variable = 0; variable < count; ++variable) {
+    std::size_t length = 0;
+    EXPECT_EQ(nc_inq_attlen(file, variable, "long_name", &length), NC_NOERR) << variable;
+    nc_type type = NC_NAT;
+    nc_inq_vartype(file, variable, &type);
+    EXPECT_EQ(nc_inq_attlen(file, variable, "units", &length) == NC_NOERR, type == NC_DOUBLE) << variable;
+  }
+  nc_close(file);
+}
+
+TEST(HistoriesNetcdf, EnergyCurvesWithAnAuditOnly) {
+  Fixture f;
+  f.add_histories();
+  const std::vector<std::string> parts = {"input", "kinetic", "strain", "damping", "contact_stored", "contact_lost"};
+  int variable = 0;
+  for (const bool audited : {false, true}) {
+    if (audited) f.add_energy();
+    std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+    int file = 0;
+    ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+    double first = 0;
+    for (const std::string& part : parts) {
+      const std::string name = "energy_" + part;
+      if (!audited) {
+        EXPECT_NE(nc_inq_varid(file, name.c_str(), &variable), NC_NOERR) << name;
+        continue;
+      }
+      EXPECT_EQ(values(file, name.c_str(), {3}), (std::vector<double>{first, first + 1, first + 2}));
+      EXPECT_EQ(attribute(file, name.c_str(), "units"), "1000 kgf m");
+      EXPECT_NE(attribute(file, name.c_str(), "long_name"), "");
+      first += 10;
+    }
+    nc_close(file);
+  }
+}
+
+TEST(HistoriesNetcdf, ImpactsPeaksAndModes) {
+  Fixture f;
+  f.add_histories();
+  f.response.impacts = {{.point = 0, .start = 1, .end = 2, .peak_force = 3}, {.point = 0, .start = 4, .peak_force = 5}};
+  const std::size_t count = f.response.impacts.size();
+  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+  int file = 0;
+  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  const auto start = values(file, "impact_start", {count});
+  const auto force = values(file, "impact_peak_force", {count});
+  const auto point = values(file, "impact_point", {count});
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(start[i], f.response.impacts[i].start);
+    EXPECT_EQ(force[i], f.response.impacts[i].peak_force);
+    EXPECT_EQ(point[i], f.response.impacts[i].point);
+  }
+  const auto peaks = values(file, "peak_displacement_no_contact_1", {2});
+  EXPECT_EQ(peaks[1], f.response.buildings[0].displacement_no_contact(1));
+  const auto periods = values(file, "period_1", {2});
+  EXPECT_DOUBLE_EQ(periods[0], 2 * std::numbers::pi / f.problem.buildings[0].modes.omega(0));
+  // Two equal storeys: the first mode is (1, φ), the second (−φ, 1) by the golden ratio φ; largest sway 1.
+  const auto shapes = values(file, "shape_1", {2, 2});
+  EXPECT_NEAR(shapes[0], 1 / std::numbers::phi, 1e-12);
+  EXPECT_NEAR(shapes[1], 1, 1e-12);
+  EXPECT_NEAR(std::abs(shapes[2]), 1, 1e-12);
+  EXPECT_NEAR(shapes[3] / shapes[2], -1 / std::numbers::phi, 1e-12);
+  nc_close(file);
+  f.response.impacts.clear();  // then there is no such dimension
+  bytes = histories_netcdf(f.c, f.problem, f.response, "1");
+  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  int variable = 0;
+  EXPECT_NE(nc_inq_varid(file, "impact_start", &variable), NC_NOERR);
+  nc_close(file);
+}
+
+TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {
+  Fixture f;
+  f.add_histories();
+  EXPECT_EQ(histories_netcdf(f.c, f.problem, f.response, "1"), histories_netcdf(f.c, f.problem, f.response, "1"));
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,122 @@
+#include "bentur/files/result_kind.h"
+
+#include <cstddef>
+#include <fstream>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "bentur/files/netcdf_reader.h"
+#include "bentur/io/file_identity.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+using FoundJson = nlohmann::json;
+
+/// At most so many bytes from a file's beginning.
+std::string beginning(const fs::path& file, std::size_t most) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(most, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+FoundJson json_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return FoundJson::parse(stream, nullptr, false);
+}
+
+bool has_keys(const FoundJson& json, std::initializer_list<const char*> keys) {
+  if (!json.is_object()) return false;
+  for (const char* key : keys) {
+    if (!json.contains(key)) return false;
+  }
+  return true;
+}
+
+/// A copy that nobody has changed: the summary beside it says that it was made, and of what content.
+bool is_untouched_copy(const fs::path& file) {
+  const FoundJson summary = json_of(file.parent_path() / "summary.json");
+  if (!has_keys(summary, {"case"})) return false;
+  const FoundJson& source = summary["case"];
+  return has_keys(source, {"copied", "sha256"}) && source["copied"] == true &&
+         source["sha256"] == identify(file).sha256;
+}
+
+bool is_netcdf(const fs::path& file, ResultKind kind) {
+  try {
+    const NetcdfReader results(file);
+    if (!results.attribute("history").starts_with("written by bentur")) return false;
+    if (kind == ResultKind::histories) return results.find("displacement_1") != nullptr;
+    return results.find("status") != nullptr && (results.find("intensity") != nullptr) == (kind == ResultKind::ida);
+  } catch (const NetcdfError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::string_view kind_name(ResultKind kind) {
+  switch (kind) {
+    case ResultKind::summary:
+      return "a summary of bentur run";
+    case ResultKind::impacts:
+      return "a list of impacts of bentur run";
+    case ResultKind::histories:
+      return "histories of bentur run";
+    case ResultKind::case_copy:
+      return "the copy of a case that bentur run has made, unchanged since";
+    case ResultKind::sweep:
+      return "results of bentur sweep";
+    case ResultKind::ida:
+      return "results of bentur ida";
+    case ResultKind::spectrum:
+      return "a response spectrum of bentur spectrum";
+    case ResultKind::report:
+      return "a report of bentur report";
+    case ResultKind::figure_script:
+      return "the script of a figure by bentur";
+    case ResultKind::figure_data:
+      return "data of a figure by bentur, whose script would stand beside them";
+    case ResultKind::picture:
+      return "a figure by bentur, whose script would stand beside it";
+    case ResultKind::example:
+      break;
+  }
+  return "the example";
+}
+
+bool is_result(const fs::path& file, ResultKind kind) {
+  switch (kind) {
+    case ResultKind::summary:
+      return has_keys(json_of(file), {"version", "solver", "excitation", "buildings", "gaps"});
+    case ResultKind::impacts:
+      return beginning(file, 64).starts_with("left,right,elevation [");
+    case ResultKind::histories:
+    case ResultKind::sweep:
+    case ResultKind::ida:
+      return is_netcdf(file, kind);
+    case ResultKind::case_copy:
+      return is_untouched_copy(file);
+    case ResultKind::spectrum:
+      return beginning(file, 64).starts_with("period [s],displacement [");
+    case ResultKind::report:
+      return beginning(file, 1024).find(report_mark) != std::string::npos;
+    case ResultKind::figure_script:
+      return beginning(file, figure_script_mark.size()) == figure_script_mark;
+    case ResultKind::figure_data:
+    case ResultKind::picture: {
+      fs::path script = file;
+      return is_result(script.replace_extension(".gp"), ResultKind::figure_script);
+    }
+    case ResultKind::example:
+      break;
+  }
+  return false;
+}
+
+}  // namespace bentur

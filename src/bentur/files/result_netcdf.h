@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/close_up.h"
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
+
+namespace bentur {
+
+/// What figures show beyond the histories; kept with them so that the figures can be drawn again.
+struct FigureData {
+  std::optional<CloseUp> close_up;
+  double spectrum_damping = 0.05;         ///< ζ [-]
+  std::vector<double> spectrum_periods;   ///< T [s]; empty: no spectrum
+  std::vector<OscillatorPeaks> spectrum;  ///< one per period
+};
+
+/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
+[[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
+
+/// `histories.nc` as bytes: NetCDF-4, CF conventions, opens in xarray. Dimensions `time`, `elevation_N` for building N
+/// (1 the leftmost) with the floors' elevations as coordinate, `point` for the contact points. Variables
+/// `displacement_N`, `velocity_N`, `acceleration_N` (absolute), `drift_ratio_N`, `storey_shear_N` (storeys, each by the
+/// floor above it), `base_shear_N`, `opening`, `force`, `ground_acceleration`, with an
+/// energy audit also `energy_input`, `energy_kinetic`, `energy_strain`, `energy_damping`, `energy_contact_stored`,
+/// `energy_contact_lost`; of every building `period_N`, `shape_N` and the peaks of its floors; of every impact
+/// `impact_start` and the rest of impacts.csv that figures need; with `figures` its contents as `close_up_*` and
+/// `spectrum_*`. Each with units and long_name. The same histories give the same bytes.
+/// @throws std::runtime_error with the library's reason.
+[[nodiscard]] std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response,
+                                           std::string_view version, const FigureData* figures = nullptr);
+
+}  // namespace bentur

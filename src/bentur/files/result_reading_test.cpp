@@ -1,0 +1,125 @@
+#include "bentur/files/result_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "bentur/files/atomic_file.h"
+#include "bentur/files/result_netcdf.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/io/temporary_folder.h"
+
+namespace bentur {
+namespace {
+
+class ReadBack : public testing::TestWithParam<const char*> {};
+
+/// Numbers in JSON and CSV read back to the same double, and NetCDF holds doubles: what was written is what is read.
+TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
+  Diagnostics diagnostics;
+  const auto c = read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/" + GetParam() + ".toml", diagnostics);
+  ASSERT_TRUE(c);
+  const Problem problem = make_problem(*c);
+  SolveOptions options;
+  options.output_step = c->analysis.output_step;
+  options.energy_audit = c->analysis.energy_audit;
+  const Response response = solve(problem, c->analysis.solver, options);
+  const TemporaryFolder folder;
+  AtomicFiles files(folder.path());
+  files.add("summary.json", summary_json(*c, problem, response, "0"), ResultKind::summary);
+  files.add("impacts.csv", impacts_csv(c->units, problem, response), ResultKind::impacts);
+  files.add("histories.nc", histories_netcdf(*c, problem, response, "0"), ResultKind::histories);
+  files.commit();
+
+  const RunResults results = read_results(folder.path());
+  EXPECT_EQ(results.c.title, c->title);
+  EXPECT_EQ(results.c.units.length, c->units.length);
+  EXPECT_EQ(results.c.units.force, c->units.force);
+  EXPECT_EQ(results.c.excitation.delays, c->excitation.delays);
+  EXPECT_EQ(results.c.excitation.record.has_value(), c->excitation.record.has_value());
+  if (c->excitation.record) {
+    EXPECT_EQ(results.c.excitation.record->pga, c->excitation.record->pga);
+  }
+  EXPECT_EQ(name(results.c.analysis.solver), name(c->analysis.solver));
+  EXPECT_EQ(results.response.events, response.events);
+  ASSERT_EQ(results.problem.buildings.size(), problem.buildings.size());
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& one = problem.buildings[b];
+    const Building& two = results.problem.buildings[b];
+    EXPECT_EQ(two.name, one.name);
+    EXPECT_EQ(two.model.elevations, one.model.elevations);
+    EXPECT_TRUE(two.modes.omega.isApprox(one.modes.omega, 1e-14));  // by way of the periods
+    Eigen::MatrixXd shapes = one.modes.shapes.topRows(one.model.floors());
+    for (auto shape : shapes.colwise()) shape /= shape.cwiseAbs().maxCoeff();  // as the file has them
+    EXPECT_EQ(two.modes.shapes, shapes);
+    for (std::size_t i = 0; i < one.model.storey_heights.size(); ++i) {
+      EXPECT_NEAR(two.model.storey_heights[i], one.model.storey_heights[i], 1e-12 * one.model.elevations.back());
+    }
+    EXPECT_EQ(results.response.buildings[b].displacement, response.buildings[b].displacement);
+    EXPECT_EQ(results.response.buildings[b].displacement_no_contact, response.buildings[b].displacement_no_contact);
+    EXPECT_EQ(results.response.buildings[b].acceleration, response.buildings[b].acceleration);
+    EXPECT_EQ(results.response.histories.displacement[b], response.histories.displacement[b]);
+  }
+  ASSERT_EQ(results.problem.points.size(), problem.points.size());
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    EXPECT_EQ(results.problem.points[i].left, problem.points[i].left);
+    EXPECT_EQ(results.problem.points[i].left_floor, problem.points[i].left_floor);
+    EXPECT_EQ(results.problem.points[i].right_floor, problem.points[i].right_floor);
+    EXPECT_EQ(results.problem.points[i].width, problem.points[i].width);
+    EXPECT_EQ(results.response.points[i].minimum_gap_no_contact, response.points[i].minimum_gap_no_contact);
+    EXPECT_EQ(results.response.points[i].peak_force, response.points[i].peak_force);
+    EXPECT_EQ(results.response.points[i].peak_force_time, response.points[i].peak_force_time);
+  }
+  EXPECT_EQ(results.response.histories.time, response.histories.time);
+  EXPECT_EQ(results.response.histories.opening, response.histories.opening);
+  EXPECT_EQ(results.response.energy.has_value(), response.energy.has_value());
+  // The same list of impacts writes the same file.
+  EXPECT_EQ(impacts_csv(c->units, results.problem, results.response), impacts_csv(c->units, problem, response));
+
+  // With the copy of the case the buildings and laws are there as they were given.
+  EXPECT_TRUE(results.c.buildings.empty());
+  AtomicFiles copy(folder.path());
+  copy.add("case.toml", c->source->text, ResultKind::case_copy);
+  copy.commit();
+  const RunResults whole = read_results(folder.path());
+  ASSERT_EQ(whole.c.buildings.size(), c->buildings.size());
+  EXPECT_EQ(whole.c.units.gravity, c->units.gravity);
+  EXPECT_EQ(whole.c.excitation.delays, c->excitation.delays);
+  EXPECT_EQ(whole.c.excitation.record.has_value(), c->excitation.record.has_value());
+  EXPECT_EQ(peak_acceleration(whole.problem.motion), c->excitation.record ? 0 : peak_acceleration(problem.motion));
+  EXPECT_EQ(whole.problem.delays, problem.delays);
+  EXPECT_EQ(whole.problem.duration, results.problem.duration);
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    EXPECT_EQ(whole.problem.buildings[b].model.stiffness, problem.buildings[b].model.stiffness);
+    EXPECT_EQ(whole.problem.buildings[b].modal_damping, problem.buildings[b].modal_damping);
+  }
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    EXPECT_EQ(whole.problem.points[i].law->parameters(), problem.points[i].law->parameters());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,
+                         testing::Values("m12-el-centro", "m12-harmonic", "row-of-three", "kelvin-voigt-pair",
+                                         "restitution-asked", "free-impact"),
+                         [](const auto& instance) {
+                           std::string label = instance.param;
+                           std::replace(label.begin(), label.end(), '-', '_');
+                           return label;
+                         });
+
+TEST(ReadResults, SaysWhichFileIsMissing) {
+  const TemporaryFolder folder;
+  try {
+    static_cast<void>(read_results(folder.path()));
+    FAIL() << "an empty folder holds no results";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("summary.json: there is no such file"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
+
+namespace bentur {
+namespace {
+
+void read_stick(const TomlView& view, ReadBuilding& building) {
+  if (!view.is_table_of({"storey_heights", "masses", "stiffnesses"})) return;
+  Stick stick;
+  const auto heights = view.get("storey_heights", Need::required);
+  const Length per_storey = {heights ? heights->size() : 0, "one per storey"};
+  if (heights) stick.storey_heights = heights->as_numbers(Rule::positive).value_or(std::vector<double>{});
+  stick.masses = view.numbers("masses", Rule::positive, per_storey).value_or(std::vector<double>{});
+  stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey).value_or(std::vector<double>{});
+  building.floors = building.modes = stick.storey_heights.size();
+  building.elevations.resize(building.floors);
+  std::partial_sum(stick.storey_heights.begin(), stick.storey_heights.end(), building.elevations.begin());
+  building.spec.structure = std::move(stick);
+}
+
+Damping read_rayleigh(const TomlView& view) {
+  RayleighDamping damping;
+  if (!view.is_table_of({"ratios", "periods"})) return damping;
+  damping.ratios = view.numbers("ratios", Rule::ratio, {2, "for two modes"}).value_or(std::vector<double>{});
+  const auto periods = view.get("periods", Need::required);
+  if (periods)
+    damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"}).value_or(std::vector<double>{});
+  if (damping.periods.size() == 2 && damping.periods[0] == damping.periods[1])
+    periods->error("must be two different periods");
+  return damping;
+}
+
+/// A number: the ratio of every mode; or a table with exactly one form.
+Damping read_damping(const TomlView& view, std::size_t modes) {
+  if (view.is_number()) return ModalDamping{{view.as_number(Rule::ratio).value_or(0)}};
+  if (!view.is(TomlValue::Kind::table)) {
+    view.error_value("must be a number or a table of modal, rayleigh or mass_proportional");
+    return ModalDamping{};
+  }
+  const std::vector<std::string> forms = {"modal", "rayleigh", "mass_proportional"};
+  (void)view.is_table_of(forms);
+  const auto form = view.exactly_one(forms);
+  if (form == "modal") {
+    return ModalDamping{view.numbers("modal", Rule::ratio, {modes, "one per mode"}).value_or(std::vector<double>{})};
+  }
+  if (form == "rayleigh") return read_rayleigh(*view.find("rayleigh"));
+  if (form == "mass_proportional")
+    return MassProportionalDamping{view.number("mass_proportional", Rule::ratio).value_or(0)};
+  return ModalDamping{};
+}
+
+void read_structure(const TomlView& view, double gravity, ReadBuilding& building) {
+  const std::vector<std::string> kinds = {"frame", "stick", "matrices"};
+  const auto kind = view.exactly_one(kinds);
+  for (const std::string& key : kinds) {
+    const auto found = view.find(key);
+    if (!found) continue;
+    if (key == "frame") read_frame(*found, gravity, building);
+    if (key == "stick") read_stick(*found, building);
+    if (key == "matrices") read_matrices(*found, building);
+  }
+  if (!kind) {  // what was read does not say which floors are meant
+    building.floors = building.modes = 0;
+    building.elevations.clear();
+  }
+}
+
+ReadBuilding read_building(const TomlView& entry, const Units& units, const std::vector<ReadBuilding>& before) {
+  ReadBuilding building;
+  building.path = entry.path();
+  if (!entry.is(TomlValue::Kind::table)) {
+    entry.error_value("must be a table");
+    return building;
+  }
+  if (const auto name = entry.text("name")) {
+    building.spec.name = *name;
+    if (name->empty()) {
+      entry.find("name")->error("is empty");
+    } else {
+      building.path = fmt::format("building[{}]", in_quotes(*name));
+      const auto same = [&](const ReadBuilding& other) { return other.spec.name == *name; };
+      if (std::any_of(before.begin(), before.end(), same)) {
+        entry.find("name")->error_value("another building has this name already");
+        building.path = entry.path();
+      }
+    }
+  }
+  const TomlView view = entry.renamed(building.path);
+  (void)view.is_table_of(
+      {"name", "damping", "calibrate_period", "base_elevation", "width", "frame", "stick", "matrices"});
+  building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
+  building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
+  read_structure(view, units.gravity, building);
+  if (const auto width = view.find("width")) {
+    if (building.is_frame) {
+      width->error("is not for a frame, whose width is the sum of its bay_widths");
+    } else {
+      building.spec.width = width->as_number(Rule::positive);
+    }
+  }
+  for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
+  try {
+    building.model = structural_model(building.spec);
+  } catch (const std::exception&) {
+    building.model.reset();  // said already, or said once everything else is right
+  }
+
+  const auto matrices = view.find("matrices");
+  const auto matrix_damping = matrices ? matrices->find("damping") : std::nullopt;
+  const auto damping = view.find("damping");
+  if (damping) {
+    Damping read = read_damping(*damping, building.modes);
+    if (matrix_damping) {
+      matrix_damping->error(fmt::format("and {} exclude one another: give exactly one", damping->path()));
+    } else {
+      building.spec.damping = std::move(read);
+    }
+  } else if (!matrix_damping) {
+    view.error_missing("damping");
+  }
+  return building;
+}
+
+}  // namespace
+
+double height_of(const ReadBuilding& building) {
+  return building.elevations.empty() ? 0 : building.elevations.back() - building.spec.base_elevation;
+}
+
+std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseMemo* memo) {
+  std::vector<ReadBuilding> buildings;
+  const auto list = root.find("building");
+  if (!list) {
+    root.error_missing("building", "two or more [[building]] tables");
+    return buildings;
+  }
+  if (!list->is(TomlValue::Kind::list)) {
+    list->error_value("must be a list of tables, each headed [[building]]");
+    return buildings;
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const auto known = memo != nullptr ? memo->building(list->item(i).value(), units, buildings) : nullptr;
+    buildings.push_back(known ? *known : read_building(list->item(i), units, buildings));
+  }
+  if (list->size() < 2) {
+    list->error(fmt::format("has {} {}, expected two or more", list->size(), list->size() == 1 ? "entry" : "entries"));
+  }
+  return buildings;
+}
+
+}  // namespace bentur

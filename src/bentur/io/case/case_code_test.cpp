@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+namespace {
+
+const std::string three_buildings = R"(
+[units]
+length = "cm"
+force = "kN"
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [300.0, 300.0], masses = [0.3, 0.25], stiffnesses = [400, 300] }
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [300.0, 300.0], masses = [0.2, 0.18], stiffnesses = [600, 500] }
+[[building]]
+name = "C"
+damping = 0.05
+stick = { storey_heights = [200.0, 400.0], masses = [0.2, 0.18], stiffnesses = [600, 500] }
+[[gap]]
+between = ["A", "B"]
+width = 2
+contact = { law = "linear", stiffness = 3e4 }
+[[gap]]
+between = ["B", "C"]
+width = 2
+contact = { law = "linear", stiffness = 3e4 }
+[excitation]
+kind = "harmonic"
+period = 0.4
+displacement_amplitude = 5
+[analysis]
+duration = 3.0
+)";
+
+Case read_with(const std::string& code) {
+  Diagnostics diagnostics;
+  const std::optional<Case> c = read_case_text(three_buildings + code, "case.toml", diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  return c.value_or(Case{});
+}
+
+TEST(CaseCode, WithoutTheTableThereAreNoRules) {
+  const Case c = read_with("");
+  EXPECT_TRUE(c.code.rules.empty());
+  EXPECT_FALSE(c.code.floors_aligned.has_value());
+}
+
+TEST(CaseCode, EveryRuleAndKey) {
+  const Case c = read_with(R"(
+[code]
+floors_aligned = [true, false]
+same_owner = false
+ntc-2004 = { behaviour_factor = 2, zone = "III", structures_alike = true }
+gb-50011-2010 = { intensity = 8, system = ["frame", "wall", "frame-wall"] }
+tbdy-2018 = { response_reduction = 8, importance_factor = 1.5 }
+nbcc = { ductility_factor = 4, overstrength_factor = 1.7, importance_factor = 1 }
+is-1893-1 = { response_reduction = [5, 3, 4] }
+en-1998-1 = { behaviour_factor = 3.9 }
+sni-1726-2019 = { deflection_amplification = 5.5, importance_factor = 1 }
+asce-7-16 = { deflection_amplification = 5.5, importance_factor = [1, 1.25, 1.5] }
+)");
+  ASSERT_EQ(c.code.rules.size(), code_rules().size());
+  for (std::size_t i = 0; i < code_rules().size(); ++i) EXPECT_EQ(c.code.rules[i].rule, code_rules()[i].name);
+  EXPECT_EQ(c.code.floors_aligned, (std::vector<bool>{true, false}));
+  EXPECT_EQ(c.code.same_owner, (std::vector<bool>{false, false}));
+  EXPECT_EQ(c.code.rules[0].numbers.at("importance_factor"), (std::vector<double>{1, 1.25, 1.5}));
+  EXPECT_EQ(c.code.rules[6].numbers.at("intensity"), std::vector<double>{8});
+  EXPECT_EQ(c.code.rules[6].words.at("system"), (std::vector<std::string>{"frame", "wall", "frame-wall"}));
+  EXPECT_EQ(c.code.rules[7].words.at("zone"), std::vector<std::string>{"III"});
+  EXPECT_TRUE(c.code.rules[7].flags.at("structures_alike"));
+}
+
+TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {
+  const Case c = read_with("\n[code]\nis-1893-1 = { response_reduction = 1 }\n");
+  const Problem problem = make_problem(c);
+  const auto points = separations(problem, solve(problem), c.code, c.units);
+  ASSERT_EQ(points.size(), 3U);  // two between A and B, the roofs of B and C
+  EXPECT_NEAR(points[0].codes[0].gap, points[0].abs / 2, 1e-12);
+  EXPECT_NEAR(points[1].codes[0].gap, points[1].abs / 2, 1e-12);
+  EXPECT_NEAR(points[2].codes[0].gap, points[2].abs, 1e-12);
+}
+
+TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {
+  const Case c = read_with(
+      "\n[code]\nnbcc = { ductility_factor = 4, overstrength_factor = 1.7, importance_factor = 1 }\n"
+      "ntc-2004 = { behaviour_factor = 2, zone = \"I\" }\n");
+  const Problem problem = make_problem(c);
+  const Response response = solve(problem);
+  const auto points = separations(problem, response, c.code, c.units);
+  const auto json = nlohmann::json::parse(gap_json(c, problem, response, points, "1"));
+  EXPECT_EQ(json["code_rules"][0]["rule"], "nbcc");
+  EXPECT_EQ(json["code_rules"][0]["clause"], "4.1.8.14");
+  EXPECT_EQ(json["code_rules"][1]["wording"], "checked, Q to check");
+  const auto& gap = json["gaps"][0];
+  EXPECT_TRUE(gap["codes"][0]["to_property_line"][0].is_null());
+  const double roof = gap["points"][1]["codes"][1]["gap"], first = gap["points"][0]["codes"][1]["gap"];
+  EXPECT_EQ(gap["codes"][1]["gap"], std::max(roof, first));
+  const double left = gap["codes"][1]["to_property_line"][0], right = gap["codes"][1]["to_property_line"][1];
+  EXPECT_NEAR(left + right, roof, 1e-12);
+}
+
+}  // namespace
+}  // namespace bentur

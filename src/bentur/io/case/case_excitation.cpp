@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/file_identity.h"
+#include "bentur/io/input_file.h"
+#include "bentur/io/records/record_files.h"
+
+namespace bentur {
+namespace {
+
+const std::vector<std::string> common_keys = {"kind", "delays", "wave_velocity", "kinematics"};
+const std::vector<std::string> record_keys = {"file",    "format",     "time_step", "unit", "column",
+                                              "channel", "skip_lines", "polarity",  "pga",  "scale"};
+const std::vector<std::string> harmonic_keys = {"period", "displacement_amplitude", "acceleration_amplitude", "phase"};
+
+/// Unknown keys, and known ones that belong to another kind.
+void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
+  std::vector<std::string> known = common_keys;
+  known.insert(known.end(), record_keys.begin(), record_keys.end());
+  known.insert(known.end(), harmonic_keys.begin(), harmonic_keys.end());
+  (void)view.is_table_of(known);
+  const auto refuse = [&](const std::vector<std::string>& keys, const char* owner) {
+    if (!kind || *kind == owner) return;
+    for (const std::string& key : keys) {
+      if (const auto found = view.find(key)) {
+        found->error(fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owner, *kind));
+      }
+    }
+  };
+  refuse(record_keys, "record");
+  refuse(harmonic_keys, "harmonic");
+}
+
+/// A whole number that says where in a file to look; `good` is set to false where it is none.
+std::optional<int> read_place(const TomlView& view, const char* key, int least, const char* what, bool& good) {
+  const auto place = view.find(key);
+  if (!place) return std::nullopt;
+  const TomlValue& value = place->value();
+  if (value.kind == TomlValue::Kind::integer && value.integer >= least && value.integer <= 1000000) {
+    return static_cast<int>(value.integer);
+  }
+  place->error_value(fmt::format("must be a whole number from {} ({})", least, what));
+  good = false;
+  return std::nullopt;
+}
+
+/// The unit of the file's numbers. A file that says it needs no unit in the case, and must not be contradicted.
+std::optional<std::string> settle_unit(const TomlView& view, const Record& record, const std::string& name) {
+  const auto given = view.find("unit");
+  const auto unit = view.word("unit", acceleration_units(), Need::optional);
+  if (record.unit.empty()) {
+    if (!given) {
+      std::string known;
+      for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
+      view.error_missing("unit", fmt::format("{} does not say it; one of {}", in_quotes(name), known));
+    }
+    return unit;
+  }
+  if (unit && *unit != record.unit) {
+    given->error_value(fmt::format("but the file says \"{}\"", record.unit));
+    return std::nullopt;
+  }
+  return record.unit;
+}
+
+/// Scales to the case's length/s² and, where asked for, to a peak or by a factor.
+void apply_scale(const TomlView& view, double unit_factor, SampledMotion& motion, RecordEcho& echo) {
+  const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
+  double factor = unit_factor;
+  if (key == "scale") {
+    factor *= view.number("scale", Rule::not_zero).value_or(1);
+  } else if (key == "pga") {
+    const auto pga = view.number("pga", Rule::positive);
+    if (!(echo.pga_read > 0)) {
+      view.find("pga")->error("cannot be reached: the record is zero throughout");
+    } else if (pga) {
+      factor = *pga / echo.pga_read;
+    }
+  }
+  echo.reversed = view.word("polarity", polarities(), Need::optional) == "reversed";
+  if (echo.reversed) factor = -factor;
+  for (double& value : motion.acceleration) value *= factor;
+  echo.pga = echo.pga_read * std::abs(factor);
+  if (!std::isfinite(echo.pga)) view.error("scales the record beyond what can be computed with");
+}
+
+std::optional<SampledMotion> read_record_motion(const TomlView& view, const Units& units,
+                                                const std::filesystem::path& folder, RecordEcho& echo,
+                                                Diagnostics& diagnostics, CaseMemo* memo) {
+  const auto file = view.get("file", Need::required);
+  const auto name = file ? file->as_text() : std::nullopt;
+  RecordOptions options;
+  const auto format = view.word("format", record_formats(), Need::optional);
+  options.format = format.value_or("auto");
+  const bool format_usable = format || !view.has("format");
+  options.time_step = view.number("time_step", Rule::positive, Need::optional);
+  const bool step_usable = options.time_step || !view.has("time_step");
+  bool places_usable = true;
+  options.column = read_place(view, "column", 1, "the first column of the file", places_usable);
+  options.channel = read_place(view, "channel", 1, "the first channel of the file", places_usable);
+  options.skip_lines =
+      read_place(view, "skip_lines", 0, "how many lines at the beginning to pass over", places_usable).value_or(0);
+
+  std::optional<Record> record;
+  if (name && format_usable && step_usable && places_usable) {
+    const std::filesystem::path path = folder / *name;
+    const std::string problem = input_problem(path, record_input);
+    if (!problem.empty()) {
+      file->error_value(problem + " (names are relative to the case file)");
+    } else {
+      record = memo != nullptr ? memo->record(path, options, diagnostics) : read_record(path, options, diagnostics);
+    }
+  }
+  if (!record) {  // what can be said without the file
+    (void)view.word("unit", acceleration_units(), Need::optional);
+    (void)view.word("polarity", polarities(), Need::optional);
+    const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
+    if (key) (void)view.number(*key, *key == "pga" ? Rule::positive : Rule::not_zero);
+    return std::nullopt;
+  }
+  // A step that rounding explains is let pass; the file's own is used.
+  if (options.time_step && std::abs(*options.time_step / record->time_step - 1) > 0.01) {
+    view.find("time_step")->error_value(fmt::format("but the file says {:.6g} s", record->time_step));
+  }
+  const auto unit = settle_unit(view, *record, *name);
+  echo = echo_of(*record, *name, unit.value_or(""));
+  echo.path = (folder / *name).string();
+  if (memo == nullptr) {  // else many runs, whose study keeps the hashes
+    FileIdentity identity = identify(echo.path);
+    echo.size = identity.size;
+    echo.sha256 = std::move(identity.sha256);
+  }
+  SampledMotion motion{record->time_step, std::move(record->values)};
+  apply_scale(view, unit ? acceleration_factor(*unit, units) : 1.0, motion, echo);
+  return motion;
+}
+
+HarmonicMotion read_harmonic(const TomlView& view) {
+  HarmonicMotion motion;
+  motion.period = view.number("period", Rule::positive).value_or(1);
+  const auto key = view.exactly_one({"displacement_amplitude", "acceleration_amplitude"});
+  if (key) {
+    const double amplitude = view.number(*key, Rule::positive).value_or(1);
+    const double omega = 2 * std::numbers::pi / motion.period;  // [rad/s]
+    motion.displacement_amplitude = *key == "displacement_amplitude" ? amplitude : amplitude / (omega * omega);
+  }
+  if (view.word("phase", {"sine", "cosine"}, Need::optional) == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
+  return motion;
+}
+
+/// Delay of each building behind the first [s]: the distance of their centres over the wave velocity [length/s].
+/// Centres are half a width from the faces; a gap counts with its smallest width.
+std::vector<double> wave_delays(const TomlView& view, const std::vector<ReadBuilding>& buildings,
+                                const std::vector<GapSpec>& gaps) {
+  const auto velocity = view.number("wave_velocity", Rule::positive);
+  std::vector<double> delays(buildings.size(), 0.0);
+  bool known = velocity.has_value() && gaps.size() + 1 == buildings.size();
+  for (const ReadBuilding& building : buildings) {
+    if (building.spec.width) continue;
+    known = false;
+    // A frame without a width has wrong bay_widths, and a building without floors is wrong as a whole: said already.
+    if (!building.is_frame && building.floors > 0) {
+      view.find("wave_velocity")->error(fmt::format("needs {}.width, which is missing", building.path));
+    }
+  }
+  for (std::size_t b = 1; known && b < buildings.size(); ++b) {
+    const std::vector<double>& widths = gaps[b - 1].widths;
+    if (widths.empty()) break;
+    const double distance = 0.5 * (*buildings[b - 1].spec.width + *buildings[b].spec.width) +
+                            *std::min_element(widths.begin(), widths.end());
+    delays[b] = delays[b - 1] + distance / *velocity;
+  }
+  return delays;
+}
+
+std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuilding>& buildings,
+                                const std::vector<GapSpec>& gaps) {
+  const auto key = view.exactly_one({"delays", "wave_velocity"}, Need::optional);
+  if (key == "wave_velocity") return wave_delays(view, buildings, gaps);
+  if (key == "delays") {
+    if (auto delays = view.numbers("delays", Rule::not_negative, {buildings.size(), "one per building"}))
+      return *delays;
+  }
+  return std::vector<double>(buildings.size(), 0.0);
+}
+
+}  // namespace
+
+const std::vector<std::string>& polarities() {
+  static const std::vector<std::string> both = {"as-recorded", "reversed"};
+  return both;
+}
+
+ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
+                               const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
+                               Diagnostics& diagnostics, CaseMemo* memo) {
+  ExcitationSpec spec;
+  const auto view = root.get("excitation", Need::required);
+  if (!view) return spec;
+  if (!view->is(TomlValue::Kind::table)) {
+    view->error_value("must be a table");
+    return spec;
+  }
+  const auto kind = view->word("kind", {"record", "harmonic", "none"});
+  check_keys(*view, kind);
+  if (kind == "record") {
+    RecordEcho echo;
+    if (auto motion = read_record_motion(*view, units, folder, echo, diagnostics, memo)) {
+      spec.motion = std::move(*motion);
+      spec.record = std::move(echo);
+    }
+  } else if (kind == "harmonic") {
+    spec.motion = read_harmonic(*view);
+  }
+  spec.delays = read_delays(*view, buildings, gaps);
+  if (view->word("kinematics", {"relative", "absolute"}, Need::optional) == "absolute") {
+    spec.kinematics = Kinematics::absolute;
+  }
+  return spec;
+}
+
+}  // namespace bentur

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bentur/io/case/case_parts.h"
+
+namespace bentur {
+namespace {
+
+/// The member's second moment about the axis normal to the frame: width · depth³/12, depth in the plane of the frame.
+void read_shape(const TomlView& view, Section& section) {
+  const bool rectangle = view.has("width") || view.has("depth");
+  const bool properties = view.has("area") || view.has("inertia");
+  if (rectangle == properties) {
+    view.error("needs either width and depth, or area and inertia");
+    return;
+  }
+  const auto first = view.number(rectangle ? "width" : "area", Rule::positive);
+  const auto second = view.number(rectangle ? "depth" : "inertia", Rule::positive);
+  if (!first || !second) return;
+  section.area = rectangle ? *first * *second : *first;
+  section.inertia = rectangle ? section.area * *second * *second / 12 : *second;
+  if (!(std::isfinite(section.inertia) && section.area > 0 && section.inertia > 0)) {
+    view.error("has a section too large or too small to compute with");
+  }
+}
+
+/// From a density a member weighs by its own length.
+Section read_section(const TomlView& view, double gravity) {
+  Section section;
+  if (!view.is_table_of({"width", "depth", "area", "inertia", "mass", "density", "unit_weight"})) return section;
+  read_shape(view, section);
+  const auto basis = view.exactly_one({"mass", "density", "unit_weight"});
+  if (!basis) return section;
+  const double amount = view.number(*basis, Rule::not_negative).value_or(0);
+  if (*basis == "mass") {
+    section.mass = amount;
+  } else {
+    section.line_mass = (*basis == "unit_weight" ? amount / gravity : amount) * section.area;
+  }
+  return section;
+}
+
+/// One section for each of `count` storeys or floors, from a list of one for all or one for each. @param each "one per
+/// storey".
+std::vector<Section> read_sections(const TomlView& frame, const std::string& key, std::size_t count,
+                                   const std::string& each, double gravity) {
+  const auto list = frame.get(key, Need::required);
+  if (!list || !list->is_list_of("sections")) return {};
+  if (count > 0 && list->size() != 1 && list->size() != count) {
+    list->error(fmt::format("has {} entries, expected 1 or {} ({})", list->size(), count, each));
+  }
+  std::vector<Section> given;
+  for (std::size_t i = 0; i < list->size(); ++i) given.push_back(read_section(list->item(i), gravity));
+  std::vector<Section> sections;
+  for (std::size_t i = 0; i < count; ++i) sections.push_back(given[std::min(i, given.size() - 1)]);
+  return sections;
+}
+
+/// A number for all floors or a list with one each.
+std::vector<double> read_per_floor(const TomlView& view, const std::string& key, Rule rule, std::size_t floors,
+                                   Need need) {
+  const auto value = view.get(key, need);
+  auto numbers = value ? value->as_number_or_numbers(rule, {floors, "one per floor"}) : std::nullopt;
+  if (!numbers) return std::vector<double>(floors, 0.0);
+  if (numbers->size() == 1) numbers->assign(floors, numbers->front());
+  return *numbers;
+}
+
+/// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ
+/// bays/g.
+std::vector<double> read_floor_masses(const TomlView& view, double gravity, std::size_t floors, double length) {
+  std::vector<double> masses = read_per_floor(view, "floor_masses", Rule::not_negative, floors, Need::optional);
+  const auto load = view.find("floor_load");
+  if (!load || !load->is_table_of({"pressure", "width"})) return masses;
+  const std::vector<double> pressure = read_per_floor(*load, "pressure", Rule::not_negative, floors, Need::required);
+  const std::vector<double> width = read_per_floor(*load, "width", Rule::positive, floors, Need::required);
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (i < pressure.size() && i < width.size()) masses[i] += pressure[i] * width[i] * length / gravity;
+  }
+  if (std::any_of(masses.begin(), masses.end(), [](double mass) { return !std::isfinite(mass); })) {
+    load->error("is too large to compute with");
+  }
+  return masses;
+}
+
+/// Every floor needs a mass, and joint rotations that are kept need a member with mass at each floor.
+void check_masses(const TomlView& view, const PlaneFrame& frame) {
+  const std::size_t floors = frame.storey_heights.size();
+  if (frame.columns.size() != floors || frame.beams.size() != floors) return;
+  const auto has_mass = [](const Section& section) { return section.mass + section.line_mass > 0; };
+  const auto some_member = [&](std::size_t i) {
+    return has_mass(frame.columns[i]) || has_mass(frame.beams[i]) || (i + 1 < floors && has_mass(frame.columns[i + 1]));
+  };
+  bool some = false;
+  bool all = true;
+  for (std::size_t i = 0; i < floors; ++i) {
+    const double extra = i < frame.floor_masses.size() ? frame.floor_masses[i] : 0;
+    if (!some_member(i) && !(extra > 0)) view.error(fmt::format("has no mass at floor {}", i + 1));
+    some = some || some_member(i);
+    all = all && some_member(i);
+  }
+  if (frame.condensation == Condensation::none && frame.mass_matrix == MassMatrix::consistent && some && !all) {
+    view.error("keeps joint rotations (condensation = \"none\"), so each floor needs a column or beam with mass");
+  }
+}
+
+}  // namespace
+
+void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
+  building.is_frame = true;
+  if (!view.is_table_of({"elastic_modulus", "storey_heights", "bay_widths", "columns", "beams", "floor_masses",
+                         "floor_load", "mass_matrix", "condensation", "base_coupling"})) {
+    return;
+  }
+  PlaneFrame frame;
+  frame.elastic_modulus = view.number("elastic_modulus", Rule::positive).value_or(0);
+  frame.storey_heights = view.numbers("storey_heights", Rule::positive).value_or(std::vector<double>{});
+  frame.bay_widths = view.numbers("bay_widths", Rule::positive).value_or(std::vector<double>{});
+
+  const std::size_t storeys = frame.storey_heights.size();
+  const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
+  frame.columns = read_sections(view, "columns", storeys, "one per storey", gravity);
+  frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity);
+  frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
+
+  const auto mass_matrix = view.word("mass_matrix", {"consistent", "lumped"}, Need::optional);
+  if (mass_matrix == "lumped") frame.mass_matrix = MassMatrix::lumped;
+  const auto condensation = view.word("condensation", {"static", "dynamic", "none"}, Need::optional);
+  if (condensation == "dynamic") frame.condensation = Condensation::dynamic;
+  if (condensation == "none") frame.condensation = Condensation::none;
+  frame.base_coupling = view.flag("base_coupling", Need::optional).value_or(true);
+
+  if (storeys > 0) {
+    check_masses(view, frame);
+    building.floors = building.modes = storeys;
+    // Lumped masses, or none at all on members, leave rotations massless, so that they are condensed anyway.
+    const auto has_mass = [](const Section& section) { return section.mass + section.line_mass > 0; };
+    const bool rotary = frame.mass_matrix == MassMatrix::consistent &&
+                        (std::any_of(frame.columns.begin(), frame.columns.end(), has_mass) ||
+                         std::any_of(frame.beams.begin(), frame.beams.end(), has_mass));
+    if (frame.condensation == Condensation::none && rotary) {
+      building.modes = frame.bay_widths.empty() ? 0 : storeys * (frame.bay_widths.size() + 2);
+    }
+    building.elevations.resize(storeys);
+    std::partial_sum(frame.storey_heights.begin(), frame.storey_heights.end(), building.elevations.begin());
+  }
+  if (!frame.bay_widths.empty()) building.spec.width = length;
+  building.spec.structure = std::move(frame);
+}
+
+}  // namespace bentur

@@ -1,0 +1,344 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "bentur/contact/laws.h"
+#include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
+#include "bentur/io/case/case_parts.h"
+
+namespace bentur {
+namespace {
+
+/// The neighbours of a gap, and the elevations of their contact points [length]; empty: not known.
+struct GapSides {
+  const ReadBuilding& left;
+  const ReadBuilding& right;
+  const std::vector<double>& elevations;
+
+  /// Of a list for the contact points.
+  [[nodiscard]] Length points() const {
+    return {elevations.size(), fmt::format("one per contact point, at elevations {}", fmt::join(elevations, ", "))};
+  }
+};
+
+FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
+
+/// Whether some floor of either building is between base and top of the other.
+bool face_each_other(const FloorLevels& left, const FloorLevels& right) {
+  const auto faces = [](const FloorLevels& a, const FloorLevels& b) {
+    return std::any_of(a.elevations.begin(), a.elevations.end(),
+                       [&](double floor) { return floor >= b.base && floor <= b.elevations.back(); });
+  };
+  return faces(left, right) || faces(right, left);
+}
+
+/// What to do where no floors meet: those nearest to one another say how far the tolerance is from it.
+std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& right) {
+  double apart = std::numeric_limits<double>::infinity();
+  for (const double a : left.elevations) {
+    for (const double b : right.elevations) apart = std::min(apart, std::abs(a - b));
+  }
+  return fmt::format(
+      "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
+      "meet "
+      "do so with level_tolerance (the nearest two are {} apart), or model no contact with elevations = []: floors are "
+      "then watched against the columns they face, for the gap they need",
+      in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
+      fmt::join(right.elevations, ", "), number(apart));
+}
+
+/// elevations = []
+bool models_no_contact(const TomlView& elevations) {
+  return elevations.is(TomlValue::Kind::list) && elevations.size() == 0;
+}
+
+void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
+                  const std::vector<ReadBuilding>& buildings) {
+  const auto between = gap.get("between", Need::required);
+  if (!between || !between->is_list_of("building names", {2, "the neighbours, left and right"})) return;
+  std::vector<std::string> names;
+  for (const ReadBuilding& building : buildings) {
+    const std::string& name = building.spec.name;
+    // Without a name of its own for each building there is nothing to compare with; that has been said.
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
+    names.push_back(name);
+  }
+  std::vector<std::string> given;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto name = between->item(i).as_text();
+    if (!name) return;
+    if (std::find(names.begin(), names.end(), *name) == names.end()) {
+      between->item(i).error_value("there is no such building, " + suggestion(*name, names, "the buildings are"));
+      return;
+    }
+    given.push_back(*name);
+  }
+  if (given[0] != left.spec.name || given[1] != right.spec.name) {
+    between->error(fmt::format("= [{}, {}], must be [{}, {}] (gaps and neighbours from left to right)",
+                               in_quotes(given[0]), in_quotes(given[1]), in_quotes(left.spec.name),
+                               in_quotes(right.spec.name)));
+  }
+}
+
+/// Elevations of the contact points that a list names, each at one of two floors that meet or between them.
+std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
+                                     const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                                     const FloorLevels& right) {
+  std::vector<double> common, named;
+  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
+  std::vector<const LevelPair*> taken;
+  const double round_off = round_off_of_levels(left, right);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
+    if (pair == nullptr) {
+      list.item(i).error_value(
+          common.empty()
+              ? "the buildings do not both have a floor there"
+              : fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
+    } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
+      list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",
+                                           before - taken.begin(),
+                                           wanted[static_cast<std::size_t>(before - taken.begin())]));
+    }
+    taken.push_back(pair);
+    if (pair != nullptr)
+      named.push_back(std::abs(wanted[i] - pair->elevation) <= round_off ? wanted[i] : pair->elevation);
+  }
+  return named.size() == wanted.size() ? named : std::vector<double>{};
+}
+
+/// The contact points' elevations [length]; empty when they are not known, or there are to be none.
+std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
+                                    std::optional<double> tolerance) {
+  const auto given = gap.find("elevations");
+  const FloorLevels a = floor_levels(left);
+  const FloorLevels b = floor_levels(right);
+  if (!a.elevations.empty() && !b.elevations.empty() && !face_each_other(a, b)) {
+    gap.error(fmt::format(
+        "is between buildings of which no floor faces the other: {} reaches from {} to {}, {} from {} to {}",
+        in_quotes(left.spec.name), a.base, a.elevations.back(), in_quotes(right.spec.name), b.base,
+        b.elevations.back()));
+    return {};
+  }
+  if (given && models_no_contact(*given)) return {};
+  const auto wanted = given ? given->as_numbers(Rule::finite) : std::nullopt;
+  if (wanted && std::adjacent_find(wanted->begin(), wanted->end(), std::greater_equal<>()) != wanted->end()) {
+    given->error("must ascend");
+    return {};
+  }
+  if (left.elevations.empty() || right.elevations.empty() || (given && !wanted)) return {};
+  const std::vector<LevelPair> pairs = level_floors(a, b, tolerance);
+  if (pairs.empty()) {
+    gap.error(no_common_elevation(left, right));
+    return {};
+  }
+  if (given) return named_elevations(*given, *wanted, pairs, a, b);
+  std::vector<double> common;
+  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
+  return common;
+}
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawEntry& law : contact_laws()) names.emplace_back(law.name);
+  return names;
+}
+
+/// The keys of one law.
+std::vector<std::string> contact_keys(const LawEntry& law) {
+  std::vector<std::string> keys = {"law"};
+  for (const LawKey& key : law.keys) keys.emplace_back(key.name);
+  for (const LawChoice& choice : law.choices) keys.emplace_back(choice.name);
+  return keys;
+}
+
+/// The keys of every law, so that one for another law is told from a misspelt one.
+std::vector<std::string> all_contact_keys() {
+  std::vector<std::string> all;
+  for (const LawEntry& law : contact_laws()) {
+    for (const std::string& key : contact_keys(law)) {
+      if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
+    }
+  }
+  return all;
+}
+
+/// The law's name if it is known, after a look at all keys of the table.
+const LawEntry* read_law(const TomlView& contact) {
+  const auto name = contact.word("law", law_names());
+  const LawEntry* const law = name ? find_law(*name) : nullptr;
+  (void)contact.is_table_of(all_contact_keys());
+  if (law == nullptr) return nullptr;
+  const std::vector<std::string> own = contact_keys(*law);
+  for (const std::string& key : all_contact_keys()) {
+    const auto other = contact.find(key);
+    if (other && std::find(own.begin(), own.end(), key) == own.end()) {
+      other->error(fmt::format("is not for law = \"{}\"", law->name));
+    }
+  }
+  return law;
+}
+
+Rule rule_of(LawKey::Range range) {
+  switch (range) {
+    case LawKey::Range::positive:
+      return Rule::positive;
+    case LawKey::Range::not_negative:
+      return Rule::not_negative;
+    case LawKey::Range::restitution:
+      break;
+  }
+  return Rule::restitution;
+}
+
+/// One key of the law into `spec`; false (and an error) unless its value is usable.
+bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, const GapSides& sides,
+                 ContactSpec& spec) {
+  if (value.is(TomlValue::Kind::text)) {
+    if (value.value().text != "axial") {
+      value.error_value(key.axial ? "must be a number, a list of numbers or \"axial\""
+                                  : "must be a number or a list of numbers");
+    } else if (!key.axial) {
+      value.error_value(fmt::format("must be a number or a list of numbers: with law = \"{}\" {} is no force/length",
+                                    law.name, key.name));
+    } else if (!sides.left.is_frame || !sides.right.is_frame) {
+      value.error_value(
+          fmt::format("needs two frames, but {} is none", (sides.left.is_frame ? sides.right : sides.left).path));
+    } else {
+      spec.axial = true;
+    }
+    return spec.axial;
+  }
+  const auto numbers = value.as_number_or_numbers(rule_of(key.range), sides.points());
+  if (numbers) spec.numbers[std::string(key.name)] = *numbers;
+  return numbers.has_value();
+}
+
+/// What the law needs: each required key, exactly one of those that exclude one another.
+bool read_numbers(const TomlView& contact, const LawEntry& law, const GapSides& sides, ContactSpec& spec) {
+  bool good = true;
+  std::vector<std::string> one_of;
+  for (const LawKey& key : law.keys) {
+    if (key.need == LawKey::Need::one_of) one_of.emplace_back(key.name);
+    const auto value =
+        contact.get(std::string(key.name), key.need == LawKey::Need::required ? Need::required : Need::optional);
+    const bool read = value ? read_number(*value, law, key, sides, spec) : key.need == LawKey::Need::one_of;
+    good = good && read;
+  }
+  const bool one = one_of.empty() || contact.exactly_one(one_of).has_value();
+  return good && one;
+}
+
+bool read_choices(const TomlView& contact, const LawEntry& law, ContactSpec& spec) {
+  bool good = true;
+  for (const LawChoice& choice : law.choices) {
+    const auto value = contact.find(std::string(choice.name));
+    if (!value) continue;
+    if (const auto word = value->as_word({choice.words.begin(), choice.words.end()})) {
+      spec.words[std::string(choice.name)] = *word;
+    } else {
+      good = false;
+    }
+    if (!choice.with.empty() && !contact.has(std::string(choice.with))) {
+      value->error(fmt::format("goes with {}, which is not given", choice.with));
+      good = false;
+    }
+  }
+  return good;
+}
+
+/// What was said of the law, or nothing when it is not complete.
+std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides, Need need) {
+  const auto view = gap.get("contact", need);
+  if (!view) return std::nullopt;
+  if (!view->is(TomlValue::Kind::table)) {
+    view->error_value("must be a table with law and what that law needs");
+    return std::nullopt;
+  }
+  const LawEntry* const law = read_law(*view);
+  if (law == nullptr) return std::nullopt;
+  ContactSpec spec;
+  spec.law = law->name;
+  const bool numbers = read_numbers(*view, *law, sides, spec);
+  const bool choices = read_choices(*view, *law, spec);
+  return numbers && choices ? std::optional(spec) : std::nullopt;
+}
+
+/// Values that are right one by one but do not go together, such as a contact that is stiffer once it has yielded: each
+/// contact point's law is made once, with the masses and beams it will have.
+void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& sides) {
+  if (!sides.left.model || !sides.right.model) return;
+  for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
+    try {
+      (void)make_contact_law(spec, i, {sides.left.spec, *sides.left.model}, {sides.right.spec, *sides.right.model});
+    } catch (const InvalidParameter& fault) {
+      const auto value = contact.find(fault.parameter());
+      if (!value) {
+        contact.error(std::string("cannot be computed with: ") + fault.what());
+      } else if (value->is(TomlValue::Kind::list)) {
+        value->item(i).error_value(fault.rule());
+        continue;
+      } else {
+        value->error_value(fault.rule());
+      }
+      return;  // the other points would say the same
+    }
+  }
+}
+
+GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
+                 const std::vector<ReadBuilding>& buildings) {
+  GapSpec spec;
+  if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact"})) return spec;
+  read_between(gap, left, right, buildings);
+  spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
+  spec.elevations = read_elevations(gap, left, right, spec.level_tolerance);
+  const std::size_t points = spec.elevations.size();
+  const auto given = gap.find("elevations");
+  const bool no_contact = given && models_no_contact(*given);
+  const GapSides sides{left, right, spec.elevations};
+  if (const auto width = gap.get("width", Need::required)) {
+    if (no_contact) {
+      if (const auto number = width->as_number(Rule::not_negative)) spec.widths = {*number};
+    } else {
+      spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points()).value_or(std::vector<double>{});
+    }
+    if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
+  }
+  if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {
+    spec.contact = *contact;
+    check_laws(*gap.find("contact"), spec, sides);
+  }
+  return spec;
+}
+
+}  // namespace
+
+std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+  std::vector<GapSpec> gaps;
+  const auto list = root.find("gap");
+  if (!list) {
+    root.error_missing("gap", "one [[gap]] table between each pair of neighbours");
+    return gaps;
+  }
+  if (!list->is(TomlValue::Kind::list)) {
+    list->error_value("must be a list of tables, each headed [[gap]]");
+    return gaps;
+  }
+  const std::size_t expected = buildings.empty() ? 0 : buildings.size() - 1;
+  if (list->size() != expected && buildings.size() > 1) {
+    list->error(fmt::format("has {} {}, expected {} (one between each pair of neighbours)", list->size(),
+                            list->size() == 1 ? "entry" : "entries", expected));
+  }
+  for (std::size_t i = 0; i < std::min(list->size(), expected); ++i) {
+    gaps.push_back(read_gap(list->item(i), buildings[i], buildings[i + 1], buildings));
+  }
+  return gaps;
+}
+
+}  // namespace bentur

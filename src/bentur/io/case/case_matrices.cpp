@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bentur/io/case/case_parts.h"
+
+namespace bentur {
+namespace {
+
+constexpr double symmetry_tolerance = 1e-9;  // of the largest entry [-]
+
+/// n × n numbers, or where `diagonal_allowed` a list of n: the diagonal. Empty when something is wrong.
+Eigen::MatrixXd read_matrix(const TomlView& view, std::size_t n, bool diagonal_allowed) {
+  const std::string what = diagonal_allowed ? "numbers (the diagonal) or of rows" : "rows";
+  if (!view.is_list_of(what, {n, "one per elevation"})) return {};
+  const auto size = static_cast<Eigen::Index>(view.size());
+  if (diagonal_allowed && view.item(0).is_number()) {
+    const auto diagonal = view.as_numbers(Rule::positive);
+    return diagonal ? Eigen::MatrixXd(Eigen::Map<const Eigen::VectorXd>(diagonal->data(), size).asDiagonal())
+                    : Eigen::MatrixXd();
+  }
+  Eigen::MatrixXd matrix(size, size);
+  bool good = true;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    const auto row = view.item(i).as_numbers(Rule::finite, {view.size(), "a square matrix"});
+    good = good && row.has_value();
+    if (row) matrix.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(row->data(), size);
+  }
+  if (!good) return {};
+  const double tolerance = symmetry_tolerance * matrix.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (std::abs(matrix(i, j) - matrix(j, i)) <= tolerance) continue;
+      const auto entry = view.item(static_cast<std::size_t>(i)).item(static_cast<std::size_t>(j));
+      entry.error_value(fmt::format("must be {} as at [{}][{}]: the matrix must be symmetric", matrix(j, i), j, i));
+      good = false;
+    }
+  }
+  if (!good) return {};
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+/// Smallest eigenvalue against round-off: positive, or where `semi` not negative.
+void check_definite(const TomlView& view, const Eigen::MatrixXd& matrix, bool semi) {
+  if (matrix.size() == 0) return;
+  const double largest = matrix.cwiseAbs().maxCoeff();
+  if (largest == 0 && semi) return;
+  const double least =
+      largest == 0
+          ? 0
+          : Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix / largest, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  // Entries carry about as many digits as symmetry asks for; a stiffness may be that ill-conditioned without being
+  // wrong.
+  if (semi ? least < -symmetry_tolerance : least <= 1e-14 * static_cast<double>(matrix.rows())) {
+    view.error(fmt::format("must be positive {}, its smallest eigenvalue is {:.3g}", semi ? "semidefinite" : "definite",
+                           least * largest));
+  }
+}
+
+}  // namespace
+
+void read_matrices(const TomlView& view, ReadBuilding& building) {
+  if (!view.is_table_of({"elevations", "mass", "stiffness", "damping"})) return;
+  MatricesSpec spec;
+  const auto list = view.get("elevations", Need::required);
+  const auto elevations = list ? list->as_numbers(Rule::positive) : std::nullopt;
+  if (elevations) {
+    spec.elevations = *elevations;
+    if (std::adjacent_find(elevations->begin(), elevations->end(), std::greater_equal<>()) != elevations->end()) {
+      list->error("must ascend");
+    } else {
+      building.floors = building.modes = elevations->size();
+      building.elevations = *elevations;
+    }
+  }
+  const std::size_t n = list ? list->size() : 0;
+  if (const auto mass = view.get("mass", Need::required)) {
+    spec.mass = read_matrix(*mass, n, true);
+    check_definite(*mass, spec.mass, false);
+  }
+  if (const auto stiffness = view.get("stiffness", Need::required)) {
+    spec.stiffness = read_matrix(*stiffness, n, false);
+    check_definite(*stiffness, spec.stiffness, false);
+  }
+  if (const auto damping = view.find("damping")) {
+    MatrixDamping given{read_matrix(*damping, n, false)};
+    check_definite(*damping, given.matrix, true);
+    building.spec.damping = std::move(given);
+  }
+  building.spec.structure = std::move(spec);
+}
+
+}  // namespace bentur

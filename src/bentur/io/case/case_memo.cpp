@@ -1,0 +1,114 @@
+#include "bentur/io/case/case_memo.h"
+
+#include <fmt/format.h>
+
+#include <span>
+
+namespace bentur {
+namespace {
+
+constexpr std::size_t most_buildings = 128;
+constexpr std::size_t most_values = std::size_t{4} << 20;  // of records: 32 MiB
+
+void append_text(const std::string& text, std::string& key) {
+  key += std::to_string(text.size());
+  key += ':';
+  key += text;
+}
+
+template <typename Number>
+void append_bytes(const Number& number, std::string& key) {
+  key.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+std::string building_key(const TomlValue& table, const Units& units, std::span<const ReadBuilding> before) {
+  std::string key;
+  append_text(units.length, key);
+  append_text(units.force, key);
+  append_bytes(units.gravity, key);
+  for (const ReadBuilding& building : before) append_text(building.spec.name, key);
+  append_content(table, key);
+  return key;
+}
+
+}  // namespace
+
+void append_content(const TomlValue& value, std::string& key) {
+  key += static_cast<char>('a' + static_cast<int>(value.kind));
+  switch (value.kind) {
+    case TomlValue::Kind::table:
+      key += std::to_string(value.members.size());
+      for (const TomlMember& member : value.members) {
+        append_text(member.key, key);
+        append_content(member.value, key);
+      }
+      break;
+    case TomlValue::Kind::list:
+      key += std::to_string(value.items.size());
+      key += ':';
+      for (const TomlValue& item : value.items) append_content(item, key);
+      break;
+    case TomlValue::Kind::text:
+      append_text(value.text, key);
+      break;
+    case TomlValue::Kind::integer:
+      append_bytes(value.integer, key);
+      break;
+    case TomlValue::Kind::real:
+      append_bytes(value.real, key);
+      break;
+    case TomlValue::Kind::boolean:
+      key += value.boolean ? '1' : '0';
+      break;
+    case TomlValue::Kind::date:
+      break;
+  }
+}
+
+std::shared_ptr<const ReadBuilding> CaseMemo::building(const TomlValue& table, const Units& units,
+                                                       const std::vector<ReadBuilding>& before) const {
+  const std::string key = building_key(table, units, before);
+  const std::lock_guard lock(mutex_);
+  const auto found = buildings_.find(key);
+  return found == buildings_.end() ? nullptr : found->second;
+}
+
+void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings) {
+  const TomlView list = *root.find("building");
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    std::string key = building_key(list.item(b).value(), units, std::span(buildings).first(b));
+    const std::lock_guard lock(mutex_);
+    if (buildings_.find(key) != buildings_.end()) continue;
+    if (buildings_.size() >= most_buildings) buildings_.clear();
+    buildings_.emplace(std::move(key), std::make_shared<const ReadBuilding>(buildings[b]));
+  }
+}
+
+std::optional<Record> CaseMemo::record(const std::filesystem::path& file, const RecordOptions& options,
+                                       Diagnostics& diagnostics) {
+  std::string key;
+  append_text(file.string(), key);
+  append_text(options.format, key);
+  append_bytes(options.time_step.value_or(0), key);
+  append_bytes(options.column.value_or(0), key);
+  append_bytes(options.channel.value_or(0), key);
+  append_bytes(options.skip_lines, key);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = records_.find(key);
+    if (found != records_.end()) return *found->second;
+  }
+  std::optional<Record> record = read_record(file, options, diagnostics);
+  if (!record) return record;
+  const std::lock_guard lock(mutex_);
+  if (values_ + record->values.size() > most_values) {
+    records_.clear();
+    values_ = 0;
+  }
+  if (records_.emplace(std::move(key), std::make_shared<const Record>(*record)).second) {
+    values_ += record->values.size();
+  }
+  return record;
+}
+
+}  // namespace bentur

@@ -1,0 +1,308 @@
+#include "bentur/io/case/case_toml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <utility>
+
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/file_identity.h"
+#include "bentur/io/input_file.h"
+#include "bentur/io/toml/parameter_path.h"
+
+namespace bentur {
+namespace {
+
+constexpr double shortest_time = 1e-15;  // of the duration: less has no phase left in a number [-]
+constexpr double most_samples = 1e7;     // of one history [-]
+constexpr double most_steps = 1e15;      // that a limit can be raised to [-]
+constexpr double most_memory = 1e9;      // the same [MB]
+
+/// One list per building, zeros where the case names none; empty when the table is missing.
+std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
+                                                    const std::vector<ReadBuilding>& buildings, bool& moves) {
+  const auto table = initial.find(key);
+  if (!table) return {};
+  if (!table->is(TomlValue::Kind::table)) {
+    table->error_value("must be a table: building name = list, one value per floor");
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const ReadBuilding& building : buildings) names.push_back(building.spec.name);
+  std::vector<std::vector<double>> lists;
+  for (const ReadBuilding& building : buildings) lists.emplace_back(building.floors, 0.0);
+  for (const TomlMember& member : table->value().members) {
+    const TomlView given = *table->find(member.key);
+    const auto found = std::find(names.begin(), names.end(), member.key);
+    if (found == names.end()) {
+      given.error("is for no building of the case, " + suggestion(member.key, names, "the buildings are"));
+      continue;
+    }
+    const auto b = static_cast<std::size_t>(found - names.begin());
+    const auto values = given.as_numbers(Rule::finite, {buildings[b].floors, "one per floor"});
+    if (!values) continue;
+    lists[b] = *values;
+    moves = moves || std::any_of(values->begin(), values->end(), [](double x) { return x != 0; });
+  }
+  return lists;
+}
+
+/// @param moves set when something is given an initial displacement or velocity.
+InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool& moves) {
+  InitialSpec initial;
+  const auto view = root.find("initial");
+  if (!view || !view->is_table_of({"displacements", "velocities"})) return initial;
+  initial.displacements = read_initial_table(*view, "displacements", buildings, moves);
+  initial.velocities = read_initial_table(*view, "velocities", buildings, moves);
+  return initial;
+}
+
+/// The key of one solver; an error where another one is chosen.
+std::optional<double> read_solver_number(const TomlView& view, const std::string& key, const std::string& owner,
+                                         const std::string& chosen, Rule rule) {
+  const auto value = view.find(key);
+  if (value && chosen != owner) value->error(fmt::format("is for solver = \"{}\"", owner));
+  return value && chosen == owner ? value->as_number(rule) : std::nullopt;
+}
+
+Solver read_solver(const TomlView& view) {
+  const auto given = view.word("solver", {"exact", "runge-kutta", "adaptive"}, Need::optional);
+  if (!given && view.has("solver")) return ExactSolver{};
+  const std::string chosen = given.value_or("exact");
+  const auto step = read_solver_number(view, "step", "runge-kutta", chosen, Rule::positive);
+  const auto tolerance = read_solver_number(view, "tolerance", "adaptive", chosen, Rule::finite);
+  if (tolerance && (*tolerance < 1e-13 || *tolerance > 1e-2)) {
+    view.find("tolerance")->error_value("must be in [1e-13, 1e-2]");
+  }
+  if (chosen == "runge-kutta") return RungeKuttaSolver{step.value_or(RungeKuttaSolver{}.step)};
+  if (chosen == "adaptive") return AdaptiveSolver{tolerance.value_or(AdaptiveSolver{}.tolerance)};
+  return ExactSolver{};
+}
+
+LimitsSpec read_limits(const TomlView& view) {
+  LimitsSpec limits;
+  if (!view.is_table_of({"steps", "memory"})) return limits;
+  limits.steps = view.number("steps", Rule::positive, Need::optional).value_or(limits.steps);
+  limits.memory = view.number("memory", Rule::positive, Need::optional).value_or(limits.memory);
+  if (limits.steps < 1 || limits.steps > most_steps) view.find("steps")->error_value("must be in [1, 1e15]");
+  if (limits.memory > most_memory) view.find("memory")->error_value("must be at most 1e9 (MB)");
+  return limits;
+}
+
+AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
+  AnalysisSpec analysis;
+  if (excitation.record) analysis.duration = excitation.record->duration;
+  // A record that could not be read would have given the duration.
+  const auto source = root.find("excitation");
+  const auto kind = source && source->is(TomlValue::Kind::table) ? source->find("kind") : std::nullopt;
+  const bool duration_needed = kind && (kind->value().text == "harmonic" || kind->value().text == "none");
+  const std::string reason = "only a record has a length of its own";
+
+  const auto view = root.find("analysis");
+  if (!view) {
+    if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
+    return analysis;
+  }
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits"})) {
+    return analysis;
+  }
+  if (const auto duration = view->find("duration")) {
+    analysis.duration = duration->as_number(Rule::positive).value_or(0);
+  } else if (duration_needed) {
+    view->error_missing("duration", reason);
+  }
+  analysis.solver = read_solver(*view);
+  if (const auto limits = view->find("limits")) analysis.limits = read_limits(*limits);
+  analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
+  analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
+  if (analysis.duration / analysis.output_step > most_samples) {
+    (view->has("output_step") ? *view->find("output_step") : *view)
+        .error(fmt::format("asks for histories of {:.3g} samples, more than {:.0e}: make output_step larger",
+                           analysis.duration / analysis.output_step, most_samples));
+  }
+  return analysis;
+}
+
+/// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
+void check_assembled(const TomlView& root, std::vector<ReadBuilding>& buildings) {
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    if (buildings[b].made) continue;
+    try {
+      const BuildingSpec& spec = buildings[b].spec;
+      buildings[b].made = std::make_shared<const Building>(
+          buildings[b].model ? make_building(spec.name, *buildings[b].model, spec.damping) : make_building(spec));
+    } catch (const std::exception& error) {
+      root.find("building")
+          ->item(b)
+          .renamed(buildings[b].path)
+          .error(std::string("cannot be computed with: ") + error.what());
+    }
+  }
+}
+
+/// Buildings whose contact takes no time cannot start inside one another.
+void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  const auto hard = [](const GapSpec& gap) { return gap.contact.law == "restitution"; };
+  if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
+  std::vector<Building> made;
+  for (const ReadBuilding& building : buildings) made.push_back(*building.made);
+  for (const ContactPoint& point : contact_points(c, made)) {
+    const auto left = static_cast<std::size_t>(point.left);
+    const double left_at = c.initial.displacements[left][static_cast<std::size_t>(point.left_floor)];
+    const double right_at = c.initial.displacements[left + 1][static_cast<std::size_t>(point.right_floor)];
+    if (!point.law->restitution() || !overlap(point.width, left_at, right_at)) continue;
+    root.find("initial")
+        ->find("displacements")
+        ->error(fmt::format("makes \"{}\" and \"{}\" overlap by {:.4g} at elevation {}; with law = \"restitution\" "
+                            "no force would part them: start without overlap or choose a law with a stiffness",
+                            made[left].name, made[left + 1].name, left_at - right_at - point.width, point.elevation));
+  }
+}
+
+/// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
+void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  const double shortest = c.analysis.duration * shortest_time;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const double fastest = buildings[b].made->modes.omega.maxCoeff();
+    const double damping = buildings[b].made->modal_damping.norm();
+    if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
+    const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
+    if (!std::isfinite(damping)) {
+      root.find("building")->item(b).renamed(buildings[b].path).error("has damping beyond what can be computed with");
+      continue;
+    }
+    root.find("building")
+        ->item(b)
+        .renamed(buildings[b].path)
+        .error(
+            fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                        "the case?",
+                        what, std::max(fastest, damping), c.analysis.duration));
+  }
+  const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
+  if (harmonic == nullptr) return;
+  const TomlView excitation = *root.find("excitation");
+  if (harmonic->period < shortest) {
+    excitation.find("period")->error_value(
+        fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
+  } else if (!std::isfinite(peak_acceleration(c.excitation.motion))) {
+    excitation.error("asks for a ground acceleration beyond what can be computed with");
+  }
+}
+
+}  // namespace
+
+ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                         CaseMemo* memo) {
+  ReadCase read;
+  Case& c = read.c;
+  (void)root.is_table_of({"title", "units", "building", "gap", "excitation", "initial", "analysis", "code"});
+  c.title = root.text("title", Need::optional).value_or("");
+  c.units = read_units(root);
+  std::vector<ReadBuilding>& buildings = read.buildings;
+  buildings = read_buildings(root, c.units, memo);
+  c.gaps = read_gaps(root, buildings);
+  c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);
+  bool moves = false;
+  c.initial = read_initial(root, buildings, moves);
+  c.analysis = read_analysis(root, c.excitation);
+  c.code = read_code(root, buildings);
+  for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
+  if (!diagnostics.ok()) return read;
+  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !moves) {
+    root.find("excitation")
+        ->find("kind")
+        ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
+  }
+  check_assembled(root, buildings);
+  if (diagnostics.ok()) {
+    check_overlaps(root, c, buildings);
+    check_times(root, c, buildings);
+  }
+  if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
+  return read;
+}
+
+Units read_units(const TomlView& root) {
+  Units units;
+  const auto view = root.find("units");
+  if (!view || !view->is_table_of({"length", "force", "gravity"})) return units;
+  units.length = view->word("length", length_units(), Need::optional).value_or(units.length);
+  units.force = view->word("force", force_units(), Need::optional).value_or(units.force);
+  units.gravity = view->number("gravity", Rule::positive, Need::optional).value_or(standard_gravity(units.length));
+  return units;
+}
+
+namespace {
+
+/// Whatever happens, errors are those of this file alone, whatever the caller has collected before.
+template <typename Read>
+std::optional<Case> read_parsed(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
+                                const Read& read) {
+  Diagnostics found;
+  const std::string name = file.string();
+  std::optional<Case> c;
+  if (auto root = parse_toml(text, name, found)) c = read(*root, name, found);
+  for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
+  if (!found.ok()) return std::nullopt;
+  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return c;
+}
+
+/// Puts a harmonic motion in place of a record. @return whether there was one.
+bool take_record_out(TomlValue& root) {
+  for (TomlMember& table : root.members) {
+    if (table.key != "excitation") continue;
+    std::vector<TomlMember>& members = table.value.members;
+    const auto is_record = [](const TomlMember& one) { return one.key == "kind" && one.value.text == "record"; };
+    if (std::none_of(members.begin(), members.end(), is_record)) return false;
+    std::erase_if(members, [](const TomlMember& one) {
+      return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
+    });
+  }
+  TomlValue kind;
+  kind.kind = TomlValue::Kind::text;
+  kind.text = "harmonic";
+  put_value(root, {"excitation", "kind"}, kind, 0, 0);
+  for (const char* key : {"period", "displacement_amplitude"}) {
+    put_value(root, {"excitation", key}, toml_number(1), 0, 0);
+  }
+  // The duration is a record's own where none is given.
+  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1), 0, 0);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
+    return read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
+  });
+}
+
+std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
+                                             Diagnostics& diagnostics) {
+  return read_parsed(text, file, diagnostics, [](TomlValue& root, const std::string& name, Diagnostics& found) {
+    const bool taken = take_record_out(root);
+    Case c = read_case_parts(TomlView(root, "", name, found), {}, found).c;
+    if (taken) c.excitation.motion = NoMotion{};
+    return c;
+  });
+}
+
+std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::string problem;
+  const auto text = read_input(file, case_input, problem);
+  if (!text) {
+    diagnostics.error({file.string(), 0, 0}, problem);
+    return std::nullopt;
+  }
+  return read_case_text(*text, file, diagnostics);
+}
+
+}  // namespace bentur

@@ -1,0 +1,249 @@
+#include "bentur/io/case/case_toml.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "bentur/io/toml/toml_value.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path bad_input = fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input";
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+/// Equal, or equal up to the dots where the expected line ends in "...".
+bool agrees(const std::string& line, const std::string& expected) {
+  if (!expected.ends_with("...")) return line == expected;
+  return line.starts_with(expected.substr(0, expected.size() - 3));
+}
+
+TEST(CaseToml, EachBadInputGivesItsMessages) {
+  int cases = 0;
+  for (const auto& entry : fs::directory_iterator(bad_input)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++cases;
+    SCOPED_TRACE(entry.path().filename().string());
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_case(entry.path(), diagnostics).has_value());
+    const std::string folder = entry.path().parent_path().string() + "/";
+    const auto expected = lines(content(fs::path(entry.path()).replace_extension(".expected")));
+    const auto errors = diagnostics.errors();
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(errors.size(), expected.size());
+    for (std::size_t i = 0; i < std::max(errors.size(), expected.size()); ++i) {
+      std::string line = i < errors.size() ? errors[i].text() : "(nothing)";
+      if (line.starts_with(folder)) line.erase(0, folder.size());
+      const std::string wanted = i < expected.size() ? expected[i] : "(nothing)";
+      EXPECT_TRUE(agrees(line, wanted)) << "  read:     " << line << "\n  expected: " << wanted;
+    }
+  }
+  EXPECT_GE(cases, 50);
+}
+
+TEST(CaseToml, EachExpectedFileHasItsCase) {
+  for (const auto& entry : fs::directory_iterator(bad_input)) {
+    if (entry.path().extension() != ".expected") continue;
+    EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".toml"))) << entry.path();
+  }
+}
+
+TEST(CaseToml, AFileThatIsNotThere) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_case("no-such-case.toml", diagnostics).has_value());
+  ASSERT_EQ(diagnostics.errors().size(), 1U);
+  EXPECT_EQ(diagnostics.errors()[0].text(), "no-such-case.toml: error: there is no such file");
+}
+
+const char* const plain_case = R"(title = "Two sticks"
+[units]
+length = "m"
+force = "kN"
+[[building]]
+name = "A"
+damping = { rayleigh = { ratios = [0.05, 0.05], periods = [0.4, 0.1] } }
+stick = { storey_heights = [3.0, 3], masses = [30.0, 25.0], stiffnesses = [40e3, 30e3] }
+[[building]]
+name = "B"
+damping = 0.05
+[building.frame]
+elastic_modulus = 2.1e8
+storey_heights = [3.0, 3.0]
+bay_widths = [4.0]
+columns = [{ width = 0.3, depth = 0.4, density = 2.4 }]
+beams = [{ area = 0.1, inertia = 0.002, unit_weight = 25.0 }]
+[[gap]]
+between = ["A", "B"]
+width = 0.02
+contact = { law = "kelvin-voigt", stiffness = [3e5, 2e5], restitution = 0.65, release = "creep", calibration = "exact" }
+[excitation]
+kind = "harmonic"
+period = 0.4
+acceleration_amplitude = 2.0
+[analysis]
+duration = 5
+solver = "adaptive"
+tolerance = 1e-9
+)";
+
+TEST(CaseToml, ErrorsOfTheCallerDoNotSpoilACase) {
+  Diagnostics diagnostics;
+  diagnostics.error({"other", 1, 1}, "of another file");
+  EXPECT_TRUE(read_case_text(plain_case, "plain.toml", diagnostics).has_value());
+  EXPECT_EQ(diagnostics.errors().size(), 1U);
+}
+
+std::string utf8(unsigned c) {
+  std::string bytes;
+  const auto put = [&](unsigned byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (c < 0x80) {
+    put(c);
+  } else if (c < 0x800) {
+    put(0xC0 | (c >> 6));
+    put(0x80 | (c & 63));
+  } else {
+    put(0xE0 | (c >> 12));
+    put(0x80 | ((c >> 6) & 63));
+    put(0x80 | (c & 63));
+  }
+  return bytes;
+}
+
+// The library that parses TOML has unreachable code on some of these characters, and assertions on some malformed
+// texts: every character is either refused or read as it is, and nothing ends the program.
+TEST(CaseToml, EveryCharacterBeyondAsciiIsReadInAStringAndRefusedOutside) {
+  for (unsigned c = 0x80; c < 0x10000; ++c) {
+    const std::string bytes = utf8(c);
+    Diagnostics in_string;
+    const auto value = parse_toml("x = \"" + bytes + "\" # " + bytes + "\n", "x", in_string);
+    const bool surrogate = c >= 0xD800 && c <= 0xDFFF;
+    ASSERT_EQ(value.has_value(), !surrogate) << std::hex << c;
+    if (value) {
+      ASSERT_EQ(value->members.at(0).value.text, bytes) << std::hex << c;
+    }
+    Diagnostics outside;
+    ASSERT_FALSE(parse_toml("x = 1 " + bytes, "x", outside).has_value()) << std::hex << c;
+    ASSERT_EQ(outside.errors().at(0).position.column, 7) << std::hex << c;
+  }
+}
+
+TEST(CaseToml, InvalidUtf8IsRefused) {
+  // Overlong, truncated, a lone continuation, beyond U+10FFFF, a surrogate, and bytes that never occur.
+  for (const char* const bytes : {"\xC0\x80", "\xC3", "\xE2\x82", "\x80", "\xF4\x90\x80\x80", "\xED\xA0\x80",
+                                  "\xE0\x80\x80", "\xF0\x80\x80\x80", "\xFF", "\xFE"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_toml(std::string("\nx = \"") + bytes + "\"", "x", diagnostics).has_value());
+    ASSERT_EQ(diagnostics.errors().size(), 1U);
+    EXPECT_EQ(diagnostics.errors()[0].text(), "x:2:6: error: not valid UTF-8 (save the file as UTF-8)");
+  }
+}
+
+TEST(CaseToml, StringsMayHoldWhatOtherPlacesMayNot) {
+  Diagnostics diagnostics;
+  const auto root =
+      parse_toml("a = '''é ''' # ü\nb = \"\"\"\\\"é\"\"\"\"\"\nc = 'é\\'\nd = \"é\\\\ü\" # [[[[ ....\ne = \"" +
+                     std::string(100, '.') + "\"\n",
+                 "x", diagnostics);
+  ASSERT_TRUE(root.has_value()) << diagnostics.errors().at(0).text();
+  EXPECT_EQ(root->members.at(0).value.text, "é ");
+  EXPECT_EQ(root->members.at(1).value.text, "\"é\"\"");
+  EXPECT_EQ(root->members.at(2).value.text, "é\\");
+  EXPECT_EQ(root->members.at(3).value.text, "é\\ü");
+}
+
+// Seeded, so that a failure can be repeated. A crash fails the test by ending it; a text must be read or refused with a
+// message.
+TEST(CaseToml, MutatedCasesAreReadOrRefusedButNeverSilent) {
+  const std::vector<std::string> bits = {"[",
+                                         "]",
+                                         "{",
+                                         "}",
+                                         "#",
+                                         "\"",
+                                         "'",
+                                         "\"\"\"",
+                                         "'''",
+                                         "\\",
+                                         "\n",
+                                         "\r",
+                                         ",",
+                                         ".",
+                                         "=",
+                                         "[[",
+                                         "]]",
+                                         "[#",
+                                         "nan",
+                                         "inf",
+                                         "-",
+                                         "1e999",
+                                         "0x",
+                                         "1979-05-27",
+                                         "_",
+                                         "\xEF\xBB\xBF",
+                                         "\xC3\xA9",
+                                         "\xEF\xBB\xAF",
+                                         "\xEF\xBB\xB7",
+                                         "\xFF",
+                                         "true",
+                                         "9223372036854775808",
+                                         "\\ud800",
+                                         "\t",
+                                         "\v",
+                                         "\x7F",
+                                         std::string(1, '\0')};
+  std::mt19937 random(20190531);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  int read = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::string text = plain_case;
+    for (std::size_t change = 0, changes = 1 + below(4); change < changes && !text.empty(); ++change) {
+      const std::size_t at = below(text.size());
+      switch (below(5)) {
+        case 0:
+          text[at] = static_cast<char>(random() & 0xFF);
+          break;
+        case 1:
+          text.insert(at, bits[below(bits.size())]);
+          break;
+        case 2:
+          text.erase(at, 1 + below(12));
+          break;
+        case 3:
+          text.insert(at, text.substr(below(text.size()), below(60)));
+          break;
+        default:
+          text.insert(at, utf8(static_cast<unsigned>(0x80 + below(0xFF80))));
+      }
+    }
+    Diagnostics diagnostics;
+    const bool good = read_case_text(text, "mutated.toml", diagnostics).has_value();
+    ASSERT_EQ(good, diagnostics.ok()) << text;
+    read += good ? 1 : 0;
+  }
+  EXPECT_GT(read, 100);  // some mutations leave a case right, so that both outcomes are tried
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,247 @@
+#include "bentur/io/records/internal/column_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace bentur {
+namespace {
+
+constexpr std::string_view row_blanks = " \t";
+constexpr double step_tolerance = 0.01;  // of the mean step [-]
+
+bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The line without its comment.
+Line without_comment(const Line& line) { return {line.text.substr(0, line.text.find_first_of("#%")), line.number}; }
+
+Token unquoted(Token token) {
+  if (token.text.size() < 2 || token.text.front() != '"' || token.text.back() != '"') return token;
+  const std::string_view inside = token.text.substr(1, token.text.size() - 2);
+  const std::size_t blanks = std::min(inside.find_first_not_of(row_blanks), inside.size());
+  return {trimmed(inside), token.line, token.column + 1 + static_cast<int>(blanks)};
+}
+
+std::vector<Token> split_cells(const Line& line, char separator) {
+  if (separator == ' ') {
+    std::vector<Token> words = words_of(line, row_blanks);
+    for (Token& word : words) word = unquoted(word);
+    return words;
+  }
+  std::vector<Token> cells;
+  const std::string_view text = line.text;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    bool quoted = false;
+    std::size_t end = from;
+    for (; end < text.size() && (quoted || text[end] != separator); ++end) quoted = quoted != (text[end] == '"');
+    const std::string_view cell = text.substr(from, end - from);
+    const std::size_t blanks = std::min(cell.find_first_not_of(row_blanks), cell.size());
+    cells.push_back(unquoted({trimmed(cell), line.number, static_cast<int>(from + blanks) + 1}));
+    from = end + 1;
+  }
+  if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
+  return cells;
+}
+
+/// A number with a point or a comma; which of them it is to be is for all rows to say.
+std::optional<double> any_number(const Token& cell) { return number_of(cell.text, true); }
+
+bool is_row(const Line& line, char separator) {
+  if (separator != ' ' && line.text.find(separator) == std::string_view::npos) return false;
+  const auto cells = split_cells(line, separator);
+  return std::all_of(cells.begin(), cells.end(), [](const Token& cell) { return any_number(cell).has_value(); });
+}
+
+/// Rows of numbers one after the other: of the first three, or else two, or else one.
+struct Run {
+  std::size_t rows = 0;
+  std::size_t begin = 0;  ///< index of the first
+
+  [[nodiscard]] bool better_than(const Run& other) const {
+    return rows > other.rows || (rows == other.rows && begin < other.begin);
+  }
+};
+
+Run first_run(const std::vector<Line>& lines, char separator) {
+  Run best;
+  std::size_t rows = 0;  // up to this line
+  for (std::size_t i = 0; i < lines.size() && best.rows < 3; ++i) {
+    rows = is_row(lines[i], separator) ? rows + 1 : 0;
+    if (rows > best.rows) best = {rows, i + 1 - rows};
+  }
+  return best;
+}
+
+/// In lines such as "0,25" the comma may part two columns or be decimal. Two columns where the first is time.
+bool comma_parts_columns(const std::vector<Line>& lines, std::size_t begin, const std::string& format) {
+  if (format == "csv" || format == "two-column") return true;
+  if (format == "one-column") return false;
+  std::vector<double> times;
+  for (std::size_t i = begin; i < lines.size(); ++i) {
+    const auto cells = split_cells(lines[i], ',');
+    const auto time = any_number(cells[0]);
+    if (cells.size() < 2) return false;
+    if (cells.size() > 2 || !time || lines[i].text.find('.') != std::string_view::npos) return true;
+    times.push_back(*time);
+  }
+  std::size_t bad = 0;
+  return even_step(times, bad).has_value();
+}
+
+/// A digit and otherwise what numbers, and slips of the hand in them, are made of.
+bool nearly_number(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), digit) &&
+         text.find_first_not_of("0123456789.,+-eEdDoOlI") == std::string_view::npos;
+}
+
+/// Whether a line before the rows could be a row with a typing error, or a row of another width, and so may not be
+/// passed over in silence.
+bool could_be_row(const std::vector<Token>& cells, std::size_t columns) {
+  std::size_t leading = 0;
+  while (leading < cells.size() && any_number(cells[leading])) ++leading;
+  if (cells.empty() || !nearly_number(cells[0].text)) return false;
+  return leading == cells.size() || (cells.size() == columns) || (leading >= 2 && columns >= 2);
+}
+
+std::string other_width(std::size_t columns, std::size_t below) {
+  return fmt::format("has {} {}, the rows below have {}", columns, columns == 1 ? "column" : "columns", below);
+}
+
+std::string heading_hint(const RecordOptions& options, int lines) {
+  return fmt::format(" (where this line is a heading, give {})", options.setting("skip_lines", std::to_string(lines)));
+}
+
+/// Whether `first` and `second` are the number of values that follow and their step.
+bool is_count_and_step(std::optional<double> first, std::optional<double> second) {
+  return first && second && *first >= 2 && *first <= 1e9 && *first == std::floor(*first) && *second > 0 &&
+         *second <= 10;
+}
+
+/// "4000 0.02", or "0.02 4000", before as many values, or as many rows whose times have that step; or a line
+/// each; or "4000" alone. An error where only the number of the values is another.
+void take_count_line(ColumnRows& found, RecordErrors& errors) {
+  if (found.rows.size() < 2) return;
+  const auto first = found.cells(found.rows[0]), second = found.cells(found.rows[1]);
+  std::size_t values = 0;
+  for (std::size_t i = 1; i < found.rows.size(); ++i) values += found.cells(found.rows[i]).size();
+  const std::size_t rows = found.rows.size() - 1;
+  const auto number = [&](const Token& cell) { return number_of(cell.text, found.decimal_comma); };
+  const auto take = [&](std::optional<CountAndStep> stated) {
+    found.stated = stated;
+    ++found.header_lines;
+    found.rows.erase(found.rows.begin());
+  };
+  if (first.size() == 1 && second.size() == 1) {  // a line each: the number, and perhaps the step
+    const auto count = number(first[0]), step = number(second[0]);
+    if (rows >= 10 && count == static_cast<double>(rows)) return take(std::nullopt);
+    if (rows < 10 || count != static_cast<double>(rows - 1) || !is_count_and_step(count, step)) return;
+    take(CountAndStep{static_cast<long>(*count), *step});
+    return take(found.stated);
+  }
+  if (first.size() != 2) return;
+  auto count = number(first[0]), step = number(first[1]);
+  if (!is_count_and_step(count, step)) std::swap(count, step);
+  if (!is_count_and_step(count, step)) return;
+  const CountAndStep stated{static_cast<long>(*count), *step};
+  if (second.size() != 2) {
+    if (*count == static_cast<double>(values) || *count == static_cast<double>(rows)) return take(stated);
+    errors.error(first[0], fmt::format("says {} values every {} s, but {} values follow in {} rows", stated.count,
+                                       stated.time_step, values, rows));
+    return;
+  }
+  // Rows of two: times with that step, or accelerations that are no times.
+  std::vector<double> times;
+  for (std::size_t i = 1; i < found.rows.size(); ++i)
+    times.push_back(number(found.cells(found.rows[i])[0]).value_or(0));
+  std::size_t bad = 0;
+  const auto own = even_step(times, bad);
+  const bool of_times = own && *count == static_cast<double>(rows) && std::abs(*own / *step - 1) <= step_tolerance;
+  if (of_times || (!goes_up(times) && *count == static_cast<double>(values))) take(stated);
+}
+
+}  // namespace
+
+std::vector<Token> ColumnRows::cells(const Line& row) const { return split_cells(row, separator); }
+
+std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const RecordOptions& options,
+                                    RecordErrors& errors) {
+  std::vector<Line> all;
+  for (const Line& line : lines) {
+    const Line row = without_comment(line);
+    if (row.text.find_first_not_of(row_blanks) != std::string_view::npos) all.push_back(row);
+  }
+  ColumnRows found;
+  Run best;
+  for (const char separator : {' ', ';', ','}) {
+    const Run run = first_run(all, separator);
+    const bool tie = separator == ',' && run.rows > 0 && !best.better_than(run) && found.separator == ' ';
+    if (!run.better_than(best) && !(tie && comma_parts_columns(all, run.begin, options.format))) continue;
+    best = run;
+    found.separator = separator;
+  }
+  if (best.rows == 0) {
+    errors.error(0, 0, "holds no numbers");
+    return std::nullopt;
+  }
+  const std::size_t begin = best.begin;
+  const std::size_t columns = split_cells(all[begin], found.separator).size();
+  for (std::size_t i = 0; i < begin; ++i) {
+    const auto cells = split_cells(all[i], found.separator);
+    if (!could_be_row(cells, columns)) {
+      ++found.header_lines;
+      if (!found.stated) found.stated = count_and_step(all[i]);
+      continue;
+    }
+    const auto bad = std::find_if(cells.begin(), cells.end(), [](const Token& cell) { return !any_number(cell); });
+    const std::string why =
+        bad == cells.end() ? other_width(cells.size(), columns) : shown(bad->text) + " is not a number";
+    errors.error(all[i].number, bad == cells.end() ? 1 : bad->column,
+                 why + heading_hint(options, all[begin].number - 1));
+  }
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+  found.rows = std::move(all);
+  bool points = false, commas = false;
+  for (const Line& row : found.rows) {
+    for (const Token& cell : found.cells(row)) {
+      points = points || cell.text.find('.') != std::string_view::npos;
+      commas = commas || cell.text.find(',') != std::string_view::npos;
+    }
+  }
+  found.decimal_comma = commas && !points;
+  if (!found.stated) take_count_line(found, errors);
+  if (found.rows.size() >= 3) {
+    const std::size_t first = found.cells(found.rows[0]).size(), second = found.cells(found.rows[1]).size();
+    if (first != second && second == found.cells(found.rows[2]).size()) {
+      errors.error(found.rows[0].number, 1,
+                   other_width(first, second) + heading_hint(options, found.rows[1].number - 1));
+      return std::nullopt;  // any other line would be compared with this one
+    }
+  }
+  return found;
+}
+
+bool goes_up(const std::vector<double>& values) {
+  std::size_t back = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) back += values[i] > values[i - 1] ? 0 : 1;
+  return back * 10 <= values.size();
+}
+
+std::optional<double> even_step(const std::vector<double>& times, std::size_t& bad) {
+  bad = 0;
+  if (times.size() < 2) return std::nullopt;
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  if (!(step > 0 && std::isfinite(step))) return std::nullopt;
+  // Decimal fractions are not exact in binary: a few units in the last place of the times are no deviation.
+  const double slack = 1e-14 * std::max(std::abs(times.front()), std::abs(times.back()));
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (std::abs(times[i] - times[i - 1] - step) <= step_tolerance * step + slack) continue;
+    bad = i;
+    return std::nullopt;
+  }
+  return step;
+}
+
+}  // namespace bentur

@@ -1,0 +1,273 @@
+#include "bentur/io/records/internal/record_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <system_error>
+
+namespace bentur {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where the zero bytes of ASCII in UTF-16 stand: 0 in the first byte of each pair (big end first), 1 in the second;
+/// nothing where the text is of another kind.
+std::optional<int> zero_bytes(const std::string& bytes) {
+  if (bytes.compare(0, 2, "\xFE\xFF") == 0) return 0;
+  if (bytes.compare(0, 2, "\xFF\xFE") == 0) return 1;
+  const std::size_t looked_at = std::min(bytes.size(), std::size_t{4096}) / 2 * 2;
+  std::size_t zeros[2] = {0, 0};
+  for (std::size_t i = 0; i < looked_at; ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
+  for (const int place : {0, 1}) {
+    if (looked_at >= 4 && zeros[place] * 10 > looked_at * 4 && zeros[1 - place] == 0) return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void RecordErrors::error(int line, int column, const std::string& message) {
+  if (!full()) diagnostics_.error({file_, line, column}, message);
+  ++count_;
+}
+
+std::string decoded(std::string bytes) {
+  if (bytes.compare(0, 3, "\xEF\xBB\xBF") == 0) bytes.erase(0, 3);
+  const auto zeros = zero_bytes(bytes);
+  if (!zeros) return bytes;
+  std::string text;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    const auto high = static_cast<unsigned char>(bytes[i + static_cast<std::size_t>(*zeros)]);
+    const auto low = static_cast<unsigned char>(bytes[i + static_cast<std::size_t>(1 - *zeros)]);
+    if (i == 0 && high == 0xFE && low == 0xFF) continue;  // the mark
+    text += high == 0 && low < 0x80 ? static_cast<char>(low) : '?';
+  }
+  return text;
+}
+
+std::vector<Line> lines_of(std::string_view text) {
+  while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);
+  std::vector<Line> lines;
+  int number = 1;
+  while (!text.empty() && lines.size() <= most_lines) {
+    const std::size_t end = text.find_first_of("\r\n");
+    lines.push_back({text.substr(0, end), number++});
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(text.compare(end, 2, "\r\n") == 0 ? end + 2 : end + 1);
+  }
+  return lines;
+}
+
+std::vector<Token> words_of(const Line& line, std::string_view separators) {
+  std::vector<Token> words;
+  std::size_t at = 0;
+  while ((at = line.text.find_first_not_of(separators, at)) != std::string_view::npos) {
+    const std::size_t end = std::min(line.text.find_first_of(separators, at), line.text.size());
+    words.push_back({line.text.substr(at, end - at), line.number, static_cast<int>(at) + 1});
+    at = end;
+  }
+  return words;
+}
+
+std::vector<Token> fields_of(const Line& line, std::size_t width) {
+  std::vector<Token> fields;
+  const std::size_t end = line.text.find_last_not_of(" \t") + 1;  // 0 for a blank line
+  for (std::size_t at = 0; at < end; at += width) {
+    const std::string_view field = line.text.substr(at, std::min(width, end - at));
+    const std::size_t blanks = std::min(field.find_first_not_of(' '), field.size());
+    fields.push_back({trimmed(field), line.number, static_cast<int>(at + blanks) + 1});
+  }
+  return fields;
+}
+
+std::size_t field_width(std::string_view text) {
+  const std::string letters = upper(text);
+  for (std::size_t i = letters.rfind(')'); i != std::string::npos && i > 0; --i) {
+    if (letters[i] == '(') break;
+    if (std::string_view("FEGID").find(letters[i]) == std::string_view::npos || !is_digit(letters[i + 1])) continue;
+    std::size_t width = 0;
+    std::from_chars(letters.data() + i + 1, letters.data() + letters.size(), width);
+    return width <= 80 ? width : 0;
+  }
+  return 0;
+}
+
+std::optional<double> number_of(std::string_view text, bool decimal_comma) {
+  std::string number(text.substr(0, 64));
+  if (text.size() > 64 || number.empty()) return std::nullopt;
+  if (number.front() == '+') {
+    number.erase(0, 1);
+    if (number.empty() || number.front() == '-') return std::nullopt;
+  }
+  for (char& c : number) {
+    if (c == 'd' || c == 'D') c = 'E';
+    if (c == ',' && decimal_comma) c = '.';
+  }
+  double value = 0;
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (end != number.data() + number.size()) return std::nullopt;
+  if (failure == std::errc::result_out_of_range) {  // 1e-400 is zero, 1e400 is beyond any double
+    const std::size_t exponent = number.find_first_of("eE");
+    const bool tiny = exponent != std::string::npos && number.find('-', exponent) != std::string::npos;
+    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  if (failure != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> number_after(std::string_view text, std::string_view key) {
+  const std::size_t at = text.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(at + key.size());
+  const std::size_t first = text.find_first_not_of(" \t:=,");
+  if (first == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(first);
+  std::size_t size = std::min(text.find_first_not_of("+-.0123456789eEdD"), text.size());
+  while (size > 0) {  // "30SEC" is 30, "0.5e" a half
+    if (const auto value = number_of(text.substr(0, size))) return value;
+    --size;
+  }
+  return std::nullopt;
+}
+
+std::string shown(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text.substr(0, 30)) result += c >= 0x20 && c < 0x7F ? c : '?';
+  return result + (text.size() > 30 ? "...\"" : "\"");
+}
+
+std::optional<double> finite_number(const Token& token, bool decimal_comma, RecordErrors& errors) {
+  const auto value = number_of(token.text, decimal_comma);
+  if (!value) {
+    errors.error(token, shown(token.text) + " is not a number");
+    return std::nullopt;
+  }
+  if (!std::isfinite(*value)) {
+    errors.error(token, shown(token.text) + " is not a finite number");
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  text.remove_prefix(first);
+  return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+std::optional<FileUnit> file_unit(std::string_view spelling) {
+  std::string plain;
+  for (const char c : upper(spelling)) {
+    if (c != ' ' && c != '.' && c != '^' && c != '*') plain += c;
+  }
+  static const std::map<std::string, FileUnit> known = [] {
+    std::map<std::string, FileUnit> all = {{"G", {"g"}}, {"GAL", {"cm/s2"}}, {"MG", {"g", 1e-3}}};
+    for (const auto& [length, unit] : {std::pair("M", "m/s2"), std::pair("CM", "cm/s2"), std::pair("MM", "mm/s2"),
+                                       std::pair("IN", "in/s2"), std::pair("FT", "ft/s2")}) {
+      for (const char* const time : {"/S2", "/S/S", "/SEC2", "/SEC/SEC"}) all[std::string(length) + time] = {unit};
+    }
+    return all;
+  }();
+  const auto found = known.find(plain);
+  return found == known.end() ? std::nullopt : std::optional(found->second);
+}
+
+namespace {
+
+/// The channel that the options choose: the only one, or the one with the number given. Else an error that names all.
+const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
+                              RecordErrors& errors) {
+  if (options.channel && static_cast<std::size_t>(*options.channel) > channels.size()) {
+    errors.error(0, 0,
+                 fmt::format("has {} {} of accelerations, {} is not there", channels.size(),
+                             channels.size() == 1 ? "channel" : "channels",
+                             options.setting("channel", std::to_string(*options.channel))));
+    return nullptr;
+  }
+  if (options.channel) return &channels[static_cast<std::size_t>(*options.channel) - 1];
+  if (channels.size() == 1) return &channels.front();
+  std::string titles;
+  for (std::size_t i = 0; i < std::min(channels.size(), std::size_t{12}); ++i) {
+    titles += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, shown(channels[i].title));
+  }
+  errors.error(0, 0,
+               fmt::format("has {} channels of accelerations: say in {} which one: {}{}", channels.size(),
+                           options.name("channel"), titles, channels.size() > 12 ? ", ..." : ""));
+  return nullptr;
+}
+
+/// "channel 2 of 3 (TITLE)"; empty where there is one alone.
+std::string channel_text(const std::vector<Channel>& channels, const Channel& chosen) {
+  if (channels.size() < 2) return "";
+  std::string title;
+  for (const char c : chosen.title) title += c >= 0x20 && c < 0x7F ? c : '?';
+  return fmt::format("channel {} of {}{}", &chosen - channels.data() + 1, channels.size(),
+                     title.empty() ? "" : " (" + title + ")");
+}
+
+/// Its values times `factor`. An error unless they are as many as the file says, give or take one, which such files are
+/// known to be off by.
+void read_values(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
+                 std::vector<double>& values, RecordErrors& errors) {
+  (void)read_fields(lines, channel.first_line, channel.width, ends, values, errors);
+  const auto count = static_cast<long>(values.size());
+  if (errors.ok() && std::abs(count - channel.count) > 1) {
+    errors.error(lines[channel.first_line - 1].number, 1,
+                 fmt::format("says {} values, but {} follow", channel.count, count));
+  }
+  for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
+                                   const ChannelFormat& format, const RecordOptions& options, RecordErrors& errors) {
+  if (channels.empty()) {
+    errors.error(0, 0, fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
+    return std::nullopt;
+  }
+  const Channel* const channel = chosen_channel(channels, options, errors);
+  if (channel == nullptr || !errors.ok()) return std::nullopt;
+  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
+    errors.error(lines[channel->first_line - 1].number, 1, format.step_rule);
+    return std::nullopt;
+  }
+  Record record;
+  record.format = format.name;
+  record.time_step = channel->time_step;
+  record.channel = channel_text(channels, *channel);
+  record.header_lines = channel->header_lines;
+  const auto unit = file_unit(channel->unit);
+  if (unit) record.unit = unit->unit;
+  read_values(lines, *channel, format.ends, unit ? unit->factor : 1, record.values, errors);
+  return record;
+}
+
+void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors) {
+  if (options.column) {
+    errors.error(0, 0, fmt::format("is a {} file, which has no columns to choose from", format));
+  }
+}
+
+void refuse_channel(const RecordOptions& options, const char* format, RecordErrors& errors) {
+  if (options.channel.value_or(1) != 1) {
+    errors.error(0, 0,
+                 fmt::format("is a {} file, which has one channel: {} is not there", format,
+                             options.setting("channel", std::to_string(*options.channel))));
+  }
+}
+
+}  // namespace bentur

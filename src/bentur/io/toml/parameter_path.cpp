@@ -1,0 +1,214 @@
+#include "bentur/io/toml/parameter_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "bentur/io/toml/toml_view.h"
+
+namespace bentur {
+namespace {
+
+bool is_bare(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+/// What stands in brackets, from behind the first to behind the last; nothing when it is neither a number nor a text.
+std::optional<PathStep> bracketed(const std::string& text, std::size_t& at) {
+  PathStep step;
+  if (at < text.size() && (text[at] == '"' || text[at] == '\'')) {
+    const std::size_t end = text.find(text[at], at + 1);
+    if (end == std::string::npos) return std::nullopt;
+    step = text.substr(at + 1, end - at - 1);
+    at = end + 1;
+  } else {
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(text.data() + at, text.data() + text.size(), index);
+    if (failure != std::errc()) return std::nullopt;
+    step = index;
+    at = static_cast<std::size_t>(end - text.data());
+  }
+  if (at >= text.size() || text[at] != ']') return std::nullopt;
+  ++at;
+  return step;
+}
+
+const TomlMember* member_of(const TomlValue& table, const std::string& key) {
+  const auto found =
+      std::find_if(table.members.begin(), table.members.end(), [&](const TomlMember& m) { return m.key == key; });
+  return found == table.members.end() ? nullptr : &*found;
+}
+
+const TomlValue* next_value(const TomlValue& value, const PathStep& step) {
+  if (const auto* key = std::get_if<std::string>(&step)) {
+    const TomlMember* member = value.kind == TomlValue::Kind::table ? member_of(value, *key) : nullptr;
+    return member == nullptr ? nullptr : &member->value;
+  }
+  const std::size_t index = std::get<std::size_t>(step);
+  return value.kind == TomlValue::Kind::list && index < value.items.size() ? &value.items[index] : nullptr;
+}
+
+std::vector<std::string> keys_of(const TomlValue& table) {
+  std::vector<std::string> keys;
+  for (const TomlMember& member : table.members) keys.push_back(member.key);
+  return keys;
+}
+
+/// The place of the entry of a list whose `name` is `name`.
+std::optional<std::size_t> named_entry(const TomlValue& list, const std::string& name, std::string& error) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const TomlMember* member = member_of(list.items[i], "name");
+    if (member == nullptr) continue;
+    if (member->value.text == name) return i;
+    names.push_back(member->value.text);
+  }
+  error = names.empty() ? "needs a place, as in [0]: the entries of this list have no names"
+                        : fmt::format("is not in the case, {}", suggestion(name, names, "there are"));
+  return std::nullopt;
+}
+
+void mark(TomlValue& value, int line, int column) {
+  value.line = line;
+  value.column = column;
+  for (TomlValue& item : value.items) mark(item, line, column);
+  for (TomlMember& member : value.members) {
+    member.line = line;
+    member.column = column;
+    mark(member.value, line, column);
+  }
+}
+
+}  // namespace
+
+std::optional<ParameterPath> parse_path(const std::string& text, std::string& error) {
+  ParameterPath path;
+  std::size_t at = 0;
+  const auto refuse = [&](const char* reason) {
+    error = reason;
+    return std::nullopt;
+  };
+  while (at < text.size()) {
+    if (text[at] == '[') {
+      if (path.empty()) return refuse("must begin with a key");
+      ++at;
+      const auto step = bracketed(text, at);
+      if (!step)
+        return refuse("must have a number or a text in quotes between brackets, as in gap[0] or building[\"A\"]");
+      path.push_back(*step);
+      continue;
+    }
+    if (!path.empty() && text[at++] != '.') return refuse("must have keys joined by dots, as in gap[0].width");
+    const std::size_t begin = at;
+    while (at < text.size() && is_bare(text[at])) ++at;
+    if (at == begin) return refuse("must have keys joined by dots, as in gap[0].width");
+    path.emplace_back(text.substr(begin, at - begin));
+  }
+  if (path.empty()) return refuse("is empty");
+  return path;
+}
+
+std::optional<ParameterPath> resolved(const TomlValue& root, const ParameterPath& path, std::string& error) {
+  ParameterPath result;
+  const TomlValue* value = &root;  // null behind what is missing
+  const auto refuse = [&](const std::string& reason) {
+    error = reason;
+    return std::nullopt;
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    PathStep step = path[i];
+    const std::string here = path_text(result);
+    if (value == nullptr) {
+      result.push_back(step);
+      continue;
+    }
+    if (const auto* key = std::get_if<std::string>(&step)) {
+      if (value->kind == TomlValue::Kind::list) {
+        const auto place = named_entry(*value, *key, error);
+        if (!place) return std::nullopt;
+        step = *place;
+      } else if (value->kind != TomlValue::Kind::table) {
+        return refuse(fmt::format("does not exist: {} has no keys", here));
+      } else if (member_of(*value, *key) == nullptr) {
+        // Legal where the key is an optional one that a table may have, but what is missing has no entries.
+        const bool entries = std::any_of(path.begin() + static_cast<std::ptrdiff_t>(i), path.end(),
+                                         [](const PathStep& s) { return std::holds_alternative<std::size_t>(s); });
+        if (entries) {
+          return refuse(fmt::format("does not exist: {} has no {}, {}", here.empty() ? "the case" : here, *key,
+                                    suggestion(*key, keys_of(*value), "it has")));
+        }
+      }
+    } else {
+      const std::size_t index = std::get<std::size_t>(step);
+      if (value->kind != TomlValue::Kind::list) return refuse(fmt::format("does not exist: {} is not a list", here));
+      if (index >= value->items.size()) {
+        return refuse(fmt::format("does not exist: {} has {} {}, counted from 0", here, value->items.size(),
+                                  value->items.size() == 1 ? "entry" : "entries"));
+      }
+    }
+    result.push_back(step);
+    value = next_value(*value, step);
+  }
+  return result;
+}
+
+const TomlValue* find_value(const TomlValue& root, const ParameterPath& path) {
+  const TomlValue* value = &root;
+  for (const PathStep& step : path) {
+    value = next_value(*value, step);
+    if (value == nullptr) return nullptr;
+  }
+  return value;
+}
+
+void put_value(TomlValue& root, const ParameterPath& path, const TomlValue& value, int line, int column) {
+  TomlValue* at = &root;
+  for (const PathStep& step : path) {
+    auto* next = const_cast<TomlValue*>(next_value(*at, step));
+    if (next == nullptr) {  // resolved: a key of a table
+      TomlValue made;
+      mark(made, line, column);
+      at->members.push_back({std::get<std::string>(step), line, column, std::move(made)});
+      next = &at->members.back().value;
+    }
+    at = next;
+  }
+  *at = value;
+  mark(*at, line, column);
+}
+
+bool overlap(const ParameterPath& a, const ParameterPath& b) {
+  const std::size_t common = std::min(a.size(), b.size());
+  return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(common), b.begin());
+}
+
+std::string path_text(const ParameterPath& path) {
+  std::string text;
+  for (const PathStep& step : path) {
+    if (const auto* index = std::get_if<std::size_t>(&step)) {
+      text += fmt::format("[{}]", *index);
+    } else {
+      const std::string& key = std::get<std::string>(step);
+      const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
+      text += bare ? (text.empty() ? key : "." + key) : fmt::format("[{}]", in_quotes(key));
+    }
+  }
+  return text;
+}
+
+TomlValue toml_number(double value) {
+  TomlValue result;
+  result.kind = TomlValue::Kind::real;
+  result.real = value;
+  return result;
+}
+
+TomlValue toml_text(const std::string& text) {
+  TomlValue result;
+  result.kind = TomlValue::Kind::text;
+  result.text = text;
+  return result;
+}
+
+}  // namespace bentur

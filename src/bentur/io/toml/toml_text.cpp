@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "bentur/io/toml/toml_value.h"
+
+namespace bentur {
+namespace {
+
+constexpr int max_depth = 32;  // of brackets, and of the parts of one dotted key
+
+/// Walks over a text character by character, counting lines and columns.
+class Cursor {
+ public:
+  explicit Cursor(const std::string& text) : text_(text) {}
+
+  [[nodiscard]] bool done() const { return at_ >= text_.size(); }
+  [[nodiscard]] bool starts(const char* what) const {
+    return text_.compare(at_, std::char_traits<char>::length(what), what) == 0;
+  }
+  [[nodiscard]] char byte() const { return text_[at_]; }
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] int column() const { return column_; }
+
+  /// The character here, or nothing when the bytes are not valid UTF-8 (RFC 3629: shortest form, no surrogates).
+  [[nodiscard]] std::optional<char32_t> character() {
+    const unsigned char lead = at(0);
+    length_ = lead < 0x80                   ? 1
+              : lead >= 0xC2 && lead < 0xE0 ? 2
+              : (lead & 0xF0) == 0xE0       ? 3
+              : lead >= 0xF0 && lead < 0xF5 ? 4
+                                            : 0;
+    if (length_ == 0) return std::nullopt;
+    if (length_ == 1) return lead;
+    char32_t value = lead & (0x7FU >> length_);
+    for (std::size_t i = 1; i < length_; ++i) {
+      if ((at(i) & 0xC0) != 0x80) return std::nullopt;
+      value = (value << 6) | (at(i) & 0x3FU);
+    }
+    const char32_t least = length_ == 2 ? 0x80 : length_ == 3 ? 0x800 : 0x10000;
+    if (value < least || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF)) return std::nullopt;
+    return value;
+  }
+
+  /// Steps over the character last asked for.
+  void next() {
+    const bool line_ends = byte() == '\n';
+    at_ += length_;
+    line_ += line_ends ? 1 : 0;
+    column_ = line_ends ? 1 : column_ + 1;
+  }
+
+ private:
+  [[nodiscard]] unsigned char at(std::size_t offset) const {
+    return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  std::size_t length_ = 1;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+enum class Place { outside, comment, basic, literal, basic_lines, literal_lines };
+
+bool in_lines(Place place) { return place == Place::basic_lines || place == Place::literal_lines; }
+
+}  // namespace
+
+bool check_toml_text(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+  Cursor cursor(text);
+  Place place = Place::outside;
+  int brackets = 0;
+  int dots = 0;
+  bool escaped = false;     // the character before was a backslash that counts
+  bool after_fold = false;  // a backslash and blanks only came before, in a multi-line basic string
+  int skip = 0;             // characters of a delimiter still to pass
+  const auto refuse = [&](const std::string& message) {
+    diagnostics.error({file, cursor.line(), cursor.column()}, message);
+    return false;
+  };
+  for (bool first = true; !cursor.done(); first = false, cursor.next()) {
+    const std::optional<char32_t> character = cursor.character();
+    if (!character) return refuse("not valid UTF-8 (save the file as UTF-8)");
+    const char32_t c = *character;
+    if (first && c == 0xFEFF) continue;  // a byte order mark
+    if (skip > 0) {
+      --skip;
+      continue;
+    }
+    const bool ascii = c < 0x80;
+    switch (place) {
+      case Place::comment:
+        if (c == '\n') place = Place::outside;
+        break;
+      case Place::outside:
+        if (!ascii)
+          return refuse(
+              fmt::format("character U+{:04X} may stand only in a string or a comment", static_cast<unsigned>(c)));
+        if (c == '#') {
+          place = Place::comment;
+        } else if (cursor.starts("\"\"\"") || cursor.starts("'''")) {
+          place = c == '"' ? Place::basic_lines : Place::literal_lines;
+          skip = 2;
+        } else if (c == '"' || c == '\'') {
+          place = c == '"' ? Place::basic : Place::literal;
+        } else if (c == '[' || c == '{') {
+          if (++brackets > max_depth) return refuse(fmt::format("nested deeper than {} levels", max_depth));
+        } else if (c == ']' || c == '}') {
+          --brackets;
+        } else if (c == '.' && ++dots > max_depth) {
+          return refuse(fmt::format("a key of more than {} parts", max_depth));
+        }
+        if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
+        escaped = after_fold = false;
+        break;
+      default:  // inside a string
+        if (!ascii && (escaped || after_fold)) {
+          return refuse(fmt::format("character U+{:04X} may not follow a backslash", static_cast<unsigned>(c)));
+        }
+        if (c == '\n' && !in_lines(place)) {
+          place = Place::outside;  // an unfinished string: the parser says so
+        } else if (escaped) {
+          escaped = false;
+          after_fold = place == Place::basic_lines && (c == ' ' || c == '\t' || c == '\r' || c == '\n');
+        } else if (after_fold && (c == ' ' || c == '\t' || c == '\r' || c == '\n')) {
+          break;
+        } else {
+          after_fold = false;
+          if (c == '\\' && (place == Place::basic || place == Place::basic_lines)) {
+            escaped = true;
+          } else if ((place == Place::basic && c == '"') || (place == Place::literal && c == '\'')) {
+            place = Place::outside;
+          } else if ((place == Place::basic_lines && cursor.starts("\"\"\"")) ||
+                     (place == Place::literal_lines && cursor.starts("'''"))) {
+            // Up to two more quotes belong to the string: """ text""""" ends at the last three.
+            skip = 2;
+            const char* const more[] = {c == '"' ? "\"\"\"\"\"" : "'''''", c == '"' ? "\"\"\"\"" : "''''"};
+            skip = cursor.starts(more[0]) ? 4 : cursor.starts(more[1]) ? 3 : 2;
+            place = Place::outside;
+          }
+        }
+    }
+  }
+  return true;
+}
+
+}  // namespace bentur

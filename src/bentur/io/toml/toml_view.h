@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/io/toml/toml_value.h"
+
+namespace bentur {
+
+/// The values a number may take; a message states the rule.
+enum class Rule { finite, positive, not_negative, not_zero, ratio, restitution };  // ratio: [0, 1), restitution: (0, 1]
+
+enum class Need { required, optional };
+
+/// How many values a list must have and why, e.g. {3, "one per storey"}; count 0: any number from one.
+struct Length {
+  std::size_t count = 0;
+  std::string each;
+};
+
+/// A value of a case file together with the name a user knows it by: the key path, as in
+/// `building["Model 1"].frame.beams[0].mass`. What is wrong with it goes to the diagnostics with its position;
+/// every reader then returns nothing, so that reading can go on and collect the other errors.
+class TomlView {
+ public:
+  /// All three must outlive the view.
+  TomlView(const TomlValue& value, std::string path, const std::string& file, Diagnostics& diagnostics)
+      : value_(&value), path_(std::move(path)), file_(&file), diagnostics_(&diagnostics) {}
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const TomlValue& value() const { return *value_; }
+  [[nodiscard]] bool is(TomlValue::Kind kind) const { return value_->kind == kind; }
+  [[nodiscard]] bool is_number() const { return is(TomlValue::Kind::integer) || is(TomlValue::Kind::real); }
+
+  /// The same value under another name.
+  [[nodiscard]] TomlView renamed(std::string path) const { return {*value_, std::move(path), *file_, *diagnostics_}; }
+
+  // Errors about this value.
+  void error(const std::string& message) const;     ///< "PATH MESSAGE"
+  void error_value(const std::string& rule) const;  ///< "PATH = VALUE, RULE", or "PATH is a list, RULE"
+  void error_missing(const std::string& key, const std::string& reason = {}) const;  ///< "PATH.KEY is missing REASON"
+
+  // Tables.
+  /// False (and an error) unless this is a table; an error for each key that is not in `known`.
+  [[nodiscard]] bool is_table_of(const std::vector<std::string>& known) const;
+  [[nodiscard]] bool has(const std::string& key) const;
+  [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;
+  [[nodiscard]] std::optional<TomlView> get(const std::string& key, Need need) const;
+  [[nodiscard]] std::optional<double> number(const std::string& key, Rule rule, Need need = Need::required) const;
+  [[nodiscard]] std::optional<std::vector<double>> numbers(const std::string& key, Rule rule, const Length& length = {},
+                                                           Need need = Need::required) const;
+  [[nodiscard]] std::optional<std::string> text(const std::string& key, Need need = Need::required) const;
+  [[nodiscard]] std::optional<std::string> word(const std::string& key, const std::vector<std::string>& known,
+                                                Need need = Need::required) const;
+  [[nodiscard]] std::optional<bool> flag(const std::string& key, Need need = Need::required) const;
+  /// Of two or more keys that exclude one another the one given; an error when there is none (unless optional) or more.
+  [[nodiscard]] std::optional<std::string> exactly_one(const std::vector<std::string>& keys,
+                                                       Need need = Need::required) const;
+
+  // Lists.
+  [[nodiscard]] std::size_t size() const { return value_->items.size(); }
+  [[nodiscard]] TomlView item(std::size_t index) const;
+  /// False (and an error) unless this is a list of the length asked for.
+  [[nodiscard]] bool is_list_of(const std::string& what, const Length& length = {}) const;
+
+  // This value itself.
+  [[nodiscard]] std::optional<double> as_number(Rule rule) const;
+  [[nodiscard]] std::optional<std::vector<double>> as_numbers(Rule rule, const Length& length = {}) const;
+  /// One number for all, or one for each as `length` says.
+  [[nodiscard]] std::optional<std::vector<double>> as_number_or_numbers(Rule rule, const Length& length) const;
+  [[nodiscard]] std::optional<std::string> as_text() const;
+  [[nodiscard]] std::optional<std::string> as_word(const std::vector<std::string>& known) const;
+  [[nodiscard]] std::optional<bool> as_flag() const;
+
+ private:
+  const TomlValue* value_;
+  std::string path_;
+  const std::string* file_;
+  Diagnostics* diagnostics_;
+};
+
+/// "text" in quotes as a message shows it: control characters escaped, long ones cut.
+[[nodiscard]] std::string in_quotes(const std::string& text);
+
+/// The end of a message about an unknown word: `did you mean "hertz"?`, or `must be one of a, b, c`.
+[[nodiscard]] std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+                                     const std::string& otherwise = "must be one of");
+
+}  // namespace bentur

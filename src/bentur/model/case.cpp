@@ -1,0 +1,326 @@
+#include "bentur/model/case.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "bentur/contact/axial_stiffness.h"
+#include "bentur/contact/laws.h"
+#include "bentur/core/errors.h"
+#include "bentur/structure/modes.h"
+#include "bentur/structure/sway.h"
+
+namespace bentur {
+namespace {
+
+StructuralModel matrices_model(const MatricesSpec& spec, double base_elevation) {
+  const auto floors = static_cast<Eigen::Index>(spec.elevations.size());
+  if (floors == 0 || spec.mass.rows() != floors || spec.mass.cols() != floors || spec.stiffness.rows() != floors ||
+      spec.stiffness.cols() != floors) {
+    throw InvalidParameter("matrices", std::to_string(floors) + " elevations",
+                           "mass and stiffness must have one row and column per elevation");
+  }
+  StructuralModel model;
+  double below = 0;
+  for (const double elevation : spec.elevations) {
+    if (!(elevation > below)) {
+      throw InvalidParameter("elevations", std::to_string(elevation), "must ascend from above the base");
+    }
+    model.elevations.push_back(base_elevation + elevation);
+    model.storey_heights.push_back(elevation - below);
+    below = elevation;
+  }
+  model.mass = spec.mass;
+  model.stiffness = spec.stiffness;
+  model.load = spec.mass.rowwise().sum();
+  model.floor_masses.assign(model.load.begin(), model.load.end());
+  return model;
+}
+
+/// The two floors that meet at an elevation.
+LevelPair floors_at(double elevation, const GapSpec& gap, const SpecAndModel& left, const SpecAndModel& right) {
+  const FloorLevels a = levels_of(left.model);
+  const FloorLevels b = levels_of(right.model);
+  const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
+  const LevelPair* const found = pair_at(elevation, pairs, a, b);
+  if (found == nullptr) {
+    throw InvalidParameter("elevations", std::to_string(elevation),
+                           "\"" + left.spec.name + "\" and \"" + right.spec.name + "\" have no floors there that meet");
+  }
+  return *found;
+}
+
+/// Half of the beam next to the gap, (3-4): the rightmost bay of a left building, the leftmost bay of a right one.
+double beam_end_stiffness(const BuildingSpec& spec, std::size_t floor, bool left_of_gap) {
+  const auto* frame = std::get_if<PlaneFrame>(&spec.structure);
+  if (frame == nullptr) {
+    throw InvalidParameter("stiffness", "axial", "needs a frame; \"" + spec.name + "\" is none");
+  }
+  const double bay = left_of_gap ? frame->bay_widths.back() : frame->bay_widths.front();
+  return half_beam_stiffness(frame->elastic_modulus, frame->beams.at(floor).area, bay);
+}
+
+/// Of the keys that exclude one another exactly one; a key that is required and missing the law itself reports.
+void check_one_of(const LawEntry& law, const LawInput& input) {
+  std::string names;
+  int given = 0;
+  for (const LawKey& key : law.keys) {
+    if (key.need == LawKey::Need::one_of) {
+      names += (names.empty() ? "" : ", ") + std::string(key.name);
+      given += input.numbers.find(key.name) == input.numbers.end() ? 0 : 1;
+    }
+  }
+  if (!names.empty() && given != 1) {
+    throw InvalidParameter("contact", std::to_string(given) + " of " + names, "needs exactly one of them");
+  }
+}
+
+/// Contact points of the gap to the right of building `gap`.
+std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::vector<Building>& buildings) {
+  const GapSpec& spec = c.gaps[gap];
+  if (spec.widths.size() != std::max<std::size_t>(spec.elevations.size(), 1)) {
+    throw InvalidParameter("widths", std::to_string(spec.widths.size()) + " values",
+                           "must be one per contact point, or one where there are none");
+  }
+  const SpecAndModel left{c.buildings[gap], buildings[gap].model};
+  const SpecAndModel right{c.buildings[gap + 1], buildings[gap + 1].model};
+  const double round_off = round_off_of_levels(levels_of(left.model), levels_of(right.model));
+  std::vector<ContactPoint> points;
+  for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
+    ContactPoint point;
+    point.left = static_cast<int>(gap);
+    const LevelPair floors = floors_at(spec.elevations[i], spec, left, right);
+    point.left_floor = floors.left_floor;
+    point.right_floor = floors.right_floor;
+    const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
+    point.elevation = at_level ? spec.elevations[i] : floors.elevation;
+    point.width = spec.widths[i];
+    point.law = make_contact_law(spec, i, left, right);
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// The watched floors of one gap, those of the left building first.
+void watch_gap(const GapSpec& spec, int gap, const std::vector<Building>& buildings,
+               const std::vector<ContactPoint>& points, std::vector<WatchedFloor>& all) {
+  const auto left = static_cast<std::size_t>(gap);
+  const StructuralModel* const models[] = {&buildings[left].model, &buildings[left + 1].model};
+  const FloorLevels levels[] = {levels_of(*models[0]), levels_of(*models[1])};
+  const double round_off = round_off_of_levels(levels[0], levels[1]);
+  const std::vector<LevelPair> pairs = level_floors(levels[0], levels[1], spec.level_tolerance);
+  const auto row = [&](std::size_t side, double elevation) {
+    return sway_at(*models[side], elevation, side == 0 ? Face::right : Face::left);
+  };
+  const auto floor_row = [&](std::size_t side, int floor) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Unit(models[side]->dofs(), floor);
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const FloorLevels& neighbour = levels[1 - side];
+    for (int floor = 0; floor < static_cast<int>(levels[side].elevations.size()); ++floor) {
+      const auto of = [&](const auto& pair) { return (side == 0 ? pair.left_floor : pair.right_floor) == floor; };
+      const auto has_point = [&](const ContactPoint& point) { return point.left == gap && of(point); };
+      if (std::any_of(points.begin(), points.end(), has_point)) continue;
+      WatchedFloor watched;
+      watched.left = gap;
+      watched.floor_of = gap + static_cast<int>(side);
+      watched.floor = floor;
+      watched.elevation = levels[side].elevations[static_cast<std::size_t>(floor)];
+      const auto pair = std::find_if(pairs.begin(), pairs.end(), of);
+      if (pair != pairs.end()) {
+        if (side == 1) continue;  // watched from the left one
+        watched.elevation = pair->elevation;
+        watched.facing_floor = pair->right_floor;
+        watched.left_row = floor_row(0, pair->left_floor);
+        watched.right_row = floor_row(1, pair->right_floor);
+      } else {
+        if (watched.elevation < neighbour.base - round_off ||
+            watched.elevation > neighbour.elevations.back() + round_off) {
+          continue;
+        }
+        Eigen::VectorXd own = floor_row(side, floor);
+        Eigen::VectorXd column =
+            row(1 - side, std::clamp(watched.elevation, neighbour.base, neighbour.elevations.back()));
+        watched.left_row = side == 0 ? own : column;
+        watched.right_row = side == 0 ? column : own;
+      }
+      watched.width = watched_width(points, gap, watched.elevation).value_or(spec.widths.front());
+      all.push_back(std::move(watched));
+    }
+  }
+}
+
+/// All degrees of freedom from the floors' values; joint rotations θ = −K_ss⁻¹ K_sp x, free of moment.
+Eigen::VectorXd from_floors(const StructuralModel& model, const std::vector<double>& values) {
+  const Eigen::Index floors = model.floors();
+  const Eigen::Index rotations = model.dofs() - floors;
+  if (static_cast<Eigen::Index>(values.size()) != floors) {
+    throw InvalidParameter("initial", std::to_string(values.size()) + " values", "must be one per floor");
+  }
+  Eigen::VectorXd all(model.dofs());
+  all.head(floors) = Eigen::Map<const Eigen::VectorXd>(values.data(), floors);
+  if (rotations > 0) {
+    all.tail(rotations) = -model.stiffness.bottomRightCorner(rotations, rotations)
+                               .ldlt()
+                               .solve(model.stiffness.bottomLeftCorner(rotations, floors) * all.head(floors));
+  }
+  return all;
+}
+
+std::vector<Eigen::VectorXd> initial_state(const std::vector<std::vector<double>>& given,
+                                           const std::vector<Building>& buildings) {
+  if (given.empty()) {
+    return {};
+  }
+  if (given.size() != buildings.size()) {
+    throw InvalidParameter("initial", std::to_string(given.size()) + " lists", "must be one per building");
+  }
+  std::vector<Eigen::VectorXd> state;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    state.push_back(given[b].empty() ? Eigen::VectorXd::Zero(buildings[b].model.dofs())
+                                     : from_floors(buildings[b].model, given[b]));
+  }
+  return state;
+}
+
+}  // namespace
+
+std::optional<double> ContactSpec::number(std::string_view key, std::size_t point) const {
+  const auto found = numbers.find(key);
+  if (found == numbers.end()) {
+    return std::nullopt;
+  }
+  const std::vector<double>& values = found->second;
+  if (values.size() != 1 && point >= values.size()) {
+    throw InvalidParameter(found->first, std::to_string(values.size()) + " values",
+                           "must be one value or one per contact point");
+  }
+  return values.size() == 1 ? values.front() : values[point];
+}
+
+std::map<std::string, std::string, std::less<>> ContactSpec::choices() const {
+  std::map<std::string, std::string, std::less<>> result;
+  const LawEntry* const entry = find_law(law);
+  if (entry == nullptr) {
+    return result;
+  }
+  for (const LawChoice& choice : entry->choices) {
+    if (choice.with.empty() || numbers.find(choice.with) != numbers.end()) {
+      const auto made = words.find(choice.name);
+      result.emplace(choice.name, made == words.end() ? choice.words.front() : std::string_view(made->second));
+    }
+  }
+  return result;
+}
+
+std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
+                                                   const SpecAndModel& right) {
+  const ContactSpec& contact = gap.contact;
+  const LawEntry* const entry = find_law(contact.law);
+  if (entry == nullptr) {
+    throw InvalidParameter("law", contact.law, "there is no such law");
+  }
+  const LevelPair floors = floors_at(gap.elevations.at(point), gap, left, right);
+  const auto left_floor = static_cast<std::size_t>(floors.left_floor);
+  const auto right_floor = static_cast<std::size_t>(floors.right_floor);
+  LawInput input;
+  for (const auto& [key, values] : contact.numbers) {
+    input.numbers[key] = *contact.number(key, point);
+  }
+  if (contact.axial) {
+    input.numbers["stiffness"] = series_stiffness(beam_end_stiffness(left.spec, left_floor, true),
+                                                  beam_end_stiffness(right.spec, right_floor, false));
+  }
+  input.words = contact.words;
+  const double m1 = left.model.floor_masses.at(left_floor);
+  const double m2 = right.model.floor_masses.at(right_floor);
+  input.effective_mass = m1 * m2 / (m1 + m2);
+  check_one_of(*entry, input);
+  return entry->make(input);
+}
+
+StructuralModel structural_model(const BuildingSpec& spec) {
+  StructuralModel model;
+  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
+    model = plane_frame_model(*frame, spec.base_elevation);
+  } else if (const auto* stick = std::get_if<Stick>(&spec.structure)) {
+    model = stick_model(*stick, spec.base_elevation);
+  } else {
+    model = matrices_model(std::get<MatricesSpec>(spec.structure), spec.base_elevation);
+  }
+  if (spec.calibrate_period) {
+    calibrate_period(model, *spec.calibrate_period);
+  }
+  return model;
+}
+
+Building make_building(const BuildingSpec& spec) {
+  return make_building(spec.name, structural_model(spec), spec.damping);
+}
+
+std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings) {
+  std::vector<ContactPoint> points;
+  for (std::size_t gap = 0; gap < c.gaps.size(); ++gap) {
+    for (ContactPoint& point : points_of(c, gap, buildings)) {
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+FloorLevels levels_of(const StructuralModel& model) { return {model.elevations, base_of(model)}; }
+
+std::optional<double> watched_width(const std::vector<ContactPoint>& points, int gap, double elevation) {
+  const ContactPoint* below = nullptr;
+  const ContactPoint* above = nullptr;
+  for (const ContactPoint& point : points) {
+    if (point.left != gap) continue;
+    if (point.elevation <= elevation) below = &point;
+    if (point.elevation >= elevation && above == nullptr) above = &point;
+  }
+  if (below == nullptr && above == nullptr) return std::nullopt;
+  return std::min((below != nullptr ? below : above)->width, (above != nullptr ? above : below)->width);
+}
+
+std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Building>& buildings,
+                                         const std::vector<ContactPoint>& points) {
+  std::vector<WatchedFloor> all;
+  for (std::size_t gap = 0; gap < c.gaps.size(); ++gap) {
+    const std::size_t first = all.size();
+    watch_gap(c.gaps[gap], static_cast<int>(gap), buildings, points, all);
+    std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                     [](const WatchedFloor& a, const WatchedFloor& b) { return a.elevation < b.elevation; });
+  }
+  return all;
+}
+
+Problem make_problem(const Case& c) {
+  std::vector<Building> buildings;
+  for (const BuildingSpec& spec : c.buildings) {
+    buildings.push_back(make_building(spec));
+  }
+  return make_problem(c, std::move(buildings));
+}
+
+Problem make_problem(const Case& c, std::vector<Building> buildings) {
+  if (c.buildings.size() < 2 || c.gaps.size() + 1 != c.buildings.size() || buildings.size() != c.buildings.size()) {
+    throw InvalidParameter("gaps", std::to_string(c.gaps.size()),
+                           "must be one between each pair of neighbours, of two buildings or more");
+  }
+  Problem problem;
+  problem.buildings = std::move(buildings);
+  problem.points = contact_points(c, problem.buildings);
+  problem.watched = watched_floors(c, problem.buildings, problem.points);
+  problem.motion = c.excitation.motion;
+  problem.delays = c.excitation.delays;
+  problem.kinematics = c.excitation.kinematics;
+  problem.initial_displacement = initial_state(c.initial.displacements, problem.buildings);
+  problem.initial_velocity = initial_state(c.initial.velocities, problem.buildings);
+  problem.duration = c.analysis.duration;
+  validate(problem);
+  return problem;
+}
+
+}  // namespace bentur

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bentur/contact/law.h"
+#include "bentur/core/units.h"
+#include "bentur/excitation/ground_motion.h"
+#include "bentur/model/gap/code_rules.h"
+#include "bentur/model/gap/levels.h"
+#include "bentur/solve/problem.h"
+#include "bentur/solve/solver.h"
+#include "bentur/structure/damping.h"
+#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/stick.h"
+
+namespace bentur {
+
+/// Matrices from another program. Elevations are above the building's own base.
+struct MatricesSpec {
+  std::vector<double> elevations;  ///< [length], ascending, > 0
+  Eigen::MatrixXd mass;            ///< [mass]
+  Eigen::MatrixXd stiffness;       ///< [force/length]
+};
+
+struct BuildingSpec {
+  std::string name;
+  std::variant<PlaneFrame, Stick, MatricesSpec> structure;
+  Damping damping;
+  std::optional<double> calibrate_period;  ///< [s]
+  double base_elevation = 0;               ///< [length]
+  std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
+};
+
+/// Contact of one gap: a law of contact/laws.h and what the case says of it, key by key.
+struct ContactSpec {
+  std::string law = "linear";
+  bool axial = false;  ///< stiffness = "axial", by (3-4)
+  /// One value for all contact points or one each.
+  std::map<std::string, std::vector<double>, std::less<>> numbers = {};
+  std::map<std::string, std::string, std::less<>> words = {};  ///< choices made; the others have their defaults
+
+  /// What is given for contact point `point` of the gap (0 the lowest); nothing where the key is not given.
+  /// @throws InvalidParameter when a list has no such entry.
+  [[nodiscard]] std::optional<double> number(std::string_view key, std::size_t point) const;
+  /// The choices that apply, made or by default: release; calibration where restitution is given.
+  [[nodiscard]] std::map<std::string, std::string, std::less<>> choices() const;
+};
+
+struct GapSpec {
+  std::vector<double> widths;      ///< [length], one per point; one alone where there are no points
+  std::vector<double> elevations;  ///< [length] absolute, one per point, ascending; empty: floors are watched alone
+  ContactSpec contact;
+  std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
+};
+
+/// What was read from a record file, echoed to the user.
+struct RecordEcho {
+  std::string file;          ///< as the case names it
+  std::string path = {};     ///< where it was read; no result holds that
+  std::uint64_t size = 0;    ///< bytes
+  std::string sha256 = {};   ///< of them; empty where nobody has asked
+  std::string format;        ///< as record_formats() of io
+  std::string unit;          ///< of the file
+  std::string channel = {};  ///< which of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
+  int header_lines = 0;      ///< passed over before the first value
+  double mean_removed = 0;   ///< taken off all values, in the file's unit
+  double time_step = 0;      ///< [s]
+  long count = 0;
+  double duration = 0;    ///< (count − 1) · step [s]
+  double pga_read = 0;    ///< largest |a| in the file's unit
+  bool reversed = false;  ///< applied the other way round, every value times −1
+  double pga = 0;         ///< largest |a| as applied, after scaling [length/s²]
+};
+
+struct ExcitationSpec {
+  GroundMotion motion;               ///< scaled, in the case's units
+  std::optional<RecordEcho> record;  ///< for kind = "record"
+  std::vector<double> delays;        ///< [s], one per building (from wave_velocity where that was given)
+  Kinematics kinematics = Kinematics::relative;
+};
+
+struct InitialSpec {  ///< per building, per floor; empty: at rest
+  std::vector<std::vector<double>> displacements, velocities;
+};
+
+/// What a run may take (solve/effort.h). More is refused beforehand where that is certain, else the run ends there.
+struct LimitsSpec {
+  double steps = 2e7;    ///< [-] minutes of a case of some floors
+  double memory = 1000;  ///< [MB]
+};
+
+struct AnalysisSpec {
+  double duration = 0;  ///< [s]
+  Solver solver = ExactSolver{};
+  double output_step = 0.01;  ///< [s]
+  bool energy_audit = false;
+  LimitsSpec limits = {};
+};
+
+/// The file a case was read from.
+struct CaseSource {
+  std::string file;  ///< its name, without folders
+  std::string text;
+  std::string sha256;   ///< of the text
+  bool copied = false;  ///< a copy stands with the results
+};
+
+/// A case as plain data, validated, in its own consistent units.
+struct Case {
+  std::string title;
+  Units units;
+  std::vector<BuildingSpec> buildings;
+  std::vector<GapSpec> gaps;  ///< one between each pair of neighbours
+  ExcitationSpec excitation;
+  InitialSpec initial;
+  AnalysisSpec analysis;
+  CodeSpec code = {};                     ///< without rules: none were given
+  std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
+};
+
+/// Mass, stiffness and load of one building, condensed and calibrated.
+[[nodiscard]] StructuralModel structural_model(const BuildingSpec& spec);
+
+/// The building with its modes and damping.
+[[nodiscard]] Building make_building(const BuildingSpec& spec);
+
+/// A building as given and as assembled.
+struct SpecAndModel {
+  const BuildingSpec& spec;
+  const StructuralModel& model;
+};
+
+/// The law of contact point `point` of the gap between two buildings: with the numbers of that point, the axial
+/// stiffness of the two beams that meet there, and m_e of its two floors.
+/// @throws InvalidParameter, naming the key at fault, when the case has no such law or its values do not go together.
+[[nodiscard]] std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point,
+                                                                 const SpecAndModel& left, const SpecAndModel& right);
+
+/// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
+[[nodiscard]] Problem make_problem(const Case& c);
+/// The same with the case's buildings made already.
+[[nodiscard]] Problem make_problem(const Case& c, std::vector<Building> buildings);
+
+/// The contact points of all gaps, left to right and from the lowest up. @throws InvalidParameter as make_problem().
+[[nodiscard]] std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings);
+
+/// Every floor that faces its neighbour between that one's base and top and has no contact point there, with widths as
+/// watched_width() gives; two that are at one level are watched as one, against each other.
+[[nodiscard]] std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Building>& buildings,
+                                                       const std::vector<ContactPoint>& points);
+
+/// The width of gap `gap` at an elevation [length]: the smaller one of the contact points next above and next below, so
+/// that no opening is taken for wider than it is; of the nearest point beyond them. Nothing where the gap has none.
+[[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, int gap, double elevation);
+
+/// Floor levels of a model.
+[[nodiscard]] FloorLevels levels_of(const StructuralModel& model);
+
+}  // namespace bentur

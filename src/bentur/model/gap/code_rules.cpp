@@ -1,0 +1,171 @@
+#include "bentur/model/gap/code_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+using Kind = CodeKey::Kind;
+
+/// The value for one building of a list with one for all or one each.
+template <class Value>
+const Value& value_of(const std::map<std::string, std::vector<Value>, std::less<>>& values, std::string_view key,
+                      std::size_t building) {
+  const auto found = values.find(key);
+  if (found == values.end() || found->second.empty()) {
+    throw InvalidParameter(std::string(key), "nothing", "is needed by this rule");
+  }
+  if (found->second.size() != 1 && building >= found->second.size()) {
+    throw InvalidParameter(found->first, std::to_string(found->second.size()) + " values",
+                           "must be one value or one per building");
+  }
+  return found->second.size() == 1 ? found->second.front() : found->second[building];
+}
+
+double factor(const CodeRuleSpec& spec, std::string_view key, std::size_t building) {
+  const double value = value_of(spec.numbers, key, building);
+  require_positive(std::string(key), value);
+  return value;
+}
+
+/// Own displacements, amplified.
+struct Amplified {
+  double left = 0, right = 0;
+  [[nodiscard]] double sum() const { return left + right; }
+  [[nodiscard]] double srss() const { return std::hypot(left, right); }
+};
+
+/// Displacements times the first key over the second, where there is one.
+Amplified amplified(const CodePair& pair, const CodeRuleSpec& spec, std::string_view times,
+                    std::string_view over = {}) {
+  const auto own = [&](const CodeSide& side, std::size_t building) {
+    return side.displacement * factor(spec, times, building) / (over.empty() ? 1 : factor(spec, over, building));
+  };
+  return {own(pair.left, pair.left_building), own(pair.right, pair.left_building + 1)};
+}
+
+CodeSeparation asce(const CodePair& pair, const CodeRuleSpec& spec) {  // (1)
+  const Amplified d = amplified(pair, spec, "deflection_amplification", "importance_factor");
+  return {spec.rule, pair.same_owner ? d.srss() : d.sum(), d.left, d.right};
+}
+
+CodeSeparation eurocode(const CodePair& pair, const CodeRuleSpec& spec) {  // (2)
+  const Amplified d = amplified(pair, spec, "behaviour_factor");
+  const double alignment = pair.floors_aligned ? 0.7 : 1;
+  return {spec.rule, alignment * (pair.same_owner ? d.srss() : d.sum()), alignment * d.left, alignment * d.right};
+}
+
+CodeSeparation is1893(const CodePair& pair, const CodeRuleSpec& spec) {  // (3)
+  const Amplified d = amplified(pair, spec, "response_reduction");
+  return {spec.rule, (pair.floors_aligned ? 0.5 : 1) * d.sum(), {}, {}};
+}
+
+CodeSeparation nbcc(const CodePair& pair, const CodeRuleSpec& spec) {  // (4)
+  Amplified d = amplified(pair, spec, "ductility_factor", "importance_factor");
+  d.left *= factor(spec, "overstrength_factor", pair.left_building);
+  d.right *= factor(spec, "overstrength_factor", pair.left_building + 1);
+  return {spec.rule, d.srss(), {}, {}};
+}
+
+CodeSeparation tbdy(const CodePair& pair, const CodeRuleSpec& spec) {  // (5)
+  const Amplified d = amplified(pair, spec, "response_reduction", "importance_factor");
+  const double height = std::min(pair.left.height, pair.right.height) / pair.metre;  // [m]
+  const double least = (0.030 + 0.010 * std::max(0.0, height - 6) / 3) * pair.metre;
+  return {spec.rule, std::max(least, (pair.floors_aligned ? 0.25 : 0.5) * d.srss()), {}, {}};
+}
+
+CodeSeparation gb50011(const CodePair& pair, const CodeRuleSpec& spec) {  // (6)
+  const double intensity = value_of(spec.numbers, "intensity", 0);
+  if (!(intensity >= 6 && intensity <= 9) || intensity != std::floor(intensity)) {
+    throw InvalidParameter("intensity", std::to_string(intensity), "must be 6, 7, 8 or 9");
+  }
+  const double each = 11 - intensity;  // [m]: 5, 4, 3, 2
+  double part = 0;
+  for (const std::size_t building : {pair.left_building, pair.left_building + 1}) {
+    const std::string& system = value_of(spec.words, "system", building);
+    part = std::max(part, system == "wall" ? 0.5 : (system == "frame-wall" ? 0.7 : 1.0));
+  }
+  const double height = std::min(pair.left.height, pair.right.height) / pair.metre;  // [m]
+  const double width = part * (0.100 + 0.020 * std::max(0.0, height - 15) / each);
+  return {spec.rule, std::max(0.100, width) * pair.metre, {}, {}};
+}
+
+CodeSeparation ntc(const CodePair& pair, const CodeRuleSpec& spec) {  // (7)
+  const Amplified d = amplified(pair, spec, "behaviour_factor");
+  const std::string& zone = value_of(spec.words, "zone", 0);
+  const double slope = zone == "I" ? 0.001 : (zone == "II" ? 0.003 : 0.006);
+  const double left = std::max(0.050 * pair.metre, d.left + slope * pair.left.level);
+  const double right = std::max(0.050 * pair.metre, d.right + slope * pair.right.level);
+  const auto alike = spec.flags.find("structures_alike");
+  const bool half = pair.floors_aligned && alike != spec.flags.end() && alike->second;
+  return {spec.rule, (half ? 0.5 : 1) * (left + right), left, right};
+}
+
+}  // namespace
+
+const std::vector<CodeRule>& code_rules() {
+  const auto one = [](std::string_view name) { return CodeKey{.name = name}; };
+  static const std::vector<CodeRule> rules = {
+      {"asce-7-16",
+       "ASCE 7-16, IBC",
+       "12.12.3",
+       "checked, C_d/I_e to check",
+       {one("deflection_amplification"), one("importance_factor")},
+       asce},
+      {"sni-1726-2019",
+       "SNI 1726:2019",
+       "7.12.3",
+       "to check",
+       {one("deflection_amplification"), one("importance_factor")},
+       asce},
+      {"en-1998-1", "EN 1998-1:2004", "4.4.2.7", "to check", {one("behaviour_factor")}, eurocode},
+      {"is-1893-1", "IS 1893-1:2016", "7.11.3", "to check", {one("response_reduction")}, is1893},
+      {"nbcc",
+       "NBCC",
+       "4.1.8.14",
+       "checked",
+       {one("ductility_factor"), one("overstrength_factor"), one("importance_factor")},
+       nbcc},
+      {"tbdy-2018", "TBDY 2018", "4.9.3", "to check", {one("response_reduction"), one("importance_factor")}, tbdy},
+      {"gb-50011-2010",
+       "GB 50011-2010",
+       "6.1.4",
+       "checked",
+       {CodeKey{.name = "intensity", .kind = Kind::whole, .from = 6, .to = 9},
+        CodeKey{.name = "system", .kind = Kind::building_word, .words = {"frame", "frame-wall", "wall"}}},
+       gb50011},
+      {"ntc-2004",
+       "NTC 2004 (Mexico)",
+       "1.10",
+       "checked, Q to check",
+       {one("behaviour_factor"), CodeKey{.name = "zone", .kind = Kind::word, .words = {"I", "II", "III"}},
+        CodeKey{.name = "structures_alike", .kind = Kind::flag}},
+       ntc},
+  };
+  return rules;
+}
+
+const CodeRule* find_code_rule(std::string_view name) {
+  const auto& rules = code_rules();
+  const auto found = std::find_if(rules.begin(), rules.end(), [&](const CodeRule& rule) { return rule.name == name; });
+  return found == rules.end() ? nullptr : &*found;
+}
+
+CodeSeparation code_separation(const CodePair& pair, const CodeRuleSpec& spec) {
+  const CodeRule* const rule = find_code_rule(spec.rule);
+  if (rule == nullptr) throw InvalidParameter("rule", spec.rule, "there is no such rule");
+  require_positive("metre", pair.metre);
+  for (const CodeSide* side : {&pair.left, &pair.right}) {
+    require_not_negative("displacement", side->displacement);
+    require_not_negative("height", side->height);
+    require_finite("level", side->level);
+  }
+  return rule->separation(pair, spec);
+}
+
+}  // namespace bentur

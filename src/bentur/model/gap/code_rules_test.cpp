@@ -1,0 +1,293 @@
+#include "bentur/model/gap/code_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/units.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "tests/support/small_buildings.h"
+
+namespace bentur {
+namespace {
+
+/// In metres: 3 cm and 4 cm at the roof of the lower one.
+CodePair pair_in_metres() {
+  return {.left = {.displacement = 0.03, .level = 12, .height = 12},
+          .right = {.displacement = 0.04, .level = 12, .height = 24}};
+}
+
+/// Numbers a code could have, some for each building.
+CodeRuleSpec spec(const std::string& rule) {
+  CodeRuleSpec given{.rule = rule};
+  given.numbers = {{"deflection_amplification", {5.5, 4.5}},
+                   {"importance_factor", {1.25, 1.0}},
+                   {"behaviour_factor", {3.0, 1.5}},
+                   {"response_reduction", {5.0, 3.0}},
+                   {"ductility_factor", {4.0, 2.0}},
+                   {"overstrength_factor", {1.7, 1.4}},
+                   {"intensity", {8}}};
+  given.words = {{"system", {"frame"}}, {"zone", {"II"}}};
+  return given;
+}
+
+double gap(const CodePair& pair, const CodeRuleSpec& given) { return code_separation(pair, given).gap; }
+
+double gap(const std::string& rule, bool aligned, bool same_owner = true) {
+  CodePair pair = pair_in_metres();
+  pair.floors_aligned = aligned;
+  pair.same_owner = same_owner;
+  return gap(pair, spec(rule));
+}
+
+TEST(CodeRules, AsceAndSni) {
+  for (const std::string rule : {"asce-7-16", "sni-1726-2019"}) {
+    const double left = 5.5 * 0.03 / 1.25, right = 4.5 * 0.04;
+    EXPECT_NEAR(gap(rule, false), std::sqrt(left * left + right * right), 1e-15);
+    EXPECT_NEAR(gap(rule, true), gap(rule, false), 1e-15) << "alignment plays no part";
+    EXPECT_NEAR(gap(rule, false, false), left + right, 1e-15);
+    const CodeSeparation found = code_separation(pair_in_metres(), spec(rule));
+    EXPECT_NEAR(found.to_left.value(), left, 1e-15);
+    EXPECT_NEAR(found.to_right.value(), right, 1e-15);
+  }
+}
+
+TEST(CodeRules, Eurocode) {
+  EXPECT_NEAR(gap("en-1998-1", false), std::hypot(0.09, 0.06), 1e-15);
+  EXPECT_NEAR(gap("en-1998-1", true), 0.7 * std::hypot(0.09, 0.06), 1e-15);
+  EXPECT_NEAR(gap("en-1998-1", false, false), 0.15, 1e-15);
+  EXPECT_NEAR(gap("en-1998-1", true, false), 0.105, 1e-15);
+}
+
+TEST(CodeRules, Indian) {
+  EXPECT_NEAR(gap("is-1893-1", false), 5 * 0.03 + 3 * 0.04, 1e-15);
+  EXPECT_NEAR(gap("is-1893-1", true), 0.135, 1e-15);
+}
+
+TEST(CodeRules, Canadian) { EXPECT_NEAR(gap("nbcc", false), std::hypot(4 * 1.7 * 0.03 / 1.25, 2 * 1.4 * 0.04), 1e-15); }
+
+TEST(CodeRules, Turkish) {
+  CodePair far = pair_in_metres();  // beyond the least, 50 mm at 12 m
+  far.left.displacement = 0.06;
+  const double combined = std::hypot(5 / 1.25 * 0.06, 3 * 0.04);
+  EXPECT_NEAR(gap(far, spec("tbdy-2018")), 0.5 * combined, 1e-15);
+  far.floors_aligned = true;
+  EXPECT_NEAR(gap(far, spec("tbdy-2018")), 0.25 * combined, 1e-15);
+  CodePair still = pair_in_metres();
+  still.left.displacement = still.right.displacement = 0;
+  for (const auto& [height, least] :
+       std::vector<std::pair<double, double>>{{3, 0.030}, {6, 0.030}, {9, 0.040}, {12, 0.050}, {30, 0.110}}) {
+    still.left.height = height;
+    still.right.height = height + 10;
+    EXPECT_NEAR(gap(still, spec("tbdy-2018")), least, 1e-15) << height;
+    std::swap(still.left.height, still.right.height);
+    EXPECT_NEAR(gap(still, spec("tbdy-2018")), least, 1e-15) << "the lower building decides";
+  }
+}
+
+TEST(CodeRules, Chinese) {
+  CodePair pair = pair_in_metres();
+  pair.left.displacement = 1;  // does not matter
+  CodeRuleSpec given = spec("gb-50011-2010");
+  pair.left.height = pair.right.height = 15;
+  for (const double intensity : {6.0, 7.0, 8.0, 9.0}) {
+    given.numbers["intensity"] = {intensity};
+    EXPECT_NEAR(gap(pair, given), 0.100, 1e-15);
+  }
+  pair.left.height = pair.right.height = 75;  // 60 m above: 12, 15, 20, 30 times 20 mm
+  for (const auto& [intensity, width] :
+       std::vector<std::pair<double, double>>{{6, 0.340}, {7, 0.400}, {8, 0.500}, {9, 0.700}}) {
+    given.numbers["intensity"] = {intensity};
+    given.words["system"] = {"frame"};
+    EXPECT_NEAR(gap(pair, given), width, 1e-15);
+    given.words["system"] = {"frame-wall"};
+    EXPECT_NEAR(gap(pair, given), 0.7 * width, 1e-15);
+    given.words["system"] = {"wall"};
+    EXPECT_NEAR(gap(pair, given), 0.5 * width, 1e-15);
+    given.words["system"] = {"wall", "frame-wall"};
+    EXPECT_NEAR(gap(pair, given), 0.7 * width, 1e-15) << "the one that needs more decides";
+  }
+  pair.left.height = 20;  // 100 + 20·5/2 = 150 at intensity 9; half of it is below the least
+  given.words["system"] = {"wall"};
+  EXPECT_NEAR(gap(pair, given), 0.100, 1e-15);
+  given.words["system"] = {"frame"};
+  EXPECT_NEAR(gap(pair, given), 0.150, 1e-15);
+}
+
+TEST(CodeRules, Mexican) {
+  CodePair pair = pair_in_metres();
+  CodeRuleSpec given = spec("ntc-2004");
+  for (const auto& [zone, slope] :
+       std::vector<std::pair<std::string, double>>{{"I", 0.001}, {"II", 0.003}, {"III", 0.006}}) {
+    given.words["zone"] = {zone};
+    EXPECT_NEAR(gap(pair, given), 3 * 0.03 + slope * 12 + 1.5 * 0.04 + slope * 12, 1e-15) << zone;
+  }
+  given.words["zone"] = {"I"};
+  pair.floors_aligned = true;
+  const double whole = gap(pair, given);
+  given.flags["structures_alike"] = true;
+  EXPECT_NEAR(gap(pair, given), whole / 2, 1e-15);
+  pair.floors_aligned = false;
+  EXPECT_NEAR(gap(pair, given), whole, 1e-15) << "half needs both";
+  pair.left.displacement = pair.right.displacement = 0.001;
+  EXPECT_NEAR(gap(pair, given), 0.100, 1e-15) << "50 mm from each";
+  EXPECT_NEAR(code_separation(pair, given).to_left.value(), 0.050, 1e-15);
+}
+
+/// Every rule, aligned or not, of one owner or two.
+template <class Check>
+void for_every_rule(const Check& check) {
+  for (const CodeRule& rule : code_rules()) {
+    for (const bool aligned : {false, true}) {
+      for (const bool same_owner : {false, true}) {
+        SCOPED_TRACE(std::string(rule.name) + (aligned ? ", aligned" : "") + (same_owner ? ", same owner" : ""));
+        CodePair pair = pair_in_metres();
+        pair.floors_aligned = aligned;
+        pair.same_owner = same_owner;
+        check(pair, spec(std::string(rule.name)));
+      }
+    }
+  }
+}
+
+TEST(CodeRules, UnitsOfLengthDoNotMatter) {
+  for_every_rule([](const CodePair& pair, const CodeRuleSpec& given) {
+    for (const double height : {2.0, 10.0, 60.0}) {
+      CodePair metres = pair;
+      metres.left.height = height;
+      metres.right.height = height + 5;
+      CodePair feet = metres;
+      feet.metre = 1 / 0.3048;
+      for (CodeSide* side : {&feet.left, &feet.right}) {
+        side->displacement *= feet.metre;
+        side->level *= feet.metre;
+        side->height *= feet.metre;
+      }
+      EXPECT_NEAR(gap(feet, given) * 0.3048, gap(metres, given), 1e-14);
+    }
+  });
+}
+
+TEST(CodeRules, LeftAndRightDoNotMatter) {
+  for_every_rule([](const CodePair& pair, const CodeRuleSpec& given) {
+    CodePair mirrored = pair;
+    std::swap(mirrored.left, mirrored.right);
+    CodeRuleSpec turned = given;
+    for (auto& [key, values] : turned.numbers) {
+      if (values.size() == 2) std::swap(values[0], values[1]);
+    }
+    EXPECT_NEAR(gap(mirrored, turned), gap(pair, given), 1e-15);
+  });
+}
+
+TEST(CodeRules, MoreDisplacementNeverNeedsLess) {
+  for_every_rule([](const CodePair& pair, const CodeRuleSpec& given) {
+    double before = 0;
+    for (double u = 0; u < 0.2; u += 0.01) {
+      CodePair moved = pair;
+      moved.left.displacement = u;
+      EXPECT_GE(gap(moved, given), before);
+      before = gap(moved, given);
+    }
+  });
+}
+
+TEST(CodeRules, EachBuildingOfARowHasItsOwnNumbers) {
+  CodePair pair = pair_in_metres();
+  CodeRuleSpec given{.rule = "is-1893-1", .numbers = {{"response_reduction", {100.0, 5.0, 3.0}}}};
+  pair.left_building = 1;
+  EXPECT_NEAR(gap(pair, given), 5 * 0.03 + 3 * 0.04, 1e-15);
+  given.numbers["response_reduction"] = {4};
+  EXPECT_NEAR(gap(pair, given), 4 * 0.07, 1e-15);
+}
+
+TEST(CodeRules, AreNamedAndNothingIsMadeUp) {
+  EXPECT_EQ(code_rules().size(), 8U);
+  EXPECT_EQ(find_code_rule("no-such-code"), nullptr);
+  for (const CodeRule& rule : code_rules()) {
+    EXPECT_EQ(find_code_rule(rule.name), &rule);
+    EXPECT_FALSE(rule.clause.empty());
+    EXPECT_TRUE(rule.wording.find("check") != std::string_view::npos) << rule.name;
+    for (const CodeKey& key : rule.keys) {
+      if (key.kind == CodeKey::Kind::flag) continue;
+      CodeRuleSpec given = spec(std::string(rule.name));
+      given.numbers.erase(std::string(key.name));
+      given.words.erase(std::string(key.name));
+      try {
+        (void)code_separation(pair_in_metres(), given);
+        ADD_FAILURE() << rule.name << " does without " << key.name;
+      } catch (const InvalidParameter& missing) {
+        EXPECT_EQ(missing.parameter(), key.name);
+      }
+    }
+  }
+}
+
+TEST(CodeRules, RefuseWhatCannotBe) {
+  EXPECT_THROW((void)code_separation(pair_in_metres(), spec("no-such-code")), InvalidParameter);
+  CodeRuleSpec given = spec("en-1998-1");
+  given.numbers["behaviour_factor"] = {0};
+  EXPECT_THROW((void)code_separation(pair_in_metres(), given), InvalidParameter);
+  given = spec("gb-50011-2010");
+  given.numbers["intensity"] = {7.5};
+  EXPECT_THROW((void)code_separation(pair_in_metres(), given), InvalidParameter);
+  CodePair pair = pair_in_metres();
+  pair.left.displacement = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)code_separation(pair, spec("nbcc")), InvalidParameter);
+}
+
+/// A building with floors at the given elevations above the datum.
+Building with_floors(const std::vector<double>& elevations, double base = 0) {
+  const auto floors = static_cast<Eigen::Index>(elevations.size());
+  Building building =
+      test::matrix_building(Eigen::MatrixXd::Identity(floors, floors), Eigen::MatrixXd::Identity(floors, floors) * 400,
+                            Eigen::MatrixXd::Identity(floors, floors));
+  building.model.elevations = elevations;
+  building.model.storey_heights.clear();
+  for (const double elevation : elevations) {
+    building.model.storey_heights.push_back(elevation - base);
+    base = elevation;
+  }
+  return building;
+}
+
+TEST(FloorsAligned, ComparesAllFloorsUpToTheLowerRoof) {
+  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3, 6})));
+  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3, 6, 9, 12})));
+  EXPECT_TRUE(floors_aligned(with_floors({3, 6, 9, 12}), with_floors({3, 6})));
+  EXPECT_FALSE(floors_aligned(with_floors({3, 6}), with_floors({3, 5.9, 9})));
+  EXPECT_FALSE(floors_aligned(with_floors({6}), with_floors({3, 6, 9}))) << "a floor that meets a storey";
+  EXPECT_FALSE(floors_aligned(with_floors({3, 6}), with_floors({6, 9})));
+  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3.000001, 6, 9})));
+}
+
+TEST(CodeRules, OfACaseTakeThePeaksWithoutContactAtEachLevel) {
+  Problem problem = test::pair(with_floors({3, 6}), with_floors({3, 6, 9}), {}, 1);
+  problem.points = {test::contact(0.1, 1.0, 0), test::contact(0.1, 1.0, 1)};
+  Response response;
+  response.points.resize(2);
+  response.buildings.resize(2);
+  response.buildings[0].displacement_no_contact = Eigen::Vector2d(0.01, 0.02);
+  response.buildings[1].displacement_no_contact = Eigen::Vector3d(0.03, 0.04, 0.05);
+  CodeSpec code;
+  code.rules = {CodeRuleSpec{.rule = "is-1893-1", .numbers = {{"response_reduction", {2, 3}}}}, spec("ntc-2004")};
+  const auto points = separations(problem, response, code, {.length = "m"});
+  ASSERT_EQ(points.size(), 2U);
+  ASSERT_EQ(points[0].codes.size(), 2U);
+  EXPECT_EQ(points[0].codes[0].rule, "is-1893-1");
+  EXPECT_NEAR(points[0].codes[0].gap, 0.5 * (2 * 0.01 + 3 * 0.03), 1e-15);
+  EXPECT_NEAR(points[1].codes[0].gap, 0.5 * (2 * 0.02 + 3 * 0.04), 1e-15);
+  EXPECT_NEAR(points[1].codes[1].to_left.value(), 3 * 0.02 + 0.003 * 6, 1e-15);
+  code.floors_aligned = std::vector<bool>{false};
+  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 2 * 0.01 + 3 * 0.03, 1e-15);
+  EXPECT_NEAR(separations(problem, response, code, {.length = "mm"})[0].codes[1].to_left.value(), 50, 1e-12);
+  EXPECT_TRUE(separations(problem, response)[0].codes.empty());
+}
+
+}  // namespace
+}  // namespace bentur

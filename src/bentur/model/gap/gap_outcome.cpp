@@ -1,0 +1,118 @@
+#include "bentur/model/gap/gap_outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/case.h"
+
+namespace bentur {
+namespace {
+
+constexpr double near_part = 0.25;  // of the smallest storey at two floors: further apart they do not meet as floors
+
+/// The neighbour that a watched floor faces.
+const Building& faced_building(const Problem& problem, const WatchedFloor& floor) {
+  return problem.buildings[static_cast<std::size_t>(2 * floor.left + 1 - floor.floor_of)];
+}
+
+/// A tolerance of two digits that lets floors so far apart meet [length].
+double rounded_up(double apart) {
+  const double unit = std::pow(10.0, std::floor(std::log10(apart)) - 1);
+  return std::ceil(apart / unit * (1 + 1e-9)) * unit;
+}
+
+}  // namespace
+
+GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t gap) {
+  std::optional<GoverningLevel> worst;
+  const auto take = [&](const GoverningLevel& level) {
+    if (!worst || level.needed - level.width > worst->needed - worst->width) worst = level;
+  };
+  for (std::size_t i = problem.points.size(); i-- > 0;) {  // of levels that are alike the highest
+    const ContactPoint& point = problem.points[i];
+    if (point.left != static_cast<int>(gap)) continue;
+    take({std::nullopt, point.elevation, point.width, response.points.at(i).minimum_gap_no_contact});
+  }
+  for (const std::size_t i : watched_of(problem, gap)) {
+    take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed});
+  }
+  return worst.value_or(GoverningLevel{});
+}
+
+double gap_needed(const Problem& problem, const Response& response, std::size_t gap) {
+  double needed = 0;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    if (problem.points[i].left != static_cast<int>(gap)) continue;
+    needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
+  }
+  for (const std::size_t i : watched_of(problem, gap)) needed = std::max(needed, response.watched.at(i).needed);
+  return needed;
+}
+
+std::vector<std::size_t> watched_of(const Problem& problem, std::size_t gap) {
+  std::vector<std::size_t> floors;
+  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
+    if (problem.watched[i].left == static_cast<int>(gap)) floors.push_back(i);
+  }
+  return floors;
+}
+
+std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response, std::size_t gap) {
+  std::vector<std::size_t> floors;
+  for (const std::size_t i : watched_of(problem, gap)) {
+    if (response.watched.at(i).closes) floors.push_back(i);
+  }
+  std::stable_sort(floors.begin(), floors.end(), [&](std::size_t a, std::size_t b) {
+    return response.watched[a].least_opening < response.watched[b].least_opening;
+  });
+  return floors;
+}
+
+Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
+  if (floor.facing_floor >= 0) return {Remedy::Kind::name_elevation, floor.elevation, 0};
+  const bool of_left = floor.floor_of == floor.left;
+  const FloorLevels own = levels_of(problem.buildings[static_cast<std::size_t>(floor.floor_of)].model);
+  const FloorLevels other = levels_of(faced_building(problem, floor).model);
+  double tolerance = 0;
+  for (int i = 0; i < static_cast<int>(other.elevations.size()); ++i) {
+    const double storey = std::min(smallest_storey_at(own, floor.floor), smallest_storey_at(other, i));
+    const double apart = std::abs(other.elevations[static_cast<std::size_t>(i)] - floor.elevation);
+    if (apart > near_part * storey) continue;
+    tolerance = rounded_up(apart);
+    for (const LevelPair& pair : of_left ? level_floors(own, other, tolerance) : level_floors(other, own, tolerance)) {
+      if ((of_left ? pair.left_floor : pair.right_floor) == floor.floor) {
+        return {Remedy::Kind::raise_tolerance, other.elevations[static_cast<std::size_t>(i)], tolerance};
+      }
+    }
+  }
+  return {Remedy::Kind::give_matrices, floor.elevation, 0};
+}
+
+std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length) {
+  const Remedy remedy = remedy_for(problem, floor);
+  const std::string& other = faced_building(problem, floor).name;
+  switch (remedy.kind) {
+    case Remedy::Kind::name_elevation:
+      return fmt::format("name {} in gap.elevations, or leave elevations out", number(remedy.level));
+    case Remedy::Kind::raise_tolerance:
+      return fmt::format("gap.level_tolerance = {} lets it meet the floor of {} at elevation {} {}",
+                         number(remedy.tolerance), other, number(remedy.level), length);
+    case Remedy::Kind::give_matrices:
+      break;
+  }
+  return fmt::format("give {} as building.matrices with a level at elevation {} {}, where its column is struck", other,
+                     number(remedy.level), length);
+}
+
+std::string floor_text(const Problem& problem, const WatchedFloor& floor) {
+  return "the floor of " + problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
+}
+
+std::string faced_text(const Problem& problem, const WatchedFloor& floor) {
+  return fmt::format("the {} of {}", floor.facing_floor >= 0 ? "floor" : "column", faced_building(problem, floor).name);
+}
+
+}  // namespace bentur

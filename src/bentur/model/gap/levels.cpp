@@ -1,0 +1,65 @@
+#include "bentur/model/gap/levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace bentur {
+namespace {
+
+constexpr double part_of_storey = 0.1;   // floors this close in height meet, unless a case says otherwise
+constexpr double part_of_height = 1e-6;  // of the taller building: less is round-off
+
+double height_of(const FloorLevels& building) {
+  return building.elevations.empty() ? 0 : building.elevations.back() - building.base;
+}
+
+double level(const FloorLevels& building, int floor) { return building.elevations[static_cast<std::size_t>(floor)]; }
+
+int nearest_floor(const FloorLevels& building, double elevation) {
+  const auto nearer = [&](double a, double b) { return std::abs(a - elevation) < std::abs(b - elevation); };
+  return static_cast<int>(std::min_element(building.elevations.begin(), building.elevations.end(), nearer) -
+                          building.elevations.begin());
+}
+
+}  // namespace
+
+double round_off_of_levels(const FloorLevels& left, const FloorLevels& right) {
+  return part_of_height * std::max(height_of(left), height_of(right));
+}
+
+double smallest_storey_at(const FloorLevels& building, int floor) {
+  const double below = level(building, floor) - (floor > 0 ? level(building, floor - 1) : building.base);
+  const bool top = static_cast<std::size_t>(floor) + 1 == building.elevations.size();
+  return top ? below : std::min(below, level(building, floor + 1) - level(building, floor));
+}
+
+std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& right,
+                                    std::optional<double> tolerance) {
+  std::vector<LevelPair> pairs;
+  if (left.elevations.empty() || right.elevations.empty()) return pairs;
+  const double round_off = round_off_of_levels(left, right);
+  for (int i = 0; i < static_cast<int>(left.elevations.size()); ++i) {
+    const int j = nearest_floor(right, level(left, i));
+    if (nearest_floor(left, level(right, j)) != i) continue;
+    const double apart = std::abs(level(left, i) - level(right, j));
+    const double storey = std::min(smallest_storey_at(left, i), smallest_storey_at(right, j));
+    if (apart > std::max(round_off, tolerance.value_or(part_of_storey * storey))) continue;
+    pairs.push_back({i, j, apart <= round_off ? level(left, i) : 0.5 * (level(left, i) + level(right, j))});
+  }
+  return pairs;
+}
+
+const LevelPair* pair_at(double elevation, const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                         const FloorLevels& right) {
+  const double round_off = round_off_of_levels(left, right);
+  const auto names = [&](const LevelPair& pair) {
+    const double a = level(left, pair.left_floor);
+    const double b = level(right, pair.right_floor);
+    return elevation >= std::min(a, b) - round_off && elevation <= std::max(a, b) + round_off;
+  };
+  const auto found = std::find_if(pairs.begin(), pairs.end(), names);
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+}  // namespace bentur

@@ -1,0 +1,83 @@
+#include "bentur/model/gap/minimum_gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+namespace {
+
+SeparationInput separation_input(const Building& building, const BuildingPeaks& peaks, int floor) {
+  const double omega = building.modes.omega(0);
+  return {.displacement = peaks.displacement_no_contact(floor),
+          .period = 2 * std::numbers::pi / omega,
+          .damping_ratio = building.modal_damping(0, 0) / (2 * omega)};
+}
+
+double height_of(const StructuralModel& model) {
+  return std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
+}
+
+CodeSide code_side(const Building& building, const BuildingPeaks& peaks, int floor) {
+  const auto& storeys = building.model.storey_heights;
+  return {.displacement = peaks.displacement_no_contact(floor),
+          .level = std::accumulate(storeys.begin(), storeys.begin() + floor + 1, 0.0),
+          .height = height_of(building.model)};
+}
+
+}  // namespace
+
+bool floors_aligned(const Building& left, const Building& right) {
+  const std::vector<double>& a = left.model.elevations;
+  const std::vector<double>& b = right.model.elevations;
+  const std::vector<double>& lower = a.back() <= b.back() ? a : b;
+  const std::vector<double>& other = a.back() <= b.back() ? b : a;
+  const double tolerance = 1e-6 * std::max(height_of(left.model), height_of(right.model));
+  const auto matched = [&](double floor) {
+    return std::any_of(other.begin(), other.end(), [&](double x) { return std::abs(x - floor) <= tolerance; });
+  };
+  const auto below = static_cast<std::size_t>(
+      std::count_if(other.begin(), other.end(), [&](double x) { return x <= lower.back() + tolerance; }));
+  return below == lower.size() && std::all_of(lower.begin(), lower.end(), matched);
+}
+
+std::vector<PointSeparation> separations(const Problem& problem, const Response& response, const CodeSpec& code,
+                                         const Units& units) {
+  if (response.buildings.size() != problem.buildings.size() || response.points.size() != problem.points.size()) {
+    throw InvalidParameter("response", std::to_string(response.points.size()) + " points",
+                           "must be the response of this problem");
+  }
+  std::vector<PointSeparation> result;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const ContactPoint& point = problem.points[i];
+    const auto left = static_cast<std::size_t>(point.left);
+    const SeparationInput a = separation_input(problem.buildings[left], response.buildings[left], point.left_floor);
+    const SeparationInput b =
+        separation_input(problem.buildings[left + 1], response.buildings[left + 1], point.right_floor);
+    result.push_back({.point = static_cast<int>(i),
+                      .simulated = response.points[i].minimum_gap_no_contact,
+                      .abs = separation_abs(a, b),
+                      .srss = separation_srss(a, b),
+                      .ddc = separation_ddc(a, b),
+                      .codes = {}});
+    if (code.rules.empty()) continue;
+    const Building& left_building = problem.buildings[left];
+    const Building& right_building = problem.buildings[left + 1];
+    const CodePair pair{.left = code_side(left_building, response.buildings[left], point.left_floor),
+                        .right = code_side(right_building, response.buildings[left + 1], point.right_floor),
+                        .left_building = left,
+                        .floors_aligned = code.floors_aligned ? code.floors_aligned->at(left)
+                                                              : floors_aligned(left_building, right_building),
+                        .same_owner = code.same_owner.empty() || code.same_owner.at(left),
+                        .metre = 1 / metres(units.length)};
+    for (const CodeRuleSpec& rule : code.rules) result.back().codes.push_back(code_separation(pair, rule));
+  }
+  return result;
+}
+
+}  // namespace bentur

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/core/units.h"
+#include "bentur/model/gap/code_rules.h"
+#include "bentur/model/gap/separation_rules.h"
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+
+namespace bentur {
+
+/// The gap one contact point needs: simulated, and by the rules, from the peaks of the free response.
+struct PointSeparation {
+  int point = 0;                           ///< index into Problem::points
+  double simulated = 0;                    ///< [length], PointSummary::minimum_gap_no_contact
+  double abs = 0, srss = 0, ddc = 0;       ///< [length]
+  std::vector<CodeSeparation> codes = {};  ///< one per rule of the case's [code], in its order
+};
+
+/// One entry per contact point of the problem. `units` are those of the problem.
+/// @throws InvalidParameter when the response is not that of the problem, or a code rule lacks something.
+[[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const Response& response,
+                                                       const CodeSpec& code = {}, const Units& units = {});
+
+/// Whether each floor of the lower of two neighbours has a floor of the other at its elevation, within a millionth of
+/// the taller one's height.
+[[nodiscard]] bool floors_aligned(const Building& left, const Building& right);
+
+}  // namespace bentur

@@ -1,0 +1,216 @@
+#include "bentur/model/remarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace bentur {
+namespace {
+
+/// Usual, and from where on it is remarked on: a factor apart, so that the unusual is not nagged at.
+struct Range {
+  double usual_from, usual_to, least, most;
+};
+
+constexpr Range period_range = {0.05, 0.2, 0.02, 0.6};      // [s] per storey
+constexpr Range modulus_range = {1e10, 2.1e11, 5e8, 3e11};  // [N/m²]: timber, concrete, steel
+constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};      // [m]
+constexpr Range height_range = {2.5, 6.0, 0.5, 15.0};       // [m]
+constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e13};   // [N/m] of contact: by beams over half a bay, or tests
+constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};     // [-]
+constexpr Range pga_range = {0.02, 1.0, 0.001, 2.0};        // [g]
+constexpr double most_gap = 2.0;                            // [m]
+constexpr double usual_gap = 0.5;                           // [m]
+constexpr double most_drift = 1.0;                          // [%]
+constexpr double most_base_shear = 0.4;                     // [-]
+constexpr double most_penetration = 0.05;                   // [m]
+constexpr double usual_penetration = 0.02;                  // [m]
+constexpr double samples_per_period = 4.0;                  // fewer draw no curve
+constexpr double usual_samples = 20.0;
+
+double two_digits(double x) {
+  if (!(x > 0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
+/// Remarks with their usual ranges in the units of a case.
+class List {
+ public:
+  explicit List(const Case& c) : length_(c.units.length), metre_(1 / metres(c.units.length)) {}
+
+  /// A value outside a range in `factor` units of the case.
+  void check(const char* key, const std::string& subject, double value, const std::string& unit, const Range& range,
+             double factor = 1) {
+    if (value >= range.least * factor && value <= range.most * factor) return;
+    add({key, subject, value, unit, two_digits(range.usual_from * factor), two_digits(range.usual_to * factor)});
+  }
+  void most(const char* key, const std::string& subject, double value, const std::string& unit, double limit,
+            double usual) {
+    if (value > limit) add({key, subject, value, unit, std::nullopt, two_digits(usual)});
+  }
+  void add(Remark remark) {
+    // One of a kind and subject: the farther out.
+    const auto same = std::find_if(all_.begin(), all_.end(), [&](const Remark& other) {
+      return other.key == remark.key && other.subject == remark.subject;
+    });
+    if (same == all_.end()) {
+      all_.push_back(std::move(remark));
+    } else if (distance(remark) > distance(*same)) {
+      *same = std::move(remark);
+    }
+  }
+  [[nodiscard]] double metre() const { return metre_; }  ///< in the case's length
+  [[nodiscard]] const std::string& length() const { return length_; }
+  [[nodiscard]] std::vector<Remark> take() { return std::move(all_); }
+
+ private:
+  static double distance(const Remark& remark) {
+    // Where nothing at all is usual, by its size.
+    const double over = !remark.usual_to ? 0 : *remark.usual_to > 0 ? remark.value / *remark.usual_to : remark.value;
+    const double under = remark.usual_from && remark.value > 0 ? *remark.usual_from / remark.value : 0;
+    return std::max(over, under);
+  }
+
+  std::string length_;
+  double metre_;
+  std::vector<Remark> all_;
+};
+
+void check_frame(const std::string& name, const PlaneFrame& frame, const Units& units, List& list) {
+  const double modulus_factor = list.metre() * list.metre();  // N/m² per N/length²
+  list.check("elastic_modulus", name, frame.elastic_modulus, units.force + "/" + units.length + "²", modulus_range,
+             1 / (newtons(units.force) * modulus_factor));
+  for (const auto* sections : {&frame.columns, &frame.beams}) {
+    for (const Section& section : *sections) {
+      const double depth = std::sqrt(12 * section.inertia / section.area);  // of a rectangle
+      for (const double side : {depth, section.area / depth}) {
+        // A steel section's equal area is a narrow rectangle, so that only its depth is small where something is wrong.
+        if (side == depth || side > section_range.most * list.metre()) {
+          list.check("section", name, side, list.length(), section_range, list.metre());
+        }
+      }
+    }
+  }
+}
+
+void check_buildings(const Case& c, const Problem& problem, List& list) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    const double omega = building.modes.omega(0);
+    if (omega > 0) {
+      list.check("period_per_storey", building.name, proportions(building, c.units, nullptr).period_per_storey, "s",
+                 period_range);
+      list.check("damping", building.name, building.modal_damping(0, 0) / (2 * omega), "", damping_range);
+    }
+    if (b >= c.buildings.size()) continue;
+    for (const double height : building.model.storey_heights) {
+      list.check("storey_height", building.name, height, list.length(), height_range, list.metre());
+    }
+    if (const auto* frame = std::get_if<PlaneFrame>(&c.buildings[b].structure)) {
+      check_frame(building.name, *frame, c.units, list);
+    }
+  }
+}
+
+double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t building, int floor) {
+  return all.empty() ? 0.0 : all[building](floor);
+}
+
+void check_gaps(const Case& c, const Problem& problem, List& list) {
+  for (const ContactPoint& point : problem.points) {
+    const auto left = static_cast<std::size_t>(point.left);
+    const std::string name = gap_name(problem, left);
+    list.most("gap_width", name, point.width, list.length(), most_gap * list.metre(), usual_gap * list.metre());
+    const double overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
+                           first_floor_value(problem.initial_displacement, left + 1, point.right_floor) - point.width;
+    list.most("initial_overlap", name, overlap, list.length(), 0, 0);
+    const GapSpec& gap = c.gaps.at(left);
+    if (gap.contact.law == "hertz" || gap.contact.law == "hertz-damp" || gap.contact.law == "jankowski") continue;
+    for (const auto& [key, value] : point.law->parameters()) {
+      if (key != "stiffness") continue;
+      list.check("contact_stiffness", name, value, c.units.force + "/" + c.units.length, stiffness_range,
+                 1 / (newtons(c.units.force) * list.metre()));
+    }
+  }
+}
+
+void check_motion(const Case& c, const Problem& problem, List& list) {
+  if (std::holds_alternative<NoMotion>(problem.motion)) return;
+  const double peak = peak_acceleration(problem.motion);
+  if (peak == 0) {
+    list.add({"motion_of_zeros", "", 0, "g", pga_range.usual_from, pga_range.usual_to});
+  } else {
+    list.check("pga", "", peak / c.units.gravity, "g", pga_range);
+  }
+  for (std::size_t b = 0; b < problem.delays.size(); ++b) {
+    if (problem.delays[b] < problem.duration) continue;
+    list.add({"delay", problem.buildings[b].name, problem.delays[b], "s", std::nullopt, problem.duration});
+  }
+  if (const auto* record = std::get_if<SampledMotion>(&problem.motion); record != nullptr && peak > 0) {
+    const auto at = std::max_element(record->acceleration.begin(), record->acceleration.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const double time = record->time_step * static_cast<double>(at - record->acceleration.begin());
+    if (problem.duration < time) list.add({"duration", "", problem.duration, "s", time, std::nullopt});
+  }
+}
+
+void check_output(const Case& c, const Problem& problem, List& list) {
+  double shortest = problem.duration;
+  for (const Building& building : problem.buildings) {
+    if (building.modes.omega(0) > 0) shortest = std::min(shortest, 2 * std::numbers::pi / building.modes.omega(0));
+  }
+  list.most("output_step", "", c.analysis.output_step, "s", shortest / samples_per_period, shortest / usual_samples);
+}
+
+void check_before(const Case& c, const Problem& problem, List& list) {
+  check_buildings(c, problem, list);
+  check_gaps(c, problem, list);
+  check_motion(c, problem, list);
+  check_output(c, problem, list);
+}
+
+}  // namespace
+
+std::vector<Remark> remarks(const Case& c, const Problem& problem) {
+  List list(c);
+  check_before(c, problem, list);
+  return list.take();
+}
+
+std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response) {
+  List list(c);
+  check_before(c, problem, list);
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (!(building.modes.omega(0) > 0)) continue;  // a free body
+    const BuildingPeaks& peaks = response.buildings.at(b);
+    list.most("drift", building.name, 100 * peaks.drift_ratio.maxCoeff(), "%", most_drift, most_drift);
+    const Proportions found = proportions(building, c.units, &peaks);
+    list.most("base_shear", building.name, found.base_shear_coefficient.value_or(0), "", most_base_shear,
+              most_base_shear);
+  }
+  std::vector<int> slow_starts(problem.buildings.size(), 0);  // per gap
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const auto left = static_cast<std::size_t>(problem.points[i].left);
+    list.most("penetration", gap_name(problem, left), response.points.at(i).peak_penetration, list.length(),
+              most_penetration * list.metre(), usual_penetration * list.metre());
+    slow_starts.at(left) += response.points.at(i).slow_starts;
+  }
+  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+    list.most("slow_starts", gap_name(problem, gap), slow_starts[gap], "", 0, 0);
+  }
+  return list.take();
+}
+
+Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks) {
+  Proportions result;
+  for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
+  result.period_per_storey =
+      2 * std::numbers::pi / building.modes.omega(0) / static_cast<double>(building.model.elevations.size());
+  if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
+  return result;
+}
+
+}  // namespace bentur

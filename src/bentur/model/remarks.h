@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/solve/response.h"
+
+namespace bentur {
+
+/// A number of a case or a response that is unusual: no error, but worth a look. What is usual is what engineers of
+/// buildings meet, with room for models; a number that is remarked on may well be meant. Texts are in the catalogue of
+/// the report, in its languages, under "remark." and the key.
+struct Remark {
+  std::string key;                             ///< what it is about, e.g. "period_per_storey"
+  std::string subject;                         ///< whose it is: a building, "A | B" for a gap, or empty
+  double value = 0;                            ///< in `unit`
+  std::string unit;                            ///< of the case, s, g, % or none
+  std::optional<double> usual_from, usual_to;  ///< in `unit`; one side or both
+};
+
+/// Of the case alone: sections, stiffness, periods, motion, delays, gaps, output.
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem);
+
+/// And of what came out: drift, base shear and penetration beyond what linear elastic buildings stand for.
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response);
+
+/// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns
+/// stands on the ground.
+struct Proportions {
+  double weight = 0;                             ///< [force]; 0 where masses are not known
+  double period_per_storey = 0;                  ///< first period over the number of floors [s]
+  std::optional<double> base_shear_coefficient;  ///< peak shear of the first storey over the weight [-]
+};
+[[nodiscard]] Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks);
+
+}  // namespace bentur

@@ -1,0 +1,186 @@
+#include "bentur/model/remarks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace bentur {
+namespace {
+
+BuildingSpec remarked_spec(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
+  BuildingSpec spec;
+  spec.name = std::move(name);
+  spec.structure = std::move(structure);
+  spec.damping = ModalDamping{{0.05}};
+  return spec;
+}
+
+/// Two concrete frames of three storeys [m, kN] with nothing odd about them.
+Case ordinary() {
+  PlaneFrame frame;
+  frame.elastic_modulus = 2.6e7;
+  frame.storey_heights = {3.5, 3.0, 3.0};
+  frame.bay_widths = {5, 5};
+  frame.columns.assign(3, {.area = 0.16, .inertia = 0.4 * 0.4 * 0.4 * 0.4 / 12, .line_mass = 0.4});
+  frame.beams.assign(3, {.area = 0.15, .inertia = 0.3 * 0.125 / 12, .line_mass = 0.375});
+  frame.floor_masses = {30, 30, 25};
+  Case c;
+  c.units = {.length = "m", .force = "kN", .gravity = 9.80665};
+  c.buildings = {remarked_spec("A", frame), remarked_spec("B", frame)};
+  GapSpec gap;
+  gap.elevations = {3.5, 6.5, 9.5};
+  gap.widths = {0.05, 0.05, 0.05};
+  gap.contact.axial = true;
+  c.gaps = {gap};
+  SampledMotion motion{0.01, {}};
+  for (int i = 0; i < 1000; ++i) motion.acceleration.push_back(3.0 * std::sin(0.05 * i) * std::sin(0.003 * i));
+  c.excitation.motion = motion;
+  c.excitation.delays = {0, 0.1};
+  c.analysis.duration = 9.99;
+  return c;
+}
+
+PlaneFrame& frame_of(Case& c, std::size_t b) { return std::get<PlaneFrame>(c.buildings[b].structure); }
+
+/// "key subject" of each.
+std::vector<std::string> list(const std::vector<Remark>& remarks) {
+  std::vector<std::string> names;
+  for (const Remark& remark : remarks) {
+    EXPECT_TRUE(remark.usual_from || remark.usual_to) << remark.key;
+    names.push_back(remark.key + (remark.subject.empty() ? "" : " " + remark.subject));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+Names remarks_of(const Case& c) { return list(remarks(c, make_problem(c))); }
+
+TEST(Remarks, OrdinaryBuildingsHaveNone) { EXPECT_EQ(remarks_of(ordinary()), Names{}); }
+
+TEST(Remarks, OfUnitsThatWereMixedUp) {
+  Case c = ordinary();
+  frame_of(c, 0).elastic_modulus = 2.6e4;  // MPa among kN and m
+  EXPECT_EQ(remarks_of(c), (Names{"elastic_modulus A", "period_per_storey A"}));
+  const Remark modulus = remarks(c, make_problem(c))[1];
+  EXPECT_EQ(modulus.key, "elastic_modulus");
+  EXPECT_EQ(modulus.unit, "kN/m²");
+  EXPECT_NEAR(*modulus.usual_from, 1e7, 1);
+  EXPECT_NEAR(*modulus.usual_to, 2.1e8, 1);
+  c = ordinary();
+  frame_of(c, 1).columns[1] = {.area = 50 * 40, .inertia = 50.0 * 40 * 40 * 40 / 12, .line_mass = 1};  // cm
+  const Names found = remarks_of(c);
+  EXPECT_NE(std::find(found.begin(), found.end(), "section B"), found.end());
+  c = ordinary();
+  frame_of(c, 0).storey_heights = {350, 300, 300};
+  frame_of(c, 1).storey_heights = {350, 300, 300};
+  c.gaps[0].elevations = {350, 650, 950};
+  const Names high = remarks_of(c);
+  EXPECT_NE(std::find(high.begin(), high.end(), "storey_height A"), high.end());
+  EXPECT_NE(std::find(high.begin(), high.end(), "period_per_storey A"), high.end());
+}
+
+// The same buildings in other units are as ordinary.
+TEST(Remarks, DoNotDependOnUnits) {
+  Case c = ordinary();
+  const double cm = 100, kgf = 1e3 / 9.80665;
+  c.units = {.length = "cm", .force = "kgf", .gravity = 980.665};
+  for (std::size_t b = 0; b < 2; ++b) {
+    PlaneFrame& f = frame_of(c, b);
+    f.elastic_modulus *= kgf / (cm * cm);
+    for (double& h : f.storey_heights) h *= cm;
+    for (double& w : f.bay_widths) w *= cm;
+    for (double& mass : f.floor_masses) mass *= kgf / cm;
+    for (auto* sections : {&f.columns, &f.beams}) {
+      for (Section& s : *sections) {
+        s.area *= cm * cm;
+        s.inertia *= cm * cm * cm * cm;
+        s.line_mass *= kgf / (cm * cm);
+      }
+    }
+  }
+  for (double& x : c.gaps[0].elevations) x *= cm;
+  for (double& x : c.gaps[0].widths) x *= cm;
+  for (double& a : std::get<SampledMotion>(c.excitation.motion).acceleration) a *= cm;
+  EXPECT_EQ(remarks_of(c), Names{});
+  EXPECT_NEAR(proportions(make_problem(c).buildings[0], c.units, nullptr).weight,
+              kgf * proportions(make_problem(ordinary()).buildings[0], ordinary().units, nullptr).weight, 1e-6);
+}
+
+TEST(Remarks, OfMotionDelaysGapsAndOutput) {
+  Case c = ordinary();
+  for (double& a : std::get<SampledMotion>(c.excitation.motion).acceleration) a *= 27;  // 8.3 g
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+  EXPECT_NEAR(remarks(c, make_problem(c))[0].value, 81 / 9.80665, 0.1);
+  for (double& a : std::get<SampledMotion>(c.excitation.motion).acceleration) a = 0;
+  EXPECT_EQ(remarks_of(c), Names{"motion_of_zeros"});
+  c = ordinary();
+  c.excitation.delays = {0, 10.0};
+  EXPECT_EQ(remarks_of(c), Names{"delay B"});
+  c = ordinary();
+  c.analysis.duration = 2;  // the record's largest is at some 5 s
+  EXPECT_EQ(remarks_of(c), Names{"duration"});
+  c = ordinary();
+  c.analysis.output_step = 1e9;
+  EXPECT_EQ(remarks_of(c), Names{"output_step"});
+  c = ordinary();
+  c.gaps[0].widths = {5, 5, 5};
+  EXPECT_EQ(remarks_of(c), Names{"gap_width A | B"});
+  c = ordinary();
+  c.initial.displacements = {{0, 10.0, 0}, {}};
+  EXPECT_EQ(remarks_of(c), Names{"initial_overlap A | B"});
+  EXPECT_NEAR(remarks(c, make_problem(c))[0].value, 9.95, 1e-12);
+  c = ordinary();
+  c.gaps[0].contact.axial = false;
+  c.gaps[0].contact.numbers["stiffness"] = {10.0};  // kN/m
+  EXPECT_EQ(remarks_of(c), Names{"contact_stiffness A | B"});
+  c = ordinary();
+  c.buildings[1].damping = ModalDamping{{0.5}};
+  EXPECT_EQ(remarks_of(c), Names{"damping B"});
+}
+
+TEST(Remarks, OfAResponseBeyondElasticBuildings) {
+  const Case c = ordinary();
+  const Problem problem = make_problem(c);
+  Response response;
+  response.buildings.resize(2);
+  response.points.resize(3);
+  const double weight = proportions(problem.buildings[0], c.units, nullptr).weight;
+  for (BuildingPeaks& peaks : response.buildings) {
+    peaks.drift_ratio = Eigen::Vector3d(0.002, 0.0099, 0.001);
+    peaks.storey_shear = Eigen::Vector3d(0.399, 0.5, 0.6) * weight;  // of the first storey alone
+  }
+  response.points[2].peak_penetration = 0.049;
+  EXPECT_EQ(list(remarks(c, problem, response)), Names{});
+  response.buildings[1].drift_ratio(2) = 0.0101;
+  response.buildings[0].storey_shear(0) = 0.401 * weight;
+  response.points[2].peak_penetration = 0.051;
+  response.points[0].slow_starts = 1;
+  response.points[1].slow_starts = 3;
+  const std::vector<Remark> found = remarks(c, problem, response);
+  EXPECT_EQ(list(found), (Names{"base_shear A", "drift B", "penetration A | B", "slow_starts A | B"}));
+  EXPECT_NEAR(found[0].value, 0.401, 1e-12);
+  EXPECT_NEAR(found[1].value, 1.01, 1e-12);
+  EXPECT_EQ(found[3].value, 4);  // of all points of the gap
+}
+
+// By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.
+TEST(Proportions, AreWhatOneComparesFirst) {
+  const Case c = ordinary();
+  const Building building = make_building(c.buildings[0]);
+  BuildingPeaks peaks;
+  peaks.storey_shear = Eigen::Vector3d(100, 0, 0);
+  const Proportions found = proportions(building, c.units, &peaks);
+  const double mass = 85 + 3 * 3.75 + 3 * 0.4 * (6.5 / 2 + 3.0 + 1.5);
+  EXPECT_NEAR(found.weight, mass * 9.80665, 1e-9);
+  EXPECT_NEAR(*found.base_shear_coefficient, 100 / (mass * 9.80665), 1e-12);
+  EXPECT_NEAR(found.period_per_storey, 2 * std::numbers::pi / building.modes.omega(0) / 3, 1e-15);
+}
+
+}  // namespace
+}  // namespace bentur

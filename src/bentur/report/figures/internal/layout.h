@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/ticks.h"
+
+namespace bentur {
+
+/// Room that text of the figure's one size, 8 pt, takes [cm]; generous, since fonts differ.
+constexpr double character_width = 0.16;
+constexpr double line_height = 0.38;
+constexpr double sample_width = 0.7;  ///< of the line in front of a legend's text
+
+/// One line of a legend.
+struct LegendEntry {
+  std::string label;
+  Tone tone = Tone::black;
+  Line line = Line::none;
+  Mark mark = Mark::none;
+  double width = 1;
+  bool area = false, event = false;
+  double x = 0, y = 0;  ///< left end and middle height in the figure, from its lower left corner [cm]
+};
+
+/// Where one panel stands, in cm from the lower left corner of the figure.
+struct PlacedPanel {
+  const Panel* panel = nullptr;
+  Ticks x, y;
+  double cell_left = 0, left = 0, right = 0, bottom = 0, top = 0;  ///< of the frame; cell_left of all its texts
+  double title_y = 0;
+  std::vector<LegendEntry> legend;
+};
+
+struct Layout {
+  double width = 0, height = 0;  ///< [cm]
+  std::vector<PlacedPanel> panels;
+};
+
+/// Places panels, numbers and legends so that no text lies on another or on a curve.
+[[nodiscard]] Layout layout(const Figure& figure);
+
+}  // namespace bentur

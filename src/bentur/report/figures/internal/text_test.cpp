@@ -1,0 +1,47 @@
+#include "bentur/report/figures/internal/text.h"
+
+#include <gtest/gtest.h>
+
+namespace bentur {
+namespace {
+
+TEST(Text, OneLineThatXmlAllows) {
+  EXPECT_EQ(plain_text("a\nb\tc\x01\x7F"), "a b c  ");
+  EXPECT_EQ(plain_text("Gedung ½ · γ"), "Gedung ½ · γ");
+  EXPECT_EQ(plain_text("a]]>b"), "a]] >b");
+  EXPECT_EQ(plain_text("]]]]>>"), "]]]] >>");
+  EXPECT_EQ(plain_text("a\xC2\x85"
+                       "b\xE2\x80\xA8"
+                       "c\xEF\xBF\xBF"
+                       "d"),
+            "a b c d");
+}
+
+TEST(Text, QuotesStandApartAndNothingElseChanges) {
+  EXPECT_EQ(gnuplot_string("it's"), R"('it'."\047".'s')");
+  EXPECT_EQ(gnuplot_string("'; x"), R"(''."\047".'; x')");
+  EXPECT_EQ(gnuplot_string("`x` $(y) \\n \" @a ^b _c {d}"), "'`x` $(y) \\n \" @a ^b _c {d}'");
+  EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
+}
+
+TEST(Text, CutCountsCharacters) {
+  EXPECT_EQ(length_of("δ₁ a"), 4U);
+  EXPECT_EQ(cut("δ₁ a", 4), "δ₁ a");
+  EXPECT_EQ(cut("δ₁ ab", 4), "δ₁ …");
+  EXPECT_EQ(length_of(cut("δδδδδδδδ", 3)), 3U);
+}
+
+TEST(Text, UnitsAsOneReadsThem) {
+  EXPECT_EQ(unit_text("cm s-2"), "cm/s²");
+  EXPECT_EQ(unit_text("m s-1"), "m/s");
+  EXPECT_EQ(unit_text("1000 kgf cm"), "tf·cm");
+  EXPECT_EQ(unit_text("1000 lbf"), "1000 lbf");
+  EXPECT_EQ(unit_text("kgf s"), "kgf·s");
+  EXPECT_EQ(unit_text("1"), "–");
+  EXPECT_EQ(unit_text("gravity"), "g");
+  EXPECT_EQ(unit_text("s-1"), "1/s");
+  EXPECT_EQ(unit_text(""), "");
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,135 @@
+#include "bentur/report/figures/internal/ticks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/report/figures/internal/text.h"
+
+namespace bentur {
+namespace {
+
+/// The smallest of 1, 2, 5, 10 · 10^n that is at least `step`.
+double round_step(double step) {
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= step * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+/// The power of ten, a third of them, that leaves short numbers.
+int exponent_of(double largest) {
+  if (!(largest > 0) || (largest >= 1e-3 && largest < 1e5)) return 0;
+  return 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
+}
+
+/// A number of an axis with the decimals its step needs.
+std::string label(double value, double step) {
+  if (std::abs(value) < step * 1e-6) return "0";
+  return fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
+}
+
+Ticks linear(const TickRequest& request) {
+  double low = request.from.value_or(request.low);
+  double high = request.to.value_or(request.high);
+  if (!(high > low)) {  // a constant
+    const double room = low == 0 ? 1 : std::abs(low) / 2;
+    if (!request.to) high += room;
+    if (!request.from) low -= room;
+    if (!(high > low)) high = low + 1;
+  }
+  constexpr double air = 0.04;  // between data and frame
+  Ticks ticks;
+  ticks.from = request.from || low == 0 ? low : low - air * (high - low);
+  ticks.to = request.to || high == 0 ? high : high + air * (high - low);
+  const double step = round_step((ticks.to - ticks.from) / request.most);
+  ticks.exponent = exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
+  const double unit = std::pow(10.0, ticks.exponent);
+  const auto first = std::lround(std::ceil(ticks.from / step - 1e-6));
+  const auto last = std::lround(std::floor(ticks.to / step + 1e-6));
+  for (long i = first; i <= last; ++i) {
+    const double at = static_cast<double>(i) * step;
+    ticks.labels.emplace_back(at, label(at / unit, step / unit));
+  }
+  return ticks;
+}
+
+Ticks logarithmic(const TickRequest& request) {
+  Ticks ticks;
+  ticks.logarithmic = true;
+  const double low = request.from.value_or(request.low);
+  const double high = std::max(request.to.value_or(request.high), low * 1.001);
+  const bool few = 3 * std::log10(high / low) < request.most + 1;
+  const std::vector<double> factors = few ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
+  const auto beyond = [&](double value, bool up) {  // the next number with a label
+    const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-12));
+    if (up) {
+      for (const double factor : factors) {
+        if (factor * power >= value * (1 - 1e-9)) return factor * power;
+      }
+      return 10 * power;
+    }
+    double found = power;
+    for (const double factor : factors) {
+      if (factor * power <= value * (1 + 1e-9)) found = factor * power;
+    }
+    return found;
+  };
+  ticks.from = request.from ? low : beyond(low, false);
+  ticks.to = request.to ? high : beyond(high, true);
+  const int first = static_cast<int>(std::floor(std::log10(ticks.from) + 1e-9));
+  const int last = static_cast<int>(std::ceil(std::log10(ticks.to) - 1e-9));
+  const int stride = std::max(1, (last - first + request.most - 1) / request.most);
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (int digit = 1; digit < 10; ++digit) {
+      const double at = digit * std::pow(10.0, exponent);
+      if (at < ticks.from * (1 - 1e-9) || at > ticks.to * (1 + 1e-9)) continue;
+      const bool named = std::find(factors.begin(), factors.end(), digit) != factors.end();
+      if (named && (exponent - first) % stride == 0) {
+        ticks.labels.emplace_back(at, fmt::format("{:.4g}", at));
+      } else {
+        ticks.minor.push_back(at);
+      }
+    }
+  }
+  return ticks;
+}
+
+}  // namespace
+
+std::size_t Ticks::longest() const {
+  std::size_t most = 1;
+  for (const auto& [at, text] : labels) most = std::max(most, length_of(text));
+  return most;
+}
+
+std::string scaled(const std::string& label, const Ticks& ticks) {
+  if (ticks.numbered) return label + " (number)";
+  if (ticks.exponent == 0) return label;
+  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = ticks.exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(ticks.exponent))) power += digits[digit - '0'];
+  const std::size_t unit = label.rfind('[');
+  if (unit == std::string::npos) return label + " [" + power + "]";
+  const bool none = label.compare(unit, std::string::npos, "[–]") == 0;
+  return label.substr(0, unit + 1) + power + (none ? "]" : " " + label.substr(unit + 1));
+}
+
+Ticks make_ticks(const TickRequest& request) { return request.logarithmic ? logarithmic(request) : linear(request); }
+
+Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most) {
+  Ticks ticks;
+  ticks.from = -0.5;
+  ticks.to = static_cast<double>(names.size()) - 0.5;
+  ticks.numbered = numbered;
+  const double count = static_cast<double>(names.size());
+  const auto stride = numbered ? static_cast<std::size_t>(round_step(std::max(1.0, count / most))) : std::size_t{1};
+  for (std::size_t i = stride - 1; i < names.size(); i += stride) {
+    ticks.labels.emplace_back(static_cast<double>(i), numbered ? std::to_string(i + 1) : cut(names[i], 18));
+  }
+  return ticks;
+}
+
+}  // namespace bentur

@@ -1,0 +1,124 @@
+#include "bentur/report/html/internal/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "bentur/io/results/result_csv.h"
+#include "bentur/report/html/report.h"
+
+namespace bentur::html {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bays the picture is drawn with; of a building that has no width, one of a third of its height.
+std::vector<double> bays(const Story& story, std::size_t b) {
+  double width = 0;
+  for (const double storey : story.problem.buildings[b].model.storey_heights) width += storey / 3;
+  if (story.from_case()) {
+    const BuildingSpec& spec = story.c.buildings.at(b);
+    if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return frame->bay_widths;
+    width = spec.width.value_or(width);
+  }
+  return {width};
+}
+
+/// One sample in `stride`, floors of one instant side by side.
+Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double scale) {
+  std::string bytes;
+  for (Eigen::Index frame = 0; frame < displacement.cols(); frame += stride) {
+    for (Eigen::Index floor = 0; floor < displacement.rows(); ++floor) {
+      const auto whole = static_cast<std::uint16_t>(std::lround(displacement(floor, frame) / scale));
+      bytes += static_cast<char>(whole & 0xFFU);
+      bytes += static_cast<char>(whole >> 8U);
+    }
+  }
+  return base64(bytes);
+}
+
+Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
+  const Building& building = story.problem.buildings[b];
+  const Eigen::MatrixXd& displacement = story.response.histories.displacement.at(b);
+  const double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
+  const double scale = largest > 0 ? largest / 32767 : 1;
+  return {{"name", building.name},
+          {"elevations", building.model.elevations},
+          {"base", building.model.elevations.front() - building.model.storey_heights.front()},
+          {"bays", bays(story, b)},
+          {"scale", scale},
+          {"samples", samples(displacement, stride, scale)}};
+}
+
+}  // namespace
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+std::string animation_json(const Story& story, const std::vector<std::size_t>& listed) {
+  const Histories& histories = story.response.histories;
+  const double wanted = report_output_step(story.problem);
+  const double step = histories.time.size() > 1 ? histories.time[1] - histories.time[0] : story.problem.duration;
+  const auto stride = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::floor(wanted / step * (1 + 1e-9))));
+  Json buildings = Json::array();
+  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
+    buildings.push_back(building_json(story, b, stride));
+  }
+  Json points = Json::array();
+  for (const ContactPoint& point : story.problem.points) {
+    points.push_back({{"left", point.left},
+                      {"leftFloor", point.left_floor},
+                      {"rightFloor", point.right_floor},
+                      {"elevation", point.elevation},
+                      {"width", point.width}});
+  }
+  std::vector<double> widths;  // of the gaps at rest
+  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+    widths.push_back(std::numeric_limits<double>::max());
+    const auto narrow = [&](const auto& one) {
+      if (one.left == static_cast<int>(gap)) widths.back() = std::min(widths.back(), one.width);
+    };
+    std::for_each(story.problem.points.begin(), story.problem.points.end(), narrow);
+    std::for_each(story.problem.watched.begin(), story.problem.watched.end(), narrow);
+  }
+  std::vector<std::size_t> by_start = listed;
+  std::sort(by_start.begin(), by_start.end());
+  Json impacts = Json::array();
+  Response shown;
+  for (const std::size_t k : by_start) {
+    const Impact& impact = story.response.impacts[k];
+    shown.impacts.push_back(impact);
+    impacts.push_back({impact.point, impact.start, impact.end, impact.peak_force, impact.peak_force_time,
+                       impact.closing_speed, k + 1});
+  }
+  Json words;
+  for (const char* const word : {"play", "pause", "impact", "level", "show_impact"}) {
+    words[word] = story.say("script." + std::string(word));
+  }
+  const Json all = {{"words", words},
+                    {"units", {{"length", story.c.units.length}, {"force", story.c.units.force}}},
+                    {"duration", story.problem.duration},
+                    {"step", step * static_cast<double>(stride)},
+                    {"points", points},
+                    {"widths", widths},
+                    {"impacts", impacts},
+                    {"csv", impacts_csv(story.c.units, story.problem, shown)},
+                    {"buildings", buildings}};
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,120 @@
+#include "bentur/report/html/internal/markup.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "bentur/core/number_text.h"
+
+namespace bentur::html {
+namespace {
+
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+constexpr const char* no_unit = "\xC2\xA0";               // a space that keeps the line
+
+/// Length of the UTF-8 character at the start of `text`; 0 where it is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
+}
+
+}  // namespace
+
+Html Html::text(std::string_view any) {
+  std::string markup;
+  while (!any.empty()) {
+    const std::size_t length = character_length(any);
+    const char c = any.front();
+    const bool control = length == 1 && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && c != '\n' && c != '\t';
+    if (length == 0 || control) {
+      markup += replacement;
+    } else if (c == '&') {
+      markup += "&amp;";
+    } else if (c == '<') {
+      markup += "&lt;";
+    } else if (c == '>') {
+      markup += "&gt;";
+    } else if (c == '"') {
+      markup += "&quot;";
+    } else if (c == '\'') {
+      markup += "&#39;";
+    } else if (c == '`') {
+      markup += "&#96;";
+    } else {
+      markup += any.substr(0, length);
+    }
+    any.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return Html(std::move(markup));
+}
+
+Html element(std::string_view name, const Html& content, std::string_view attributes) {
+  std::string tag = "<" + std::string(name);
+  if (!attributes.empty()) tag += " " + std::string(attributes);
+  return Html::markup(tag + ">") + content + Html::markup("</" + std::string(name) + ">");
+}
+
+Html json_markup(std::string_view json) {
+  std::string text;
+  for (const char c : json) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return Html::markup(text);
+}
+
+void HtmlTable::add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
+  add(name, unit, column(values));
+}
+
+void HtmlTable::add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric) {
+  columns_.push_back({name, unit, std::move(cells), numeric});
+}
+
+Html HtmlTable::markup(std::string_view attributes) const {
+  const auto alignment = [](const Column& column) { return column.numeric ? "" : "class=\"t\""; };
+  const bool units =
+      std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); });
+  Html head;
+  for (const Column& column : columns_) {
+    Html name = Html::text(column.name);
+    if (units) name += Html::markup("<br>") + element("small", Html::text(column.unit.empty() ? no_unit : column.unit));
+    head += element("th", name, std::string("scope=\"col\"") + (column.numeric ? "" : " class=\"t\""));
+  }
+  Html body;
+  const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    Html line;
+    for (const Column& column : columns_) line += element("td", Html::text(column.cells.at(row)), alignment(column));
+    const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
+    body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");
+  }
+  const Html table =
+      element("thead", element("tr", head)) + Html::markup("\n") + element("tbody", Html::markup("\n") + body);
+  return element("div", element("table", table, attributes), "class=\"wide\"") + Html::markup("\n");
+}
+
+Html facts(const std::vector<std::pair<std::string, std::string>>& rows) {
+  Html body;
+  for (const auto& [name, value] : rows) {
+    body += element("tr", element("th", Html::text(name), "scope=\"row\"") + element("td", Html::text(value))) +
+            Html::markup("\n");
+  }
+  return element("div", element("table", element("tbody", body), "class=\"facts\""), "class=\"wide\"") +
+         Html::markup("\n");
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/remarks.h"
+#include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/internal/words.h"
+#include "bentur/solve/response.h"
+
+namespace bentur::html {
+
+/// What the sections of a report are written from.
+struct Story {
+  const Case& c;
+  const Problem& problem;
+  const Response& response;
+  const Words& say;
+  std::vector<Remark> remarks;
+  std::vector<PointSeparation> separations;  ///< one per contact point; a rule that cannot be applied has NaN
+
+  /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
+  [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }
+};
+
+/// Impacts a report lists, hardest first; where there are more, it says so.
+constexpr std::size_t most_impacts = 1500;
+
+/// Does it pound, where, how often, how hard, and how wide the gap would have to be; one block a gap.
+[[nodiscard]] Html verdict_section(const Story& story);
+
+/// What is unusual, and what the model leaves out.
+[[nodiscard]] Html remarks_section(const Story& story);
+
+/// The gap needed at each level, simulated and by every rule.
+[[nodiscard]] Html gap_section(const Story& story);
+
+/// Contact totals per level and peaks per floor.
+[[nodiscard]] Html peaks_section(const Story& story);
+
+/// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
+[[nodiscard]] Html impacts_section(const Story& story, const std::vector<std::size_t>& listed);
+
+/// The input with its units, the ground motion, the modes.
+[[nodiscard]] Html input_section(const Story& story);
+
+// Small things the sections share.
+
+/// "0.7262 cm", which no line break separates.
+[[nodiscard]] std::string quantity(double value, const std::string& unit);
+[[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
+[[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
+/// Indices of the contact points of a gap, highest first.
+[[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
+/// Values from the top floor down, as a building stands.
+[[nodiscard]] std::vector<double> from_top(const Eigen::VectorXd& values);
+/// A heading and what belongs to it.
+[[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
+
+}  // namespace bentur::html

@@ -1,0 +1,182 @@
+#include "bentur/report/kinds/internal/sweep_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "bentur/report/figures/internal/text.h"
+
+namespace bentur {
+namespace {
+
+std::string lower_case_end(const std::string& parameter) {
+  const std::size_t dot = parameter.find_last_of('.');
+  std::string last = dot == std::string::npos ? parameter : parameter.substr(dot + 1);
+  if (const std::size_t bracket = last.find('['); bracket != std::string::npos) last.erase(bracket);
+  return last;
+}
+
+/// "spectral acceleration, period 1.2 s, damping 5 %" as "Sa (1.2 s, 5 %)"; other measures as they are.
+std::string intensity_label(const std::string& measure) {
+  const std::string period = "spectral acceleration, period ";
+  const std::string damping = ", damping ";
+  const std::size_t end = measure.find(damping);
+  if (measure.rfind(period, 0) != 0 || end == std::string::npos) return measure;
+  return fmt::format("Sa ({}, {})", measure.substr(period.size(), end - period.size()),
+                     measure.substr(end + damping.size()));
+}
+
+bool equal(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
+
+}  // namespace
+
+std::string parameter_label(const std::string& parameter, const std::string& name) {
+  const std::string key = lower_case_end(parameter);
+  const bool of_gap = parameter.find("gap[") != std::string::npos;
+  if (of_gap && key == "width") return "Gap width w";
+  if (key == "restitution") return "Restitution e";
+  if (key == "pga") return "Peak ground acceleration";
+  if (of_gap && key == "stiffness") return "Contact stiffness k";
+  if (key == "delays") return "Delay τ";
+  if (key == "calibrate_period") {
+    const std::size_t first = parameter.find("[\"");
+    const std::size_t last = parameter.find("\"]");
+    const bool named = first < last && last != std::string::npos;
+    return "First period T" + (named ? " of " + parameter.substr(first + 2, last - first - 2) : "");
+  }
+  if (key == "period") return "Period T";
+  std::string words = name.empty() ? key : name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
+
+std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number_text(numbers[i]); }
+
+std::string SweepDimension::choice(std::size_t i) const {
+  return is_text() ? texts[i] : name + " = " + value(i) + (unit.empty() || unit == "–" ? "" : " " + unit);
+}
+
+SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
+  SweepDimension one;
+  one.name = variable.name;
+  one.size = variable.shape.empty() ? 1 : variable.shape[0];
+  if (variable.text) {
+    one.texts = results_.texts(variable.name);
+    one.label = parameter_label(variable.long_name, variable.name);
+    return one;
+  }
+  one.numbers = results_.numbers(variable.name);
+  const std::string unit = unit_text(variable.units);
+  one.unit = unit;
+  const bool factor = variable.long_name.rfind("factor of ", 0) == 0;
+  const std::string label = variable.name == "intensity" ? intensity_label(variable.long_name)
+                                                         : parameter_label(variable.long_name, variable.name);
+  one.label = with_unit(factor ? "Factor of " + variable.name : label, unit.empty() ? "–" : unit);
+  if (!one.label.empty() && one.label[0] >= 'a' && one.label[0] <= 'z') {
+    one.label[0] = static_cast<char>(one.label[0] - 'a' + 'A');
+  }
+  return one;
+}
+
+SweepData::SweepData(const NetcdfReader& results) : results_(results) {
+  const NetcdfVariable& status = results.at("status");
+  for (std::size_t d = 0; d < status.dimensions.size(); ++d) {
+    const std::string& name = status.dimensions[d];
+    const NetcdfVariable* variable = results.find(name);
+    if (variable != nullptr && variable->long_name == index_title) variable = nullptr;
+    for (std::size_t i = 0; variable == nullptr && i < status.coordinates.size() && name != "sample"; ++i) {
+      const NetcdfVariable* other = results.find(status.coordinates[i]);  // of several that move together
+      if (other != nullptr && other->dimensions == std::vector<std::string>{name}) variable = other;
+    }
+    SweepDimension one;
+    if (variable != nullptr) one = coordinate(*variable);
+    one.name = name;
+    one.size = status.shape[d];
+    dimensions_.push_back(std::move(one));
+  }
+}
+
+std::size_t SweepData::index(const std::string& name) const {
+  const auto found =
+      std::find_if(dimensions_.begin(), dimensions_.end(), [&](const SweepDimension& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - dimensions_.begin());
+}
+
+std::size_t SweepData::owners(const std::string& quantity) const {
+  const NetcdfVariable& variable = results_.at(quantity);
+  return variable.shape.size() > dimensions_.size() ? variable.shape.back() : 1;
+}
+
+std::vector<double> SweepData::values(const std::string& quantity, const std::vector<std::size_t>& at) const {
+  if (loaded_ != quantity) {
+    held_ = results_.numbers(quantity);
+    loaded_ = quantity;
+  }
+  std::size_t run = 0;
+  for (std::size_t d = 0; d < dimensions_.size(); ++d) run = run * dimensions_[d].size + at[d];
+  const std::size_t count = owners(quantity);
+  const auto first = held_.begin() + static_cast<std::ptrdiff_t>(run * count);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::vector<std::string> SweepData::owner_names(const std::string& quantity) const {
+  const NetcdfVariable& variable = results_.at(quantity);
+  const std::size_t count = owners(quantity);
+  if (variable.shape.size() == dimensions_.size()) return {""};
+  const std::string& dimension = variable.dimensions.back();
+  const NetcdfVariable* elevations = results_.find(dimension == "point" ? "point_elevation" : dimension);
+  std::vector<std::string> names;
+  if (elevations != nullptr && !elevations->text && elevations->shape == std::vector<std::size_t>{count}) {
+    const std::string unit = elevations->units == "1" ? "" : " " + unit_text(elevations->units);
+    for (const double z : results_.numbers(elevations->name)) {
+      names.push_back((unit.empty() ? "floor " : "z = ") + number_text(z) + unit);
+    }
+    return names;
+  }
+  for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{} {}", dimension, i + 1));
+  return names;
+}
+
+std::vector<std::size_t> SweepData::chosen(const std::vector<std::pair<std::string, std::string>>& at) const {
+  std::vector<std::size_t> result;
+  for (const SweepDimension& one : dimensions_) result.push_back(one.size == 1 ? 0 : one.size);
+  for (const auto& [name, text] : at) {
+    const std::size_t d = index(name);
+    if (d == dimensions_.size()) {
+      std::string known;
+      for (const SweepDimension& one : dimensions_) known += (known.empty() ? "" : ", ") + one.name;
+      throw NoFigure(fmt::format("--at {}={}: nothing of that name varies; there are {}", name, text, known));
+    }
+    double number = NAN;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    std::string known;
+    const SweepDimension& one = dimensions_[d];
+    if (one.texts.empty() && one.numbers.empty()) throw NoFigure("--at: samples cannot be chosen from");
+    result[d] = one.size;
+    for (std::size_t i = 0; i < one.size; ++i) {
+      if (one.is_text() ? one.texts[i] == text : equal(one.numbers[i], number)) result[d] = i;
+      if (i < 12) known += (i > 0 ? ", " : "") + one.value(i);
+    }
+    if (result[d] == one.size) {
+      throw NoFigure(
+          fmt::format("--at {}={}: no such value; there are {}{}", name, text, known, one.size > 12 ? ", ..." : ""));
+    }
+  }
+  return result;
+}
+
+std::vector<SweepDimension> SweepData::sample_coordinates() const {
+  std::vector<SweepDimension> list;
+  for (const std::string& name : results_.at("status").coordinates) {
+    const NetcdfVariable* variable = results_.find(name);
+    if (variable != nullptr && variable->dimensions == std::vector<std::string>{"sample"}) {
+      list.push_back(coordinate(*variable));
+    }
+  }
+  return list;
+}
+
+}  // namespace bentur

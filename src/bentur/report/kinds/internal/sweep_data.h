@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/files/netcdf_reader.h"
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur {
+
+/// One direction in which the runs of a sweep differ, with its values.
+struct SweepDimension {
+  std::string name;
+  std::size_t size = 0;
+  std::string label, unit;           ///< for an axis, with unit; the unit
+  std::vector<double> numbers = {};  ///< one per value, or
+  std::vector<std::string> texts = {};
+
+  [[nodiscard]] bool is_text() const { return !texts.empty(); }
+  /// "0.2", or the text.
+  [[nodiscard]] std::string value(std::size_t i) const;
+  /// "width = 0.2 cm", or the text.
+  [[nodiscard]] std::string choice(std::size_t i) const;
+};
+
+/// What figures need of the results of bentur sweep or bentur ida (docs/studies.md).
+class SweepData {
+ public:
+  explicit SweepData(const NetcdfReader& results);
+
+  [[nodiscard]] const NetcdfReader& results() const noexcept { return results_; }
+  /// Those of a grid, or of samples the only one: "sample", without values.
+  [[nodiscard]] const std::vector<SweepDimension>& dimensions() const noexcept { return dimensions_; }
+  /// Number of a dimension among dimensions(); their count where there is none of that name.
+  [[nodiscard]] std::size_t index(const std::string& name) const;
+
+  /// Values of a quantity at one combination of the dimensions' values, one per point, floor or gap.
+  [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const;
+  /// Their number.
+  [[nodiscard]] std::size_t owners(const std::string& quantity) const;
+  /// What these are called: "300 cm", or empty where there is one.
+  [[nodiscard]] std::vector<std::string> owner_names(const std::string& quantity) const;
+
+  /// The values chosen with `at`; size() of the dimension where it is left free.
+  /// @throws NoFigure when a name or value is not there.
+  [[nodiscard]] std::vector<std::size_t> chosen(const std::vector<std::pair<std::string, std::string>>& at) const;
+  /// The coordinates of samples.
+  [[nodiscard]] std::vector<SweepDimension> sample_coordinates() const;
+
+ private:
+  [[nodiscard]] SweepDimension coordinate(const NetcdfVariable& variable) const;
+
+  const NetcdfReader& results_;
+  std::vector<SweepDimension> dimensions_;
+  mutable std::string loaded_;  // the quantity whose values are held
+  mutable std::vector<double> held_;
+};
+
+/// A quantity of a sweep as a figure shows it.
+struct SweepKind {
+  std::string kind, quantity;  ///< quantity without the building's number
+  std::string label;           ///< for an axis, without unit
+  bool sum = false;            ///< over points in place of the largest
+};
+[[nodiscard]] const std::vector<SweepKind>& sweep_kinds();
+
+/// "gap[0].width" as "Gap width w".
+[[nodiscard]] std::string parameter_label(const std::string& parameter, const std::string& name);
+
+[[nodiscard]] Figure sweep_figure(const SweepData& sweep, const SweepKind& kind, const FigureOptions& options);
+
+/// Force or another quantity at growing intensity, a curve per record and the 16, 50 and 84 % fractiles.
+[[nodiscard]] Figure ida_figure(const SweepData& sweep, const FigureOptions& options);
+/// Probability of pounding against intensity, observed and fitted, with 95 % bounds.
+[[nodiscard]] Figure fragility_figure(const SweepData& sweep, const FigureOptions& options);
+[[nodiscard]] bool is_ida(const NetcdfReader& results);
+
+}  // namespace bentur

@@ -1,0 +1,139 @@
+#include "bentur/runner/internal/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "bentur/io/temporary_folder.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+class JournalFile : public testing::Test {
+ protected:
+  static JournalOrigin origin() {
+    return {
+        .version = "1", .study = "a\nb\nc\n", .case_text = "x\n", .records = {{"r", "12"}}, .runs = 100, .values = 3};
+  }
+  static RunResult result(std::size_t run) {
+    return {run, RunStatus::done, "", {static_cast<double>(run), 0.1, -1e300}};
+  }
+  std::string refusal(const JournalOrigin& other) const {
+    try {
+      (void)Journal::resume(file_, other);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(file_.string().size() + 2);
+    }
+    return "gone on with";
+  }
+
+  TemporaryFolder folder_;
+  fs::path file_ = folder_.path() / "r.nc.part";
+};
+
+TEST_F(JournalFile, KeepsWhatWasWrittenInAnyOrder) {
+  {
+    Journal journal = Journal::begin(file_, origin());
+    for (const std::size_t run : {99U, 0U, 42U}) journal.write(result(run));
+    journal.write({7, RunStatus::failed, "no longer finite at t = 1 s", {}});
+    EXPECT_EQ(journal.done(), 4U);
+  }
+  Journal journal = Journal::resume(file_, origin());
+  EXPECT_EQ(journal.done(), 4U);
+  EXPECT_TRUE(journal.is_done(42));
+  EXPECT_FALSE(journal.is_done(41));
+  EXPECT_EQ(journal.read(42, 1)[0].values, result(42).values);
+  const RunResult failed = journal.read(7, 1)[0];
+  EXPECT_EQ(failed.status, RunStatus::failed);
+  EXPECT_EQ(failed.message, "no longer finite at t = 1 s");
+  EXPECT_THROW((void)journal.read(41, 2), std::runtime_error);
+  journal.write(result(41));
+  EXPECT_EQ(journal.read(41, 2)[1].run, 42U);
+}
+
+TEST_F(JournalFile, ASlotCutShortAnywhereIsARunNotDone) {
+  {
+    Journal journal = Journal::begin(file_, origin());
+    journal.write(result(0));
+    journal.write(result(1));
+  }
+  const auto whole = fs::file_size(file_);
+  int cut = 0;
+  for (auto size = whole - 1; size > whole - 264 && size > 4096 + 264; size -= 10, ++cut) {
+    fs::resize_file(file_, size);
+    const Journal journal = Journal::resume(file_, origin());
+    EXPECT_TRUE(journal.is_done(0));
+    // Behind its values a slot is zeros; as long as those are there nothing of it is lost.
+    EXPECT_EQ(journal.is_done(1), size >= whole - 264 + 16 + 3 * sizeof(double)) << size;
+  }
+  EXPECT_GT(cut, 20);
+}
+
+TEST_F(JournalFile, ADamagedSlotIsARunNotDone) {
+  Journal::begin(file_, origin()).write(result(1));
+  const auto slot = 4096 + 264;
+  for (const int offset : {0, 8, 16, 31, 100}) {
+    std::fstream stream(file_, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekg(slot + offset);
+    const char before = static_cast<char>(stream.get());
+    stream.seekp(slot + offset);
+    stream.put(static_cast<char>(before ^ 1));
+    stream.close();
+    EXPECT_FALSE(Journal::resume(file_, origin()).is_done(1)) << offset;
+    stream.open(file_, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(slot + offset);
+    stream.put(before);
+  }
+  EXPECT_TRUE(Journal::resume(file_, origin()).is_done(1));
+}
+
+TEST_F(JournalFile, RefusesAnotherOriginAndSaysWhatDiffers) {
+  { const Journal journal = Journal::begin(file_, origin()); }
+  EXPECT_EQ(refusal(origin()), "gone on with");
+  JournalOrigin other = origin();
+  other.version = "2";
+  EXPECT_EQ(refusal(other), "was begun by bentur 1, this is 2. Remove it to begin anew");
+  other = origin();
+  other.study = "a\nB\nc\n";
+  EXPECT_EQ(refusal(other), "was begun with another study: line 2 has changed. Remove it to begin anew");
+  other = origin();
+  other.case_text = "x\ny\n";
+  EXPECT_EQ(refusal(other), "was begun with another case: line 2 has changed. Remove it to begin anew");
+  other = origin();
+  other.records["r"] = "13";
+  EXPECT_EQ(refusal(other), "was begun with another record: r has changed. Remove it to begin anew");
+  other = origin();
+  other.records = {{"s", "12"}};
+  EXPECT_EQ(refusal(other), "was begun without the record s. Remove it to begin anew");
+  other = origin();
+  other.records.clear();
+  EXPECT_EQ(refusal(other), "was begun with the record r, which is gone. Remove it to begin anew");
+  other = origin();
+  other.values = 4;
+  EXPECT_EQ(refusal(other), "was begun with 100 runs of 3 values, now there are 100 of 4. Remove it to begin anew");
+}
+
+TEST_F(JournalFile, RefusesWhatIsNone) {
+  for (const std::string& content : {std::string(), std::string("bentur"), std::string(5000, 'x')}) {
+    std::ofstream(file_, std::ios::binary) << content;
+    EXPECT_EQ(refusal(origin()), "is not the journal of a sweep");
+  }
+  fs::remove(file_);
+  { const Journal journal = Journal::begin(file_, origin()); }
+  std::fstream stream(file_, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(40);
+  stream.put('!');
+  stream.close();
+  EXPECT_EQ(refusal(origin()), "is damaged");
+}
+
+TEST_F(JournalFile, HasOneWriter) {
+  const Journal journal = Journal::begin(file_, origin());
+  EXPECT_EQ(refusal(origin()), "another program is writing it");
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "bentur/runner/internal/journal.h"
+#include "bentur/study/study_runs.h"
+
+namespace bentur {
+
+/// Sums over all runs of a study.
+struct SweepTotals {
+  double impacts = 0;
+  std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
+  std::size_t failed = 0;
+  std::string first_failure;  ///< "run 17: REASON"
+};
+
+/// An error for each coordinate of a study whose name the results need for something else.
+void check_names(const Study& study, Diagnostics& diagnostics);
+
+/// Writes the results of all runs as NetCDF-4 (docs/studies.md), some at a time. The same results give the same bytes.
+/// @throws std::runtime_error with the file and the reason.
+SweepTotals write_sweep_netcdf(const std::filesystem::path& file, const StudyRuns& runs, const Journal& journal,
+                               const std::string& version);
+
+}  // namespace bentur

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bentur/solve/engine/motion/modal_system.h"
+#include "bentur/solve/engine/motion/polynomial.h"
+
+namespace bentur::engine {
+
+/// Coordinates of one building over [0, end] of a step of `h` [s]: coefficients of one power of s after the other,
+/// `stride` apart.
+struct Curves {
+  const double* c;
+  Eigen::Index stride;
+  int degree;
+  double h, end;
+};
+
+/// The motion over one step as a polynomial in s = (time − start)/h ∈ [0, 1]. Every solver makes its next step known in
+/// this form, and everything else (events, impacts, peaks, histories, energy) reads it.
+class Expansion {
+ public:
+  /// `widths`: of the gap at each point [length].
+  Expansion(const ModalSystem& system, std::vector<double> widths);
+
+  // For those who fill it.
+  /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
+  void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
+  /// Coefficients: coordinates × powers of s.
+  [[nodiscard]] Eigen::MatrixXd& coefficients();
+  /// The opening of a point, to be filled by who knows it anyway.
+  [[nodiscard]] Polynomial& fill_opening(std::size_t point);
+  /// Force of a resting point [force].
+  void set_resting_force(std::size_t point, const Polynomial& force);
+  /// Works out how far coordinates leave their chords between s = 0 and 1 (T-5), of those that were filled. False where
+  /// that is not finite.
+  bool find_rises();
+
+  // For those who read it.
+  [[nodiscard]] double h() const { return h_; }
+  [[nodiscard]] int degree() const { return degree_; }
+  [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
+  [[nodiscard]] Curves curves(const ModalSystem::Block& block, double end = 1.0) const {
+    return {c_.data() + block.begin, c_.rows(), degree_, h_, end};
+  }
+  /// Position and speed at s; only the coordinates that were filled are written.
+  void evaluate(double s, State& state) const;
+  /// Where that was last asked for, and d²q/ds² there.
+  [[nodiscard]] double place() const { return place_; }
+  [[nodiscard]] const Eigen::VectorXd& curved() const { return curved_; }
+  [[nodiscard]] const Polynomial& opening(std::size_t point) const;  ///< g(s) of (T-1) [length]
+  [[nodiscard]] const Polynomial& resting_force(std::size_t point) const { return resting_force_[point]; }
+  /// How far each coordinate, and its acceleration q̈, leaves its chord between s = 0 and 1 at most.
+  [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
+  [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
+  /// The same between s = 0 and `end`, by all coordinates.
+  void find_rises(double end, double* rise, double* acceleration_rise) const;
+
+ private:
+  const ModalSystem* system_;
+  std::vector<double> widths_;
+  double h_ = 0;
+  int degree_ = highest_degree;
+  Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
+  Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
+  Eigen::VectorXd rise_, acceleration_rise_;
+  mutable double place_ = 0;
+  mutable Eigen::VectorXd curved_;
+  std::vector<Polynomial> resting_force_;
+  mutable std::vector<Polynomial> openings_;  ///< those asked for
+  mutable std::vector<char> opening_known_;
+};
+
+}  // namespace bentur::engine

@@ -1,0 +1,240 @@
+#include "bentur/solve/engine/motion/kernels/rows.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "bentur/solve/engine/motion/kernels/four.h"
+
+namespace bentur::engine::kernels {
+namespace {
+
+/// Four rows of a matrix at two vectors, and Σ |w_rj| rise_j.
+struct Ends {
+  Four start, end, beyond;
+};
+BENTUR_INLINE Ends ends_of_rows(Index columns, const double* weights, const double* start, const double* end,
+                                const double* rise) {
+  Ends at{all(0.0), all(0.0), all(0.0)};
+  for (Index j = 0; j < columns; ++j) {
+    const Four weight = load(weights + four * j);
+    at.start += weight * all(start[j]);
+    at.end += weight * all(end[j]);
+    at.beyond += size(weight) * all(rise[j]);
+  }
+  return at;
+}
+
+template <Peaks of>
+BENTUR_INLINE Four measure(Four x) {
+  if constexpr (of == Peaks::of_sizes) return size(x);
+  return x;
+}
+
+template <Peaks of>
+BENTUR_INLINE bool reach(const PackedRows& rows, const double* start, const double* end, const double* rise,
+                         double* peak, const double* reach_before, double* reach) {
+  Bits beyond_peak{};
+  for (Index r = 0; r < rows.rows(); r += four) {
+    const Four before = load(peak + r);
+    const Four so_far = load(reach_before + r);
+    store(reach + r, so_far);
+    if (!any(so_far > before)) continue;
+    const Ends at = ends_of_rows(rows.columns(), rows.from(r), start, end, rise);
+    const Four most = larger(measure<of>(at.start), measure<of>(at.end));
+    const Four high = larger(before, most);
+    store(peak + r, high);
+    store(reach + r, most + at.beyond);
+    beyond_peak |= most + at.beyond > high;
+  }
+  return !any(beyond_peak);
+}
+
+/// Rows r to r + 4 groups - 1 of raise_peaks().
+template <Peaks of, int groups>
+BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, const double* x, Index apart,
+                                double* peak, double* values) {
+  // NOLINTBEGIN(modernize-avoid-c-arrays): registers
+  const Index columns = rows.columns();
+  const double* weights[groups];
+  Four high[groups];
+  for (int g = 0; g < groups; ++g) {
+    weights[g] = rows.from(r + four * g);
+    high[g] = load(peak + r + four * g);
+  }
+  const auto take = [&](int g, Index i, Four value) __attribute__((always_inline)) {
+    const Four most = measure<of>(value);
+    store(values + (r + four * g) * count + four * i, most);
+    high[g] = larger(high[g], most);
+  };
+  Index i = 0;
+  for (; i + four <= count; i += four) {
+    const double* at[four];
+    for (Index k = 0; k < four; ++k) at[k] = x + (i + k) * apart;
+    Four value[groups][four] = {};
+    for (Index j = 0; j < columns; ++j) {
+      Four weight[groups];
+      for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
+      for (Index k = 0; k < four; ++k) {
+        const Four coordinate = all(at[k][j]);
+        for (int g = 0; g < groups; ++g) value[g][k] += weight[g] * coordinate;
+      }
+    }
+    for (int g = 0; g < groups; ++g) {
+      for (Index k = 0; k < four; ++k) take(g, i + k, value[g][k]);
+    }
+  }
+  for (; i < count; ++i) {
+    for (int g = 0; g < groups; ++g) {
+      Four value = all(0.0);
+      for (Index j = 0; j < columns; ++j) value += load(weights[g] + four * j) * all(x[i * apart + j]);
+      take(g, i, value);
+    }
+  }
+  for (int g = 0; g < groups; ++g) store(peak + r + four * g, high[g]);
+  // NOLINTEND(modernize-avoid-c-arrays)
+}
+
+template <Peaks of>
+BENTUR_INLINE void raise(const PackedRows& rows, Index count, const double* x, Index apart, double* peak,
+                         double* values) {
+  Index r = 0;
+  for (; r + 2 * four <= rows.rows(); r += 2 * four) raise_groups<of, 2>(rows, r, count, x, apart, peak, values);
+  if (r < rows.rows()) raise_groups<of, 1>(rows, r, count, x, apart, peak, values);
+}
+
+/// Of sums().
+BENTUR_INLINE void sum_products(Index count, const double* x, Index apart, Index n, const double* weights,
+                                double* result) {
+  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * apart); };
+  Index i = 0;
+  for (; i + four <= count; i += four) store(result + i, sums_of(one(i), one(i + 1), one(i + 2), one(i + 3)));
+  for (; i < count; ++i) result[i] = sum(one(i));
+}
+
+}  // namespace
+
+PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
+    : rows_((matrix.rows() + four - 1) / four * four),
+      columns_(columns),
+      weights_(static_cast<std::size_t>(rows_ * columns), 0.0) {
+  for (Index r = 0; r < matrix.rows(); ++r) {
+    for (Index j = 0; j < matrix.cols(); ++j) {
+      weights_[static_cast<std::size_t>(r / four * four * columns + four * j + r % four)] = matrix(r, j);
+    }
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+bool reach_of_rows(Peaks of, const PackedRows& rows, const double* start, const double* end, const double* rise,
+                   double* peak, const double* before, double* reach_now) {
+  if (of == Peaks::of_sizes) return reach<Peaks::of_sizes>(rows, start, end, rise, peak, before, reach_now);
+  return reach<Peaks::of_values>(rows, start, end, rise, peak, before, reach_now);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+bool reach_of_samples(const PackedRows& rows, int count, const double* x, const double* rise, double* peak,
+                      const double* reach_before, double* reach) {
+  const Index columns = rows.columns();
+  Bits beyond_peak{};
+  for (Index r = 0; r < rows.rows(); r += four) {
+    const Four before = load(peak + r);
+    const Four so_far = load(reach_before + r);
+    store(reach + r, so_far);
+    if (!any(so_far > before)) continue;
+    const double* weights = rows.from(r);
+    Four most = all(0.0);
+    Four beyond = all(0.0);
+    for (Index j = 0; j < columns; ++j) beyond += size(load(weights + four * j)) * all(rise[j]);
+    int i = 0;
+    for (; i + 3 <= count; i += 3) {
+      const double* at = x + i * columns;
+      Four value[3] = {};  // NOLINT(modernize-avoid-c-arrays): registers
+      for (Index j = 0; j < columns; ++j) {
+        const Four weight = load(weights + four * j);
+        value[0] += weight * all(at[j]);
+        value[1] += weight * all(at[columns + j]);
+        value[2] += weight * all(at[2 * columns + j]);
+      }
+      most = larger(most, larger(size(value[0]), larger(size(value[1]), size(value[2]))));
+    }
+    for (; i < count; ++i) {
+      Four value = all(0.0);
+      for (Index j = 0; j < columns; ++j) value += load(weights + four * j) * all(x[i * columns + j]);
+      most = larger(most, size(value));
+    }
+    const Four high = larger(before, most);
+    store(peak + r, high);
+    store(reach + r, most + beyond);
+    beyond_peak |= most + beyond > high;
+  }
+  return !any(beyond_peak);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void raise_peaks(Peaks of, const PackedRows& rows, Index count, const double* x, Index apart, double* peak,
+                 double* values) {
+  if (of == Peaks::of_sizes) return raise<Peaks::of_sizes>(rows, count, x, apart, peak, values);
+  raise<Peaks::of_values>(rows, count, x, apart, peak, values);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share) {
+  const auto most = [&](Index i) __attribute__((always_inline)) {
+    Four result = all(0.0);
+    for (Index r = 0; r < n; r += four) {
+      const Four part = load(values + r * count + four * i) * load(inverse + r);
+      result = part > result ? part : result;  // 0 of 0 is no share
+    }
+    return result;
+  };
+  Index i = 0;
+  for (; i + four <= count; i += four) store(share + i, largest_of(most(i), most(i + 1), most(i + 2), most(i + 3)));
+  for (; i < count; ++i) {
+    const Four parts = most(i);
+    share[i] = std::max(std::max(parts[0], parts[1]), std::max(parts[2], parts[3]));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result) {
+  sum_products(count, x, apart, n, weights, result);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Index count_above(Index n, const double* x, const double* y) {
+  Bits count{};
+  for (Index r = 0; r < n; r += four) count -= load(x + r) > load(y + r);  // true is −1
+  return (count[0] + count[1]) + (count[2] + count[3]);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest,
+                 double* open) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  for (Index r = 0; r < n; r += four) {
+    const Four most = larger(load(x + r * apart), load(y + r * apart));
+    const bool below = every(most <= all(rest) * load(peak + r));  // not what cannot be compared
+    store(open + r, all(below ? 0.0 : unknown));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void lump(const PackedRows& rows, const double* limits, double* largest) {
+  for (Index j = 0; j < rows.columns(); ++j) {
+    Four most = all(0.0);
+    for (Index r = 0; r < rows.rows(); r += four) {
+      const Four share = size(load(rows.from(r) + four * j)) / load(limits + r);
+      most = share > most ? share : most;  // 0/0 is no share
+    }
+    largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* room,
+             double* polynomial) {
+  for (Index j = 0; j < rows.columns(); ++j) room[j] = rows(r, j);
+  sum_products(degree + 1, c, stride, rows.columns(), room, polynomial);
+}
+
+}  // namespace bentur::engine::kernels

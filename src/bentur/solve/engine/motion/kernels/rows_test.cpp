@@ -1,0 +1,173 @@
+#include "bentur/solve/engine/motion/kernels/rows.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/random_numbers.h"
+
+namespace bentur::engine::kernels {
+namespace {
+
+using test::random_numbers;
+using Numbers = std::vector<double>;
+
+// Whichever version the processor has picked gives what plain loops in the same order give, to the bit.
+
+TEST(Kernels, RowsAreMatrixProductsToTheBit) {
+  constexpr Index rows = 12, columns = 8;
+  constexpr int count = 7;
+  const Numbers w = random_numbers(rows * columns, 8), x = random_numbers(count * columns, 9);
+  Numbers rise = random_numbers(columns, 10);
+  for (double& r : rise) r = std::abs(r);
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  Numbers peak(rows, 5.0), reach(rows, unknown), ends_peak(rows, 5.0), ends_reach(rows, unknown);
+  bool settled = true, ends_settled = true;
+  const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
+  const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
+  const bool ends_found = reach_of_rows(Peaks::of_sizes, packed, x.data(), x.data() + columns, rise.data(),
+                                        ends_peak.data(), ends_reach.data(), ends_reach.data());
+  for (Index r = 0; r < rows; ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    double largest = 0.0, further = 0.0;
+    Numbers values;
+    for (Index j = 0; j < columns; ++j) {
+      further += std::abs(w[static_cast<std::size_t>(j * rows + r)]) * rise[static_cast<std::size_t>(j)];
+    }
+    for (int i = 0; i < count; ++i) {
+      double sum = 0.0;
+      for (Index j = 0; j < columns; ++j) {
+        sum += w[static_cast<std::size_t>(j * rows + r)] * x[static_cast<std::size_t>(i * columns + j)];
+      }
+      values.push_back(sum);
+      largest = std::max(largest, std::abs(sum));
+    }
+    EXPECT_EQ(reach[at], largest + further);
+    EXPECT_EQ(peak[at], std::max(5.0, largest));
+    settled = settled && largest + further <= std::max(5.0, largest);
+    const double ends = std::max(std::abs(values[0]), std::abs(values[1]));
+    EXPECT_EQ(ends_reach[at], ends + further);
+    EXPECT_EQ(ends_peak[at], std::max(5.0, ends));
+    ends_settled = ends_settled && ends + further <= std::max(5.0, ends);
+  }
+  EXPECT_EQ(found, settled);
+  EXPECT_EQ(ends_found, ends_settled);
+}
+
+TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, 3);
+  const PackedRows packed(matrix, 4);
+  ASSERT_EQ(packed.rows(), 8);
+  ASSERT_EQ(packed.columns(), 4);
+  for (Index r = 0; r < 8; ++r) {
+    for (Index j = 0; j < 4; ++j) EXPECT_EQ(packed(r, j), r < 6 && j < 3 ? matrix(r, j) : 0.0);
+  }
+}
+
+TEST(Kernels, ReachOfValuesIsOneSided) {
+  const PackedRows packed(Eigen::MatrixXd::Identity(4, 4), 4);
+  const Numbers start{-3, 1, 0, 2}, end{-1, -5, 0, 4}, rise{1, 1, 0, 1};
+  Numbers peak{0, 2, 0, 9}, reach(4, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(reach_of_rows(Peaks::of_values, packed, start.data(), end.data(), rise.data(), peak.data(), reach.data(),
+                            reach.data()));
+  EXPECT_EQ(reach, (Numbers{0, 2, 0, 5}));
+  EXPECT_EQ(peak, (Numbers{0, 2, 0, 9}));
+}
+
+class PeaksOf : public testing::TestWithParam<Peaks> {};
+
+TEST_P(PeaksOf, AllVectorsAndTheirShares) {
+  constexpr Index rows = 6, columns = 8, apart = 11;
+  constexpr int count = 9;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
+  const PackedRows packed(matrix, columns);
+  const Numbers x = random_numbers(count * apart, 1);
+  Numbers peak(8, 0.0), inverse(8), share(count), room(8 * count), expected(rows, 0.0);
+  peak[2] = expected[2] = 100.0;  // higher than any
+  raise_peaks(GetParam(), packed, count, x.data(), apart, peak.data(), room.data());
+  for (std::size_t r = 0; r < 8; ++r) inverse[r] = 1.0 / peak[r];
+  largest_shares(8, count, room.data(), inverse.data(), share.data());
+  Eigen::MatrixXd values(rows, count);
+  for (int i = 0; i < count; ++i) {
+    for (Index r = 0; r < rows; ++r) {
+      double sum = 0.0;
+      for (Index j = 0; j < columns; ++j) sum += matrix(r, j) * x[static_cast<std::size_t>(i * apart + j)];
+      values(r, i) = GetParam() == Peaks::of_sizes ? std::abs(sum) : sum;
+      double& most = expected[static_cast<std::size_t>(r)];
+      most = std::max(most, values(r, i));
+    }
+  }
+  for (std::size_t r = 0; r < 8; ++r) EXPECT_EQ(peak[r], r < rows ? expected[r] : 0.0);
+  for (int i = 0; i < count; ++i) {
+    double most = 0.0;
+    for (Index r = 0; r < rows; ++r)
+      most = std::max(most, values(r, i) * (1.0 / expected[static_cast<std::size_t>(r)]));
+    EXPECT_EQ(share[static_cast<std::size_t>(i)], most);
+    for (Index r = 0; r < rows; ++r)
+      EXPECT_EQ(room[static_cast<std::size_t>(r / 4 * 4 * count + 4 * i + r % 4)], values(r, i));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, PeaksOf, testing::Values(Peaks::of_sizes, Peaks::of_values));
+
+TEST(Kernels, SumsAreDotProducts) {
+  constexpr Index n = 8, apart = 12, count = 7;
+  const Numbers x = random_numbers(count * apart, 1), w = random_numbers(n, 2);
+  Numbers result(count);
+  sums(count, x.data(), apart, n, w.data(), result.data());
+  for (Index i = 0; i < count; ++i) {
+    EXPECT_EQ(result[static_cast<std::size_t>(i)], dot(n, w.data(), x.data() + i * apart));
+  }
+}
+
+TEST(Kernels, GroupsAreOpenWhereOneOfFourComesNear) {
+  const Numbers x{1, 1, 1, 1, /**/ 0, 0, 0, 0}, y{0.5, 0.5, 0.5, 0.5, /**/ 0, 0, 0, 3};
+  const Numbers peak{2, 2, 2, 2, /**/ 3, 3, 3, 3};
+  Numbers open(8, -1.0);
+  open_groups(8, x.data(), y.data(), 1, peak.data(), 0.9, open.data());
+  for (std::size_t r = 0; r < 4; ++r) EXPECT_EQ(open[r], 0.0);
+  for (std::size_t r = 4; r < 8; ++r) EXPECT_EQ(open[r], std::numeric_limits<double>::infinity());
+}
+
+TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
+  const Numbers x(4, 0.0), peak(4, 0.0);  // nothing has moved at the ends, and the sum over what rises is infinite
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double rest : {-infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    Numbers open(4, -1.0);
+    open_groups(4, x.data(), x.data(), 1, peak.data(), rest, open.data());
+    EXPECT_EQ(open, Numbers(4, infinity));
+  }
+}
+
+TEST(Kernels, LumpIsTheLargestPartOfALimit) {
+  Eigen::MatrixXd matrix(5, 3);
+  matrix << 1, -2, 0, 0.5, 4, 0, -3, 1, 0, 0, 0, 0, 2, 2, 0;
+  const PackedRows packed(matrix, 3), last_two(matrix.rightCols(2), 2);
+  const Numbers limits{1, 8, 2, 0, 4, 0, 0, 0};  // a row of zeros may have the limit zero
+  Numbers largest(3, -1.0);
+  lump(packed, limits.data(), largest.data());
+  EXPECT_EQ(largest, (Numbers{1.5, 2.0, 0.0}));
+  lump(last_two, limits.data(), largest.data());
+  EXPECT_EQ(largest, (Numbers{2.0, 0.0, 0.0}));
+}
+
+TEST(Kernels, CombineIsTheRowOfEveryPower) {
+  constexpr Index columns = 8, stride = 12;
+  constexpr int degree = 5;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, columns);
+  const PackedRows packed(matrix, columns);
+  const Numbers c = random_numbers(stride * (degree + 1), 2);
+  Numbers room(columns), polynomial(degree + 1);
+  for (Index r = 0; r < 6; ++r) {
+    combine(packed, r, c.data(), stride, degree, room.data(), polynomial.data());
+    const Eigen::VectorXd row = matrix.row(r).transpose();
+    for (int k = 0; k <= degree; ++k)
+      EXPECT_EQ(polynomial[static_cast<std::size_t>(k)], dot(columns, row.data(), c.data() + k * stride));
+  }
+}
+
+}  // namespace
+}  // namespace bentur::engine::kernels

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bentur/solve/engine/motion/expansion.h"
+#include "bentur/solve/engine/motion/kernels/series.h"
+
+namespace bentur::engine {
+
+/// Longest step of a power series as rate · h: with `degree` terms the remainder is below round-off (polynomial.h).
+inline constexpr double series_reach = 2.4;
+
+/// Degree that a step needs: the least n with (rate · h)^{n+1}/(n+1)! below that of the longest step.
+[[nodiscard]] int needed_degree(double rate_times_h);
+
+/// The solution of (T-1) over one step as a power series:
+///   c_{k+2} = [h²(−Ω² c_k + γ a_k + Σ push_i F_{i,k}) − h (k+1) D c_{k+1}] / ((k+2)(k+1)).      (T-2)
+/// Nothing is diagonalised, so critical damping, repeated or zero frequencies and full damping matrices are all the
+/// same. Nonlinear forces are left out.
+class Series {
+ public:
+  /// `widths`: of the gap at each point [length].
+  Series(const ModalSystem& system, std::vector<double> widths);
+
+  /// Expands every building from `state` over a step of `h` [s] under the linear and resting forces.
+  /// rate · h must not exceed series_reach.
+  void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ContactForces& forces,
+              Expansion& motion);
+
+  /// Expands one building alone, without contact; the coefficients of the others are left as they were.
+  void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
+
+ private:
+  [[nodiscard]] kernels::Ground ground(std::size_t block, const GroundInput& input, double h) const;
+  void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
+  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const ContactForces& forces, Expansion& motion);
+  void add_full_damping(const ModalSystem::Block& block, int k);
+  void add_contact(std::size_t point, const ContactForces::Linear& force, int k);
+  void hold(const std::vector<std::size_t>& resting, int k);
+
+  const ModalSystem* system_;
+  std::vector<double> widths_;
+  double h_ = 0;
+  Eigen::MatrixXd* c_ = nullptr;          ///< coefficients of the motion being expanded
+  Eigen::VectorXd stiff_, damp_;          ///< h²Ω², h · diagonal of D
+  Eigen::VectorXd force_;                 ///< γ a_k h² and contact, for one k
+  std::vector<kernels::Ground> grounds_;  ///< room
+  std::vector<kernels::Pressing> pressing_;
+  std::vector<Polynomial> resting_force_;  ///< of the points held, in their order
+};
+
+}  // namespace bentur::engine

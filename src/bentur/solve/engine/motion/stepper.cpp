@@ -1,0 +1,252 @@
+#include "bentur/solve/engine/motion/stepper.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+namespace bentur::engine {
+namespace {
+
+constexpr double contact_tolerance = 1e-10;  // of the pair in the exact solver; by measurement, docs/decisions.md
+constexpr double end_slack = 1e-9;           // of what is left: a remainder shorter than this is not a step
+constexpr double parting_part = 0.8;         // of the time that is left of a contact
+constexpr double parting_crossed = 1e-3;     // of a step: when so little is left the end is crossed
+constexpr int attempts = 60;                 // each may shorten a step to a fifth
+constexpr double first_part = 1e-3;          // of 1/rate: first length ever tried
+
+double tolerance_of(const Solver& solver) {
+  const auto* adaptive = std::get_if<AdaptiveSolver>(&solver);
+  return adaptive != nullptr ? adaptive->tolerance : contact_tolerance;
+}
+
+}  // namespace
+
+Stepper::Stepper(const ModalSystem& system, const Problem& problem, const Solver& solver)
+    : system_(&system),
+      problem_(&problem),
+      solver_(solver),
+      series_(system, gap_widths(problem)),
+      pair_(system, tolerance_of(solver)),
+      fixed_(system),
+      range_{0, system.blocks.size()},
+      first_guess_(first_part / std::max(system.rate({}), 1e-300)) {}
+
+bool Stepper::advance(const Start& start, double longest, bool in_contact, Expansion& motion, State& to) {
+  if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver_)) {
+    way_ = Way::fixed;
+    const double step = in_contact ? fixed->step / 3.0 : fixed->step;
+    retake(start, step >= longest * (1.0 - end_slack) ? longest : step, motion, to);
+    return true;
+  }
+  const bool adaptive = std::holds_alternative<AdaptiveSolver>(solver_);
+  if (adaptive || !start.forces.nonlinear.empty()) {
+    way_ = Way::pair;
+    range_ = adaptive ? BuildingRange{0, system_->blocks.size()} : island(start.forces);
+    return advance_by_pair(start, longest, motion, to);
+  }
+  way_ = Way::series;
+  double h = series_reach / system_->rate(start.forces);
+  if (h >= longest * (1.0 - end_slack)) h = longest;
+  series_.expand(start.state, start.inputs, h, start.forces, motion);
+  motion.evaluate(1.0, to);
+  return true;
+}
+
+/// Where a force ends like a root of the penetration, steps across the end are hopeless until little is left of it.
+/// Once a step has failed, those that would end the contact are kept to a part of what is left.
+double Stepper::longest_before_parting(const Start& start, double h) const {
+  for (const std::size_t i : start.forces.nonlinear) {
+    const auto& point = system_->points[i];
+    const double depth = -(problem_->points[i].width + point.sense(start.state.q));
+    const double opening_speed = point.sense(start.state.v);
+    if (depth <= 0.0 || depth > opening_speed * h) continue;
+    const double left = depth / opening_speed;
+    if (left > parting_crossed * parting_scale_) h = std::min(h, parting_part * left);
+  }
+  return h;
+}
+
+/// The first step of a nonlinear contact. A force that sets in like a root of time would take an embedded pair through
+/// dozens of steps over almost nothing. Instead the step is so short that the force changes speeds by a part ε =
+/// √tolerance at most, and is taken along the motion without it: what that neglects is of order ε². False when that is
+/// no way to go: other forces are at work too.                                                               
+bool Stepper::begin_contact(const Start& start, double longest, Expansion& motion, State& to) {
+  using Gauss = boost::math::quadrature::gauss<double, 7>;
+  const double limit = std::sqrt(tolerance_of(solver_));
+  const double size = system_->speed(start.state.v);
+  const auto points = static_cast<Eigen::Index>(system_->points.size());
+  longest = std::min(longest, series_reach / system_->rate(start.forces));
+  double h = first_guess_;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (h >= longest) return false;
+    series_.expand(start.state, start.inputs, h, start.forces, motion);
+    // ∫ F dt and ∫ (h − t) F dt with t = h u⁴, in which roots of time are smooth.
+    auto& [impulse, moment, force, dv, dq] = push_;
+    impulse.setZero(points);
+    moment.setZero(points);
+    const auto add = [&](double u, double weight) {
+      const double s = u * u * u * u;
+      motion.evaluate(s, to);
+      start.force_at(to, start.inputs, push_.force);
+      const double part = 4.0 * u * u * u * weight * h;
+      push_.impulse += part * push_.force;
+      push_.moment += part * h * (1.0 - s) * push_.force;
+    };
+    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
+      const double x = Gauss::abscissa()[n];
+      const double weight = 0.5 * Gauss::weights()[n];
+      add(0.5 * (1.0 + x), weight);
+      if (x != 0.0) add(0.5 * (1.0 - x), weight);
+    }
+    dv.setZero(system_->size);
+    dq.setZero(system_->size);
+    for (const std::size_t i : start.forces.nonlinear) {
+      system_->push(i, impulse(static_cast<Eigen::Index>(i)), dv);
+      system_->push(i, moment(static_cast<Eigen::Index>(i)), dq);
+    }
+    double change = system_->speed(dv) / size;
+    for (const std::size_t i : start.forces.nonlinear) {  // and, at each point, its closing speed
+      const auto& point = system_->points[i];
+      change = std::max(change, std::abs(point.sense(dv) / point.sense(start.state.v)));
+    }
+    if (!std::isfinite(change)) return false;
+    if (change > limit || (change < 0.1 * limit && attempt == 0)) {  // forces grow with the 1.25th to the 2.5th power
+      h *= std::clamp(std::pow(0.5 * limit / std::max(change, 1e-300), change > limit ? 0.8 : 0.4), 1e-4, 1e4);
+      continue;
+    }
+    // As polynomials that end where they should.
+    auto& c = motion.coefficients();
+    c.col(2) += 3.0 * dq - h * dv;
+    c.col(3) += h * dv - 2.0 * dq;
+    motion.evaluate(1.0, to);
+    first_guess_ = h;
+    return true;
+  }
+  return false;
+}
+
+bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {
+  const bool all = range_.first == 0 && range_.end == system_->blocks.size();
+  // Others advance by power series; and where damping sets the pace the interpolant is worse than the step.
+  const auto damps = [&](std::size_t i) { return start.forces.linear[i].damping > 0.0; };
+  const bool damped = std::any_of(start.forces.pressing.begin(), start.forces.pressing.end(), damps);
+  if (!all || damped) longest = std::min(longest, series_reach / system_->rate(start.forces));
+  const bool first = fresh_;
+  if (first) {
+    fresh_ = false;
+    parting_scale_ = 0.0;
+    control_.reset();
+    const bool exact = std::holds_alternative<ExactSolver>(solver_);
+    const bool begun = exact && begin_contact(start, longest, motion, to);
+    guess_ = first_guess_;
+    if (begun) return true;
+  }
+  double h = guess_;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (parting_scale_ > 0.0) h = longest_before_parting(start, h);
+    const bool last = h >= longest * (1.0 - end_slack);
+    if (last) h = longest;
+    const double error = pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
+    const double next = control_.next(h, error);
+    if (error <= 1.0) {
+      if (first && !last) first_guess_ = h;
+      guess_ = last ? std::max(next, guess_) : next;
+      expand_pair(start, h, motion, to);
+      return true;
+    }
+    if (!first && parting_scale_ == 0.0) parting_scale_ = h;
+    h = next;
+  }
+  return false;
+}
+
+/// The step that the pair has just taken, as an expansion of all buildings.
+void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State& to) {
+  const bool all = range_.first == 0 && range_.end == system_->blocks.size();
+  int degree = EmbeddedPair::degree;
+  if (!all) {
+    there_ = to;
+    series_.expand(start.state, start.inputs, h, start.forces, motion);
+    for (int k = motion.degree() + 1; k <= degree; ++k) motion.coefficients().col(k).setZero();
+    degree = std::max(degree, motion.degree());
+    motion.evaluate(1.0, to);
+    const auto begin = system_->blocks[range_.first].begin;
+    const auto count = system_->blocks[range_.end - 1].begin + system_->blocks[range_.end - 1].size - begin;
+    to.q.segment(begin, count) = there_.q.segment(begin, count);
+    to.v.segment(begin, count) = there_.v.segment(begin, count);
+  }
+  motion.begin(0, system_->size, h, degree);
+  pair_.expand(start.force_at, motion);
+  fill_resting(start, to, motion);
+}
+
+void Stepper::retake(const Start& start, double h, Expansion& motion, State& to) {
+  if (way_ == Way::fixed) {
+    fixed_.step(start.state, start.inputs, h, start.force_at, to);
+    motion.begin(0, system_->size, h, FixedStep::degree);
+    fixed_.expand(start.force_at, motion);
+    fill_resting(start, to, motion);
+  } else {
+    (void)pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
+    expand_pair(start, h, motion, to);
+  }
+}
+
+/// Forces of resting points are found at five places of the step and interpolated.
+void Stepper::fill_resting(const Start& start, const State& to, Expansion& motion) const {
+  if (start.forces.resting.empty()) return;
+  constexpr int nodes = 5;
+  using Square = Eigen::Matrix<double, nodes, nodes>;
+  static const Square to_powers = [] {
+    Square powers;
+    for (int n = 0; n < nodes; ++n) {
+      for (int k = 0; k < nodes; ++k) powers(n, k) = std::pow(n / (nodes - 1.0), k);
+    }
+    return Square(powers.inverse());
+  }();
+  Eigen::MatrixXd values(nodes, static_cast<Eigen::Index>(system_->points.size()));
+  State state = to;
+  Eigen::VectorXd forces;
+  for (int n = 0; n < nodes; ++n) {
+    const double s = n / (nodes - 1.0);
+    motion.evaluate(s, state);
+    std::vector<GroundInput> inputs = start.inputs;
+    system_->advance(inputs, s * motion.h());
+    start.force_at(state, inputs, forces);
+    values.row(n) = forces.transpose();
+  }
+  for (const std::size_t i : start.forces.resting) {
+    const Eigen::Matrix<double, nodes, 1> powers = to_powers * values.col(static_cast<Eigen::Index>(i));
+    Polynomial force;
+    force.degree = nodes - 1;
+    for (int k = 0; k < nodes; ++k) force[k] = powers(k);
+    motion.set_resting_force(i, force);
+  }
+}
+
+double Stepper::accuracy() const {
+  constexpr double events_over_steps = 100.0;  // errors of an interpolant, and of all steps of one contact
+  return events_over_steps * tolerance_of(solver_);
+}
+
+/// The buildings that a nonlinear force shakes, directly or through other contacts.
+BuildingRange Stepper::island(const ContactForces& forces) const {
+  const auto left = [&](std::size_t i) { return static_cast<std::size_t>(problem_->points[i].left); };
+  const auto touches_next = [&](std::size_t building) {
+    const auto is_of = [&](std::size_t i) { return left(i) == building; };
+    return std::ranges::any_of(forces.pressing, is_of) || std::ranges::any_of(forces.resting, is_of) ||
+           std::ranges::any_of(forces.nonlinear, is_of);
+  };
+  std::size_t first = system_->blocks.size();
+  std::size_t last = 0;
+  for (const std::size_t i : forces.nonlinear) {
+    first = std::min(first, left(i));
+    last = std::max(last, left(i) + 1);
+  }
+  while (first > 0 && touches_next(first - 1)) --first;
+  while (touches_next(last)) ++last;  // the last building touches nobody to its right
+  return {first, last + 1};
+}
+
+}  // namespace bentur::engine

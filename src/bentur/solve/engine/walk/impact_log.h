@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/contact/law.h"
+#include "bentur/solve/engine/motion/polynomial.h"
+#include "bentur/solve/response.h"
+
+namespace bentur::engine {
+
+/// Writes the list of impacts: one entry from touching to parting.
+class ImpactLog {
+ public:
+  explicit ImpactLog(std::size_t points);
+
+  void begin(std::size_t point, double start, double closing_speed);
+  [[nodiscard]] Impact& under_way(std::size_t point) { return under_way_[point]; }
+  void end(std::size_t point, double time, double separation_speed);
+
+  /// A stretch of the expanded step over which a point was in contact.
+  struct Stretch {
+    const ContactLaw& law;
+    const ContactState& state;
+    const Polynomial& opening;  ///< g(s) [length]
+    double h = 0;               ///< of the step [s]
+    double time = 0;            ///< its start [s]
+    double end = 1;             ///< s where the stretch ends
+    double force_band = 0;      ///< pulls up to this are round-off [force]
+  };
+  void accumulate(std::size_t point, const Stretch& stretch);
+
+  /// Adds a stretch of resting contact under the force λ(s).
+  void rest(std::size_t point, const Polynomial& force, double h, double time, double end);
+
+  /// Impacts still under way count, up to `time`; then sorts by start and point.
+  void finish(const std::vector<Branch>& branches, double time);
+  [[nodiscard]] std::vector<Impact>& impacts() { return impacts_; }
+
+ private:
+  std::vector<Impact> under_way_;  ///< per point, meaningful while it touches
+  std::vector<Impact> impacts_;
+};
+
+}  // namespace bentur::engine

@@ -1,0 +1,210 @@
+#include "bentur/study/fragility/fragility_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "bentur/io/toml/toml_view.h"
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The axis and coordinate that gaps are asked for along.
+struct GapCoordinate {
+  std::size_t axis = 0;
+  const ResultCoordinate* coordinate = nullptr;
+};
+
+std::optional<GapCoordinate> gap_coordinate(const IdaResults& results, const std::string& along, std::string& error) {
+  std::vector<GapCoordinate> found;
+  std::vector<std::string> names;
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
+      if (!coordinate.is_gap_width()) continue;
+      names.push_back(coordinate.name);
+      if (along.empty() || coordinate.name == along) found.push_back({axis, &coordinate});
+    }
+  }
+  if (found.size() == 1) return found.front();
+  if (names.empty()) {
+    error = "has no gap width that varies: --probability needs one";
+  } else if (found.empty()) {
+    error = fmt::format("--along {}: {}", in_quotes(along), suggestion(along, names));
+  } else {
+    error = "has several gap widths: choose one with --along";
+    for (const std::string& name : names) error += (name == names.front() ? " " : ", ") + name;
+  }
+  return std::nullopt;
+}
+
+/// Cases along one axis, from the case with its first value.
+std::vector<std::size_t> cases_along(const IdaResults& results, std::size_t axis, std::size_t first) {
+  std::size_t stride = 1;
+  for (std::size_t later = axis + 1; later < results.axes.size(); ++later) stride *= results.axes[later].size;
+  std::vector<std::size_t> cases;
+  for (std::size_t i = 0; i < results.axes[axis].size; ++i) cases.push_back(first + i * stride);
+  return cases;
+}
+
+void find_gaps(const FragilityRequest& request, const ResultCoordinate& coordinate, FragilityReport& report) {
+  std::vector<std::size_t> order(coordinate.numbers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return coordinate.numbers[a] < coordinate.numbers[b]; });
+  std::vector<double> widths;
+  for (const std::size_t i : order) widths.push_back(coordinate.numbers[i]);
+  for (std::size_t c = 0; c < report.results.table.cases; ++c) {
+    if (report.results.places(c)[report.gap_axis] != 0) continue;
+    const std::vector<std::size_t> cases = cases_along(report.results, report.gap_axis, c);
+    std::vector<const CaseFragility*> fragilities;
+    for (const std::size_t i : order) fragilities.push_back(&report.fragilities[cases[i]]);
+    for (const double p : request.probabilities) {
+      report.gaps.push_back({c, p, gap_estimate(widths, fragilities, *request.at, p, request.bootstrap.confidence)});
+    }
+  }
+}
+
+/// JSON has neither NaN nor infinity.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json interval_json(const Interval& interval) {
+  return Json::array({number_or_null(interval.lower), number_or_null(interval.upper)});
+}
+
+/// What the axes have in a case, but for the axis left out.
+Json case_json(const IdaResults& results, std::size_t c, std::optional<std::size_t> without) {
+  Json json = Json::object();
+  const std::vector<std::size_t> places = results.places(c);
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (axis == without) continue;
+    for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
+      json[coordinate.name] =
+          coordinate.texts.empty() ? Json(coordinate.numbers[places[axis]]) : Json(coordinate.texts[places[axis]]);
+    }
+  }
+  return json;
+}
+
+Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& fragility) {
+  const bool known = fragility.fit.kind == Fragility::Kind::fitted;
+  Json counts = Json::array();
+  for (const IntensityCount& count : fragility.counts) {
+    counts.push_back({{"intensity", count.intensity}, {"runs", count.runs}, {"events", count.events}});
+  }
+  const auto& bounds = fragility.bounds;
+  return {{"case", case_json(results, c, std::nullopt)},
+          {"kind", name(fragility.fit.kind)},
+          {"median", known ? Json(fragility.fit.median) : Json(nullptr)},
+          {"median_bounds", known && bounds ? interval_json(bounds->median) : Json(nullptr)},
+          {"dispersion", known ? Json(fragility.fit.dispersion) : Json(nullptr)},
+          {"dispersion_bounds", known && bounds ? interval_json(bounds->dispersion) : Json(nullptr)},
+          {"median_between", interval_json({fragility.fit.lower, fragility.fit.upper})},
+          {"runs", fragility.runs},
+          {"events", fragility.events},
+          {"failed", fragility.failed},
+          {"counts", counts}};
+}
+
+std::string_view name(GapForProbability::Kind kind) {
+  switch (kind) {
+    case GapForProbability::Kind::between:
+      return "between";
+    case GapForProbability::Kind::smallest:
+      return "smallest";
+    case GapForProbability::Kind::beyond:
+      break;
+  }
+  return "beyond";
+}
+
+Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
+  Json json = Json::array();
+  for (const GapAt& gap : report.gaps) {
+    const auto& estimate = gap.estimate;
+    json.push_back({{"case", case_json(report.results, gap.first_case, report.gap_axis)},
+                    {"at", *request.at},
+                    {"probability", gap.probability},
+                    {"kind", estimate.gap ? Json(name(estimate.gap->kind)) : Json(nullptr)},
+                    {report.gap_name, estimate.gap ? Json(estimate.gap->width) : Json(nullptr)},
+                    {"bounds", estimate.bounds ? interval_json(*estimate.bounds) : Json(nullptr)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string_view name(Fragility::Kind kind) {
+  switch (kind) {
+    case Fragility::Kind::fitted:
+      return "fitted";
+    case Fragility::Kind::separated:
+      return "separated";
+    case Fragility::Kind::no_event:
+      return "no_event";
+    case Fragility::Kind::all_events:
+      return "all_events";
+    case Fragility::Kind::one_intensity:
+      return "one_intensity";
+    case Fragility::Kind::falling:
+      return "falling";
+    case Fragility::Kind::no_data:
+      break;
+  }
+  return "no_data";
+}
+
+std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
+                                                std::string& error) {
+  FragilityReport report;
+  report.results = std::move(results);
+  const std::vector<double>& levels = report.results.table.levels;
+  std::optional<GapCoordinate> along;
+  if (request.at) {
+    along = gap_coordinate(report.results, request.along, error);
+    if (!along) return std::nullopt;
+    if (!(*request.at >= levels.front() && *request.at <= levels.back())) {
+      error = fmt::format("--at {} must be from {} to {}, the levels of the analysis", *request.at, levels.front(),
+                          levels.back());
+      return std::nullopt;
+    }
+  }
+  for (std::size_t c = 0; c < report.results.table.cases; ++c) {
+    report.fragilities.push_back(fit_case(report.results.table, c, request.bootstrap));
+  }
+  if (along) {
+    report.gap_axis = along->axis;
+    report.gap_name = along->coordinate->name;
+    report.gap_units = along->coordinate->units;
+    find_gaps(request, *along->coordinate, report);
+  }
+  return report;
+}
+
+std::string fragility_json(const FragilityReport& report, const FragilityRequest& request, std::string_view version) {
+  Json curves = Json::array();
+  for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
+    curves.push_back(curve_json(report.results, c, report.fragilities[c]));
+  }
+  const Json json = {
+      {"title", report.results.title},
+      {"version", version},
+      {"event", request.event},
+      {"event_units", report.results.quantity_units},
+      {"intensity",
+       {{"name", report.results.intensity}, {"units", report.results.units}, {"levels", report.results.table.levels}}},
+      {"records", report.results.table.records / report.results.table.together},
+      {"bootstrap",
+       {{"resamples", request.bootstrap.resamples},
+        {"confidence", request.bootstrap.confidence},
+        {"seed", request.bootstrap.seed}}},
+      {"curves", curves},
+      {"gaps", gaps_json(report, request)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace bentur

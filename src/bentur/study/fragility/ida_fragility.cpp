@@ -1,0 +1,109 @@
+#include "bentur/study/fragility/ida_fragility.h"
+
+#include <limits>
+#include <utility>
+
+#include "bentur/core/require.h"
+
+namespace bentur {
+namespace {
+
+using FragilityKind = Fragility::Kind;
+
+/// By a fit alone; see CaseFragility::probability.
+std::optional<double> probability_of(const Fragility& fit, double intensity) {
+  switch (fit.kind) {
+    case FragilityKind::fitted:
+    case FragilityKind::no_event:
+    case FragilityKind::all_events:
+      return fit.probability(intensity);
+    case FragilityKind::separated:
+      return intensity < fit.lower || (intensity == fit.lower && fit.lower < fit.upper) ? 0.0 : 1.0;
+    case FragilityKind::one_intensity:
+    case FragilityKind::falling:
+    case FragilityKind::no_data:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// The fit of resample `i`: of a case without bounds that of all data where every resample gives the same one.
+const Fragility* resampled_fit(const CaseFragility& fragility, std::size_t i) {
+  if (fragility.bounds) return &fragility.bounds->fits[i];
+  const bool same = fragility.fit.kind == FragilityKind::no_event || fragility.fit.kind == FragilityKind::all_events;
+  return same ? &fragility.fit : nullptr;
+}
+
+std::optional<Interval> gap_bounds(const std::vector<double>& widths, const std::vector<const CaseFragility*>& all,
+                                   double intensity, double p, double confidence) {
+  std::size_t resamples = 0;
+  for (const CaseFragility* one : all) {
+    if (one->bounds) resamples = one->bounds->fits.size();
+  }
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i < resamples; ++i) {
+    std::vector<double> probabilities;
+    for (const CaseFragility* one : all) {
+      const Fragility* fit = resampled_fit(*one, i);
+      if (fit == nullptr) return std::nullopt;
+      if (const auto probability = probability_of(*fit, intensity)) probabilities.push_back(*probability);
+    }
+    if (probabilities.size() < all.size()) continue;
+    const GapForProbability gap = gap_for_probability(widths, probabilities, p);
+    gaps.push_back(gap.kind == GapForProbability::Kind::beyond ? std::numeric_limits<double>::infinity() : gap.width);
+  }
+  if (gaps.empty()) return std::nullopt;
+  return percentile_interval(std::move(gaps), confidence);
+}
+
+}  // namespace
+
+std::optional<double> CaseFragility::probability(double intensity) const {
+  if (fit.kind == FragilityKind::one_intensity) return static_cast<double>(events) / static_cast<double>(runs);
+  return probability_of(fit, intensity);
+}
+
+CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options) {
+  require_size("outcomes", table.outcomes.size(), table.cases * table.records * table.levels.size());
+  require_size("records", table.records, table.records / table.together * table.together);
+  CaseFragility result;
+  std::vector<std::vector<IntensityCount>> units(table.records / table.together);
+  for (const double level : table.levels) result.counts.push_back({level, 0, 0});
+  for (std::size_t record = 0; record < table.records; ++record) {
+    for (std::size_t level = 0; level < table.levels.size(); ++level) {
+      const Outcome outcome = table.at(c, record, level);
+      if (outcome == Outcome::failed) {
+        ++result.failed;
+        continue;
+      }
+      const long events = outcome == Outcome::event ? 1 : 0;
+      units[record / table.together].push_back({table.levels[level], 1, events});
+      ++result.counts[level].runs;
+      result.counts[level].events += events;
+      ++result.runs;
+      result.events += events;
+    }
+  }
+  result.fit = fit_fragility(result.counts);
+  const FragilityKind kind = result.fit.kind;
+  if (units.size() > 1 &&
+      (kind == FragilityKind::fitted || kind == FragilityKind::separated || kind == FragilityKind::falling)) {
+    result.bounds = bootstrap_fragility(units, options);
+  }
+  return result;
+}
+
+GapEstimate gap_estimate(const std::vector<double>& widths, const std::vector<const CaseFragility*>& fragilities,
+                         double intensity, double p, double confidence) {
+  GapEstimate result;
+  std::vector<double> probabilities;
+  for (const CaseFragility* one : fragilities) {
+    if (const auto probability = one->probability(intensity)) probabilities.push_back(*probability);
+  }
+  if (probabilities.size() < fragilities.size()) return result;
+  result.gap = gap_for_probability(widths, probabilities, p);
+  result.bounds = gap_bounds(widths, fragilities, intensity, p, confidence);
+  return result;
+}
+
+}  // namespace bentur

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "bentur/study/fragility/fragility.h"
+
+namespace bentur {
+
+/// How a run of an incremental dynamic analysis came out.
+enum class Outcome : signed char { no_event = 0, event = 1, failed = 2 };
+
+/// Outcomes of all runs. A case is what is neither record nor level: a gap width, say.
+struct OutcomeTable {
+  std::vector<double> levels;  ///< of intensity [its unit] > 0
+  std::size_t cases = 0, records = 0;
+  std::vector<Outcome> outcomes;  ///< cases × records × levels, the last fastest
+  std::size_t together = 1;  ///< so many records in succession are one, applied both ways round: resampled together
+
+  [[nodiscard]] Outcome at(std::size_t c, std::size_t record, std::size_t level) const {
+    return outcomes[(c * records + record) * levels.size() + level];
+  }
+};
+
+/// The fragility of one case.
+struct CaseFragility {
+  std::vector<IntensityCount> counts;  ///< per level, without the runs that failed
+  long runs = 0, events = 0;           ///< sums of them
+  long failed = 0;                     ///< runs left out
+  Fragility fit;
+  std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
+
+  /// P(event | intensity) at an intensity from the lowest to the highest level. Without event at any level it is 0,
+  /// with nothing else 1; where data are separated it is 1 above the last level without an event, the safe side; where
+  /// there is one level alone it is the part of the runs there. Nothing where (1) of Fragility does not describe the
+  /// data.
+  [[nodiscard]] std::optional<double> probability(double intensity) const;
+};
+
+/// Fits one case. Whole records are resampled for the bounds, so that equal seeds draw the same records in each case.
+/// @throws InvalidParameter when the table's sizes do not agree, or as bootstrap_fragility().
+[[nodiscard]] CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options);
+
+/// The gap for which P(event | intensity) ≤ p, from the fragilities at several widths.
+struct GapEstimate {
+  std::optional<GapForProbability> gap;  ///< nothing where P at one of the widths is not known
+  /// Of the same estimate from each resample of the records; upper is ∞ where the largest width does not do. Nothing
+  /// where a width has no resamples and is not without any event or with nothing else.
+  std::optional<Interval> bounds;
+};
+
+/// @param widths [length], ascending, with one fragility each.
+/// @throws InvalidParameter as gap_for_probability().
+[[nodiscard]] GapEstimate gap_estimate(const std::vector<double>& widths,
+                                       const std::vector<const CaseFragility*>& fragilities, double intensity, double p,
+                                       double confidence);
+
+}  // namespace bentur

@@ -1,0 +1,61 @@
+#include "bentur/study/fragility/ida_results.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace bentur {
+namespace {
+
+std::string trimmed(std::string text) {
+  const char* const blank = " \t";
+  text.erase(0, text.find_first_not_of(blank));
+  text.erase(text.find_last_not_of(blank) + 1);
+  return text;
+}
+
+}  // namespace
+
+bool EventRule::holds(double value) const {
+  switch (comparison) {
+    case Comparison::more:
+      return value > threshold;
+    case Comparison::at_least:
+      return value >= threshold;
+    case Comparison::less:
+      return value < threshold;
+    case Comparison::at_most:
+      return value <= threshold;
+  }
+  return false;
+}
+
+std::optional<EventRule> parse_event(const std::string& text, std::string& error) {
+  const std::size_t sign = text.find_first_of("<>");
+  EventRule rule;
+  error = "must be a quantity, one of > >= < <=, and a number, as in \"peak_force > 20\"";
+  if (sign == std::string::npos) return std::nullopt;
+  const bool equal = sign + 1 < text.size() && text[sign + 1] == '=';
+  rule.quantity = trimmed(text.substr(0, sign));
+  const std::string number = trimmed(text.substr(sign + (equal ? 2 : 1)));
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), rule.threshold);
+  if (rule.quantity.empty() || failure != std::errc() || end != number.data() + number.size() ||
+      !std::isfinite(rule.threshold)) {
+    return std::nullopt;
+  }
+  rule.comparison = text[sign] == '>' ? (equal ? EventRule::Comparison::at_least : EventRule::Comparison::more)
+                                      : (equal ? EventRule::Comparison::at_most : EventRule::Comparison::less);
+  error.clear();
+  return rule;
+}
+
+bool ResultCoordinate::is_gap_width() const {
+  return !numbers.empty() && parameter.starts_with("gap[") && parameter.find("].width") != std::string::npos;
+}
+
+std::vector<std::size_t> IdaResults::places(std::size_t c) const {
+  std::vector<std::size_t> result(axes.size());
+  for (std::size_t i = axes.size(); i-- > 0; c /= axes[i].size) result[i] = c % axes[i].size;
+  return result;
+}
+
+}  // namespace bentur

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/study/fragility/ida_fragility.h"
+
+namespace bentur {
+
+/// "peak_force > 20": a run has the event where any value of the quantity (point, floor, gap) compares so.
+struct EventRule {
+  enum class Comparison { more, at_least, less, at_most };
+
+  std::string quantity;
+  Comparison comparison = Comparison::more;
+  double threshold = 0;  ///< [the quantity's unit in the results]
+
+  [[nodiscard]] bool holds(double value) const;  ///< never for NaN
+};
+
+/// @return nothing where it is not well formed; `error` then says why.
+[[nodiscard]] std::optional<EventRule> parse_event(const std::string& text, std::string& error);
+
+/// Values along a dimension of the results: numbers, or texts.
+struct ResultCoordinate {
+  std::string name, units;
+  std::string parameter;  ///< key of the case that it is; empty for factors
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+
+  /// Whether it is the width of a gap, or of a point of one.
+  [[nodiscard]] bool is_gap_width() const;
+};
+
+struct ResultAxis {
+  std::string name;
+  std::size_t size = 0;
+  std::vector<ResultCoordinate> coordinates;
+};
+
+/// What `bentur ida` has written, as far as one event goes.
+struct IdaResults {
+  std::string title;
+  std::string intensity, units;  ///< "peak ground acceleration"; as UDUNITS reads it
+  std::string study_unit;        ///< of the levels as a study names it: g, cm/s2
+  std::string quantity_units;    ///< of the event's quantity, as UDUNITS reads them
+  std::vector<ResultAxis> axes;  ///< of the cases, the last one fastest; none: a single case
+  OutcomeTable table;
+
+  /// Which value of each axis a case has.
+  [[nodiscard]] std::vector<std::size_t> places(std::size_t c) const;
+};
+
+}  // namespace bentur

@@ -1,0 +1,279 @@
+#include "bentur/study/gap/gap_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bentur/io/input_file.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/solve/solver.h"
+#include "bentur/study/plan/study_check.h"
+#include "bentur/study/plan/vary_toml.h"
+#include "bentur/study/quantiles.h"
+
+namespace bentur {
+namespace {
+
+constexpr double far_apart = 1e6;  // heights of the tallest building: no contact, so that only the free response counts
+
+/// Of records: the median plus and minus a standard deviation of a lognormal variable, and what codes and engineers ask
+/// for.
+constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
+
+/// The largest of the points of gap `gap`.
+GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
+                std::size_t gap) {
+  GapNeed need;
+  need.simulated = gap_needed(problem, response, gap);
+  for (const PointSeparation& one : separations) {
+    if (problem.points[static_cast<std::size_t>(one.point)].left != static_cast<int>(gap)) continue;
+    need.abs = std::max(need.abs, one.abs);
+    need.srss = std::max(need.srss, one.srss);
+    need.ddc = std::max(need.ddc, one.ddc);
+    need.codes.resize(one.codes.size(), 0.0);
+    for (std::size_t i = 0; i < one.codes.size(); ++i) need.codes[i] = std::max(need.codes[i], one.codes[i].gap);
+  }
+  return need;
+}
+
+/// One number per record of gap `gap`, by `value`.
+template <typename Value>
+std::vector<double> over_records(const RecordNeeds& needs, std::size_t gap, Value value) {
+  std::vector<double> result;
+  for (const RecordNeed& record : needs.records) result.push_back(value(record.gaps[gap]));
+  return result;
+}
+
+/// Of the numbers of all records, each by itself: `sum_up` makes one of many.
+template <typename SumUp>
+GapNeed summary_of(const RecordNeeds& needs, std::size_t gap, SumUp sum_up) {
+  const auto of = [&](auto value) { return sum_up(over_records(needs, gap, value)); };
+  GapNeed result{of([](const GapNeed& n) { return n.simulated; }),
+                 of([](const GapNeed& n) { return n.abs; }),
+                 of([](const GapNeed& n) { return n.srss; }),
+                 of([](const GapNeed& n) { return n.ddc; }),
+                 {}};
+  for (std::size_t i = 0; i < needs.records.front().gaps[gap].codes.size(); ++i) {
+    result.codes.push_back(of([i](const GapNeed& n) { return n.codes[i]; }));
+  }
+  return result;
+}
+
+class Work {
+ public:
+  Work(const Study& study, const StudyFacts& facts, CaseMemo& memo, GapStudy& result)
+      : study_(study), facts_(facts), memo_(memo), result_(result) {}
+
+  void run(const std::function<void(double)>& progress) {
+    const std::vector<SweepAxis> axes = plan_axes(study_);
+    const std::vector<std::size_t> records = record_axes(study_).axes;
+    std::vector<std::size_t> others;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const bool is_record = std::count(records.begin(), records.end(), axis) > 0;
+      const bool is_level = study_.ida && axis == study_.ida->axis;
+      if (!is_record && !is_level && !axes[axis].inner) others.push_back(axis);
+    }
+    const std::size_t blocks = combinations(axes, others), each = combinations(axes, records);
+    for (std::size_t block = 0; block < blocks; ++block) {
+      std::vector<Choice> choices(axes.size());
+      choose(axes, others, block, choices);
+      RecordNeeds needs;
+      for (const Vary& vary : study_.varies) {
+        if (std::count(others.begin(), others.end(), vary.axis) > 0) {
+          needs.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
+        }
+      }
+      for (std::size_t record = 0; record < each; ++record) {
+        choose(axes, records, record, choices);
+        needs.records.push_back(need(choices, records));
+        progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
+      }
+      for (std::size_t gap = 0; gap + 1 < facts_.problem.buildings.size(); ++gap) {
+        GapOverRecords over;
+        over.largest = summary_of(needs, gap, [](const Numbers& v) { return *std::max_element(v.begin(), v.end()); });
+        over.median = summary_of(needs, gap, [](const Numbers& v) { return median_of(v); });
+        for (const double p : told_quantiles) {
+          over.quantiles.push_back({p, summary_of(needs, gap, [p](const Numbers& v) { return quantile_of(v, p); })});
+        }
+        needs.gaps.push_back(std::move(over));
+      }
+      compare_with_given(axes, choices, needs);
+      result_.needs.push_back(std::move(needs));
+    }
+  }
+
+ private:
+  using Numbers = std::vector<double>;
+
+  /// The axes that change the widths of gaps and nothing else that counts here.
+  [[nodiscard]] std::vector<std::size_t> width_axes(const std::vector<SweepAxis>& axes) const {
+    std::vector<std::size_t> result;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const bool widths = std::any_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
+        return vary.axis == axis && vary.path.size() >= 3 && vary.path[2] == PathStep("width");
+      });
+      if (axes[axis].inner && widths) result.push_back(axis);
+    }
+    return result;
+  }
+
+  /// How many records need more than is given, for every choice of widths.
+  void compare_with_given(const std::vector<SweepAxis>& axes, std::vector<Choice> choices, RecordNeeds& needs) {
+    const std::vector<std::size_t> varied = width_axes(axes);
+    for (std::size_t number = 0; number < combinations(axes, varied); ++number) {
+      choose(axes, varied, number, choices);
+      Diagnostics found;
+      const ReadCase read = case_of(choices, found);
+      if (!found.ok()) throw std::runtime_error(first_message(found));
+      const Problem problem = problem_of(read);
+      for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
+        GivenGap given;
+        for (const Vary& vary : study_.varies) {
+          if (std::count(varied.begin(), varied.end(), vary.axis) > 0) {
+            given.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
+          }
+        }
+        for (const ContactPoint& point : problem.points) {
+          if (point.left == static_cast<int>(gap)) given.widths.push_back(point.width);
+        }
+        if (given.widths.empty()) {
+          for (const std::size_t i : watched_of(problem, gap)) given.widths.push_back(problem.watched[i].width);
+        }
+        for (const RecordNeed& record : needs.records) {
+          given.beyond += needs_more(record, problem, static_cast<int>(gap)) ? 1 : 0;
+        }
+        needs.gaps[gap].given.push_back(std::move(given));
+      }
+    }
+  }
+
+  static bool needs_more(const RecordNeed& record, const Problem& given, int gap) {
+    const auto more = [&](const PointSeparation& one) {
+      const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
+      return point.left == gap && one.simulated > point.width;
+    };
+    const std::vector<std::size_t> floors = watched_of(given, static_cast<std::size_t>(gap));
+    return std::any_of(record.separations.begin(), record.separations.end(), more) ||
+           std::any_of(floors.begin(), floors.end(),
+                       [&](std::size_t i) { return record.watched.at(i) > given.watched[i].width; });
+  }
+
+  [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
+    TomlValue root = study_.case_root;
+    put_choices(study_, choices, root);
+    if (study_.ida) {
+      const RecordIntensities& intensities = facts_.intensities;
+      const double factor = record_factor(intensities, intensities.place(choices), *result_.at);
+      put_value(root, {"excitation", "scale"}, toml_number(factor), 0, 0);
+    }
+    const std::string name = study_.case_file.string();
+    return read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+  }
+
+  static Problem problem_of(const ReadCase& read) {
+    std::vector<Building> buildings;
+    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
+    return make_problem(read.c, std::move(buildings));
+  }
+
+  static std::size_t combinations(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which) {
+    std::size_t count = 1;
+    for (const std::size_t axis : which) count *= axes[axis].levels;
+    return count;
+  }
+
+  static void choose(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which, std::size_t number,
+                     std::vector<Choice>& choices) {
+    for (std::size_t i = which.size(); i-- > 0; number /= axes[which[i]].levels) {
+      choices[which[i]].level = number % axes[which[i]].levels;
+    }
+  }
+
+  /// A label without quotes, or the number.
+  static std::string value_text(const Vary& vary, const Choice& choice) {
+    return vary.labels.empty() ? fmt::format("{}", *chosen_number(vary, choice)) : vary.labels[choice.level];
+  }
+
+  [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const std::vector<std::size_t>& records,
+                                        const ReadCase& read) const {
+    std::string name;
+    for (const Vary& vary : study_.varies) {
+      if (std::count(records.begin(), records.end(), vary.axis) == 0 || vary.labels.empty()) continue;
+      name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
+    }
+    if (!name.empty()) return name;
+    return read.c.excitation.record ? std::filesystem::path(read.c.excitation.record->file).filename().string()
+                                    : "ground motion";
+  }
+
+  [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const std::vector<std::size_t>& records) {
+    Diagnostics found;
+    const ReadCase read = case_of(choices, found);
+    const std::string record = record_name(choices, records, read);
+    if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
+    Problem problem = problem_of(read);
+    for (ContactPoint& point : problem.points) point.width = 0;
+    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
+    double height = 0;
+    for (const ReadBuilding& building : read.buildings) height = std::max(height, height_of(building));
+    for (ContactPoint& point : problem.points) point.width = far_apart * height;
+    const Response response = free.solve(problem);
+    if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
+    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
+    for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
+    for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+      result.gaps.push_back(need_of(problem, response, result.separations, gap));
+    }
+    if (result_.title.empty() && result_.needs.empty()) {
+      result_.title = read.c.title;
+      result_.code = read.c.code;
+    }
+    return result;
+  }
+
+  const Study& study_;
+  const StudyFacts& facts_;
+  CaseMemo& memo_;
+  GapStudy& result_;
+};
+
+}  // namespace
+
+bool is_study(const std::filesystem::path& file) {
+  std::string problem;
+  Diagnostics ignored;
+  const auto text = read_input(file, study_input, problem);
+  const auto root = text ? parse_toml(*text, file.string(), ignored) : std::nullopt;
+  return root && std::any_of(root->members.begin(), root->members.end(),
+                             [](const TomlMember& member) { return member.key == "case"; });
+}
+
+std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
+                                  const std::function<void(double)>& progress, Diagnostics& diagnostics) {
+  const auto study = read_study(file, diagnostics);
+  if (!study) return std::nullopt;
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.error({file.string(), 0, 0}, why);
+    return std::nullopt;
+  };
+  if (study->sampling.method != Sampling::Method::grid) {
+    return refuse("[sampling] draws single runs: bentur gap needs a study whose runs are a grid");
+  }
+  if (at && !study->ida) return refuse("--at needs [ida], which says how intensity is measured");
+  CaseMemo memo;
+  const auto facts = check_study(*study, memo, diagnostics);
+  if (!facts) return std::nullopt;
+  GapStudy result;
+  result.units = facts->units;
+  result.problem = facts->problem;
+  if (study->ida) {
+    result.at = at.value_or(study->ida->levels.back());
+    result.intensity = intensity_name(*study->ida);
+    result.intensity_unit = study->ida->unit.empty() ? facts->units.length + "/s2" : study->ida->unit;
+  }
+  Work(*study, *facts, memo, result).run(progress);
+  return result;
+}
+
+}  // namespace bentur

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/model/case.h"
+#include "bentur/model/gap/minimum_gap.h"
+
+namespace bentur {
+
+/// The gap between two neighbours: each number the largest of their contact points' (the simulated one of watched
+/// floors too), or over records the largest or the median of those.
+struct GapNeed {
+  double simulated = 0, abs = 0, srss = 0, ddc = 0;  ///< [length]
+  std::vector<double> codes;                         ///< [length], one per rule of [code]
+};
+
+struct RecordNeed {
+  std::string record;                        ///< what the study calls it
+  std::vector<PointSeparation> separations;  ///< per contact point
+  std::vector<double> watched;               ///< [length] needed, per watched floor
+  std::vector<GapNeed> gaps;                 ///< per gap
+};
+
+/// What a part of the records does not need more than.
+struct GapQuantile {
+  double probability = 0;  ///< the part [-]
+  GapNeed need;            ///< each number by itself, quantile_of()
+};
+
+/// A gap as the case or the study gives it.
+struct GivenGap {
+  std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
+  std::vector<double> widths;  ///< [length], of its contact points, or of its watched floors where it has none
+  std::size_t beyond = 0;      ///< records that need more somewhere, simulated
+};
+
+/// One gap over all records.
+struct GapOverRecords {
+  GapNeed largest, median;
+  std::vector<GapQuantile> quantiles;  ///< ascending
+  std::vector<GivenGap> given;         ///< one per choice of widths
+};
+
+/// All records of a study with one choice of whatever else varies.
+struct RecordNeeds {
+  std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what else varies
+  std::vector<RecordNeed> records;
+  std::vector<GapOverRecords> gaps;
+};
+
+struct GapStudy {
+  std::string title;
+  Units units;
+  CodeSpec code;
+  Problem problem;           ///< of the first record: places and names
+  std::optional<double> at;  ///< with [ida]: intensity that every record is scaled to
+  std::string intensity, intensity_unit;
+  std::vector<RecordNeeds> needs;
+};
+
+/// Whether a file is a study, which names a case, rather than a case.
+[[nodiscard]] bool is_study(const std::filesystem::path& file);
+
+/// The gaps that keep the buildings apart under every record of a study, simulated and by the rules. Widths and
+/// contacts that vary do not matter. `at` is for a study with [ida]; by default its highest level. `progress` is called
+/// with the fraction done.
+/// @return nothing when there is an error, all of which are in `diagnostics`.
+/// @throws std::runtime_error with record and reason when the numbers fail.
+[[nodiscard]] std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
+                                                const std::function<void(double)>& progress, Diagnostics& diagnostics);
+
+/// docs/result-files.md
+[[nodiscard]] std::string gap_study_json(const GapStudy& study, std::string_view version);
+
+}  // namespace bentur

@@ -1,0 +1,110 @@
+#include "bentur/study/gap/gap_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/io/temporary_folder.h"
+#include "bentur/study/quantiles.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string gap_tests = (fs::path(BENTUR_SOURCE_DIR) / "tests").string();
+
+std::optional<GapStudy> needs_of(const std::string& text, std::optional<double> at = std::nullopt) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "study.toml";
+  std::ofstream(file) << "case = '" << gap_tests << "/bad_study/plain-case.toml'\n" << text;
+  Diagnostics diagnostics;
+  auto result = gap_study(
+      file, at, [](double) {}, diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  return result;
+}
+
+std::vector<double> simulated(const RecordNeeds& needs) {
+  std::vector<double> result;
+  for (const RecordNeed& record : needs.records) result.push_back(record.gaps[0].simulated);
+  return result;
+}
+
+TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
+  // The need is in proportion to the factor on the record: 1 to 5 times the first one's.
+  const std::string scales =
+      "[[vary]]\nparameter = 'excitation'\nname = 'record'\nlabels = ['a', 'b', 'c', 'd', 'e']\nvalues = [";
+  std::string values;
+  for (int i = 1; i <= 5; ++i) {
+    values += "{ kind = 'record', file = '../bad_input/good.AT2', scale = " + std::to_string(i) + ".0 },";
+  }
+  const GapStudy one = needs_of(scales + values + "]\n").value();
+  const std::vector<double> all = simulated(one.needs.at(0));
+  ASSERT_EQ(all.size(), 5U);
+  ASSERT_GT(all[0], 0);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(all[i] / all[0], static_cast<double>(i + 1), 1e-9);
+  const GapOverRecords& over = one.needs[0].gaps.at(0);
+  EXPECT_EQ(over.largest.simulated, all[4]);
+  EXPECT_EQ(over.median.simulated, all[2]);
+  std::vector<double> told;
+  for (const GapQuantile& quantile : over.quantiles) {
+    told.push_back(quantile.probability);
+    EXPECT_DOUBLE_EQ(quantile.need.simulated, quantile_of(all, quantile.probability));
+    EXPECT_GT(quantile.need.abs, 0);
+  }
+  EXPECT_EQ(told, (std::vector<double>{0.16, 0.5, 0.84, 0.9, 0.95}));
+  ASSERT_EQ(over.given.size(), 1U);
+  EXPECT_EQ(over.given[0].widths, (std::vector<double>{0.02, 0.02}));
+  EXPECT_EQ(over.given[0].beyond,
+            static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](double x) { return x > 0.02; })));
+
+  // Widths between the second need and the third, and between the fourth and the fifth.
+  const std::string widths = "[[vary]]\nparameter = 'gap[0].width'\nvalues = [" + std::to_string(2.5 * all[0]) + ", " +
+                             std::to_string(4.5 * all[0]) + "]\n";
+  const GapStudy two = needs_of(scales + values + "]\n" + widths).value();
+  EXPECT_EQ(simulated(two.needs.at(0)), all);
+  const std::vector<GivenGap>& given = two.needs[0].gaps[0].given;
+  ASSERT_EQ(given.size(), 2U);
+  EXPECT_EQ(given[0].beyond, 3U);
+  EXPECT_EQ(given[1].beyond, 1U);
+  EXPECT_EQ(given[0].others.at(0).first, "width");
+
+  const auto json = nlohmann::json::parse(gap_study_json(two, "0")).at("studied")[0].at("gaps")[0];
+  EXPECT_EQ(json.at("given")[0].at("records_beyond"), 3);
+  EXPECT_DOUBLE_EQ(json.at("given")[0].at("share_beyond"), 0.6);
+  EXPECT_EQ(json.at("quantiles")[2].at("probability"), 0.84);
+  EXPECT_DOUBLE_EQ(json.at("quantiles")[2].at("simulated"), quantile_of(all, 0.84));
+}
+
+TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
+  const std::string records = "[[vary]]\nparameter = 'excitation.file'\nfiles = ['" + gap_tests +
+                              "/bad_input/good.AT2', {file = '" + gap_tests +
+                              "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
+  const std::string ida = "[ida]\nintensity = 'pga'\nlevels = [1.0]\n";
+  const std::vector<double> one_way = simulated(needs_of(records + ida).value().needs.at(0));
+  const GapStudy study = needs_of(records + ida + "polarity = 'both'\n").value();
+  ASSERT_EQ(study.needs.size(), 1U);
+  const std::vector<double> both = simulated(study.needs[0]);
+  ASSERT_EQ(both.size(), 4U);
+  EXPECT_EQ(study.needs[0].records[1].record, "good.AT2, reversed");
+  EXPECT_EQ(both[0], one_way[0]);
+  EXPECT_EQ(both[2], one_way[1]);
+  EXPECT_GT(std::abs(both[1] / both[0] - 1), 1e-3);  // the other way round the needs are others
+  // A reversed record is the same as a negative factor.
+  const GapStudy reversed = needs_of(
+                                "[[vary]]\nparameter = 'excitation'\nname = 'record'\nlabels = ['a', 'b']\n"
+                                "values = [{ kind = 'record', file = '../bad_input/good.AT2', scale = -1 }, "
+                                "{ kind = 'record', file = '../bad_input/good.AT2', polarity = 'reversed' }]\n")
+                                .value();
+  const std::vector<double> turned = simulated(reversed.needs.at(0));
+  EXPECT_EQ(turned.at(0), turned.at(1));
+}
+
+}  // namespace
+}  // namespace bentur

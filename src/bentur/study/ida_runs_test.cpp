@@ -1,0 +1,131 @@
+// The axis of intensities that [ida] gives a study.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <variant>
+
+#include "bentur/io/temporary_folder.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
+#include "bentur/study/plan/vary_toml.h"
+#include "bentur/study/study_runs.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string tests_folder = (fs::path(BENTUR_SOURCE_DIR) / "tests").string();
+const std::string records = "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['" + tests_folder +
+                            "/bad_input/good.AT2', {file = '" + tests_folder +
+                            "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
+const std::string two_widths = "[[vary]]\nparameter = 'gap[0].width'\nvalues = [0.0, 0.0001]\n";
+
+StudyRuns runs_of(const std::string& text) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "ida.toml";
+  std::ofstream(file) << "case = '" << tests_folder << "/bad_study/plain-case.toml'\n" << text;
+  Diagnostics diagnostics;
+  auto study = read_study(file, diagnostics);
+  const auto memo = std::make_shared<CaseMemo>();
+  auto facts = study ? check_study(*study, *memo, diagnostics) : std::nullopt;
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  return {std::move(study.value()), std::move(facts.value()), memo};
+}
+
+/// The case of a run, with the record multiplied by `scale`.
+ReadCase case_of(const StudyRuns& runs, std::size_t run, double scale) {
+  TomlValue root = runs.study().case_root;
+  put_choices(runs.study(), runs.choices(run), root);
+  put_value(root, {"excitation", "scale"}, toml_number(scale), 0, 0);
+  Diagnostics diagnostics;
+  const std::string name = runs.study().case_file.string();
+  ReadCase read =
+      read_case_parts(TomlView(root, "", name, diagnostics), runs.study().case_file.parent_path(), diagnostics);
+  EXPECT_TRUE(diagnostics.ok());
+  return read;
+}
+
+double value_of(const StudyRuns& runs, const RunResult& result, const std::string& name) {
+  const auto quantity = std::find_if(runs.quantities().begin(), runs.quantities().end(),
+                                     [&](const Quantity& q) { return q.name == name; });
+  return result.values.at(quantity->first);
+}
+
+std::vector<RunResult> all(const StudyRuns& runs) {
+  std::vector<std::size_t> order(runs.plan().runs());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = runs.plan().run_at(i);
+  return runs.solve(order, [] { return true; });
+}
+
+TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
+  const StudyRuns runs =
+      runs_of("[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = [0.1, 0.5, 2]\n" + records + two_widths);
+  EXPECT_EQ(runs.study().axes, (std::vector<std::string>{"record", "width", "intensity"}));
+  ASSERT_EQ(runs.plan().runs(), 12U);
+  const double peaks[] = {0.06, 0.03 / 9.80665};  // of the two files [g]
+  const std::vector<double>& intensities = runs.facts().intensities.values;
+  ASSERT_EQ(intensities.size(), 2U);
+  double impacts = 0;
+  for (const RunResult& result : all(runs)) {
+    ASSERT_EQ(result.status, RunStatus::done) << result.message;
+    const std::vector<Choice> choices = runs.choices(result.run);
+    const std::size_t record = choices[0].level;
+    EXPECT_NEAR(intensities[record], peaks[record], 1e-15);
+    const double level = std::vector<double>{0.1, 0.5, 2}[choices[2].level];
+    EXPECT_NEAR(value_of(runs, result, "peak_ground_acceleration"), level * 9.80665, 1e-14 * level * 9.80665);
+    // By hand, and bit for bit.
+    const ReadCase read = case_of(runs, result.run, level / intensities[record]);
+    const Problem problem = make_problem(read.c);
+    Problem closed = problem;
+    for (ContactPoint& point : closed.points) point.width = 0;
+    std::vector<double> row(row_size(runs.quantities()));
+    fill_row(problem, FreeResponse(closed, read.c.analysis.solver).solve(problem), row);
+    EXPECT_EQ(std::memcmp(result.values.data(), row.data(), row.size() * sizeof(double)), 0) << result.run;
+    impacts += value_of(runs, result, "impacts");
+  }
+  EXPECT_GT(impacts, 0);
+}
+
+TEST(IdaRuns, RunsOfOneRecordAndLevelShareTheirFreeResponse) {
+  const StudyRuns runs = runs_of("[ida]\nintensity = 'pga'\nlevels = [0.1, 0.5, 2]\n" + records + two_widths);
+  EXPECT_TRUE(runs.plan().has_groups());
+  for (std::size_t run = 0; run < runs.plan().runs(); ++run) {
+    const std::size_t other = run / 6 * 6 + run % 3;  // the one with the first width
+    EXPECT_EQ(runs.plan().group(run), runs.plan().group(other));
+    EXPECT_EQ(runs.plan().run_at(run) / 6, run / 6);
+  }
+}
+
+TEST(IdaRuns, SpectralAccelerationIsReached) {
+  const StudyRuns runs =
+      runs_of("[ida]\nintensity = 'sa'\nperiod = 0.2\ndamping = 0.02\nlevels = [0.3, 3]\n" + records);
+  for (const RunResult& result : all(runs)) {
+    const std::vector<Choice> choices = runs.choices(result.run);
+    const double factor = record_factor(runs.facts().intensities, runs.facts().intensities.place(choices),
+                                        runs.study().ida->levels[choices[runs.study().ida->axis].level]);
+    const ReadCase read = case_of(runs, result.run, factor);
+    const auto& motion = std::get<SampledMotion>(read.c.excitation.motion);
+    const double level = choices[1].level == 0 ? 0.3 : 3;  // [m/s²], the case's own unit
+    EXPECT_NEAR(oscillator_peaks(motion, 0.2, 0.02).pseudo_acceleration, level, 1e-12 * level);
+  }
+}
+
+TEST(IdaRuns, WithoutFilesTheCasesOwnRecordIsScaledWhateverTheCaseScalesItBy) {
+  const StudyRuns plain = runs_of("[ida]\nintensity = 'pga'\nlevels = [0.5, 1.5]\n");
+  EXPECT_EQ(plain.plan().runs(), 2U);
+  const StudyRuns scaled = runs_of(
+      "[ida]\nintensity = 'pga'\nlevels = [0.5, 1.5]\n[[vary]]\nparameter = 'excitation'\nlabels = ['a']\n"
+      "values = [{ kind = 'record', file = '../bad_input/good.AT2', pga = 77 }]\n");
+  const std::vector<RunResult> one = all(plain), other = all(scaled);
+  ASSERT_EQ(one.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(std::memcmp(one[i].values.data(), other[i].values.data(), one[i].values.size() * sizeof(double)), 0);
+  }
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,68 @@
+#include "bentur/study/plan/record_intensity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bentur/model/quantities.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
+
+namespace bentur {
+namespace {
+
+bool decides_record(const ParameterPath& path) {
+  if (path.empty() || path.front() != PathStep("excitation")) return false;
+  const std::vector<std::string> keys = {"kind",   "file",    "format",     "time_step", "unit",
+                                         "column", "channel", "skip_lines", "polarity"};
+  return path.size() == 1 || std::find(keys.begin(), keys.end(), std::get<std::string>(path[1])) != keys.end();
+}
+
+}  // namespace
+
+std::size_t RecordIntensities::place(const std::vector<Choice>& choices) const {
+  std::size_t result = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) result = result * sizes[i] + choices[axes[i]].level;
+  return result;
+}
+
+RecordIntensities record_axes(const Study& study) {
+  std::map<std::size_t, std::size_t> sizes;
+  for (const Vary& vary : study.varies) {
+    if (decides_record(vary.path)) sizes[vary.axis] = vary.values.size();
+  }
+  RecordIntensities result;
+  for (const auto& [axis, size] : sizes) {
+    result.axes.push_back(axis);
+    result.sizes.push_back(size);
+  }
+  return result;
+}
+
+double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units& units) {
+  const double acceleration =
+      ida.spectral ? oscillator_peaks(motion, ida.period, ida.damping).pseudo_acceleration : peak_acceleration(motion);
+  return ida.unit.empty() ? acceleration : acceleration / acceleration_factor(ida.unit, units);
+}
+
+double record_factor(const RecordIntensities& intensities, std::size_t place, double level) {
+  if (intensities.normalisation.empty()) return level / intensities.values[place];
+  return level * intensities.normalisation[place] / intensities.median;
+}
+
+std::string intensity_units(const IdaSpec& ida, const Units& units) {
+  if (ida.unit.empty()) return udunit(units.length) + " s-2";
+  if (ida.unit != "g") return ida.unit.substr(0, ida.unit.find('/')) + " s-2";
+  return units.gravity == standard_gravity(units.length)
+             ? "gravity"
+             : fmt::format("{} {} s-2", units.gravity, udunit(units.length));
+}
+
+std::string intensity_name(const IdaSpec& ida) {
+  const std::string measure = ida.spectral ? fmt::format("spectral acceleration, period {:.6g} s, damping {:.6g} %",
+                                                         ida.period, 100 * ida.damping)
+                                           : "peak ground acceleration";
+  return ida.normalised ? measure + ", median of the normalised records" : measure;
+}
+
+}  // namespace bentur

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bentur/core/units.h"
+#include "bentur/excitation/ground_motion.h"
+#include "bentur/study/plan/study.h"
+
+namespace bentur {
+
+/// The intensities of a study's records as their files have them. Which record it is, is chosen along some axes.
+struct RecordIntensities {
+  std::vector<std::size_t> axes, sizes;  ///< the axes, ascending, and how many values each has
+  std::vector<double> values;            ///< [unit of the levels] per combination, the last axis fastest
+  std::vector<double> normalisation;     ///< [-] per combination; empty where records are not normalised
+  double median = 0;                     ///< [unit of the levels] of the normalised records, where they are
+
+  [[nodiscard]] std::size_t place(const std::vector<Choice>& choices) const;
+};
+
+/// The axes along which a study chooses the record: those of `excitation` or of its keys that say which file and how to
+/// read it. No values yet.
+[[nodiscard]] RecordIntensities record_axes(const Study& study);
+
+/// Peak ground acceleration or pseudo-acceleration Sa(T, ζ) of a record, in the unit of the levels.
+/// @throws InvalidParameter when the period is too short for the record's step.
+[[nodiscard]] double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units& units);
+
+/// What a record is multiplied by to have the intensity `level` [unit of the levels]: the level over its own intensity.
+/// Normalised records keep their proportions and are scaled together, their median to the level [FEMAP695, A.8].
+/// @param place of the record in `intensities`
+[[nodiscard]] double record_factor(const RecordIntensities& intensities, std::size_t place, double level);
+
+/// The unit of the levels as UDUNITS reads it. There g is the gram: gravity is named, or given by its value where the
+/// case has its own.
+[[nodiscard]] std::string intensity_units(const IdaSpec& ida, const Units& units);
+
+/// "peak ground acceleration", or "spectral acceleration, period 1 s, damping 5 %".
+[[nodiscard]] std::string intensity_name(const IdaSpec& ida);
+
+}  // namespace bentur

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/study/plan/distribution.h"
+#include "bentur/study/plan/sampling.h"
+
+namespace bentur {
+
+/// A key that goes with a file that is varied, such as its unit: a value per file, or nothing where the case decides.
+struct FileKey {
+  ParameterPath path;
+  std::vector<std::optional<TomlValue>> values;
+};
+
+/// One [[vary]] of a study: a key of the case, and what it is to be.
+struct Vary {
+  std::string parameter;                        ///< as the study names it
+  ParameterPath path;                           ///< in the case
+  std::string name;                             ///< of the coordinate in the results
+  std::size_t axis = 0;                         ///< which it moves along; several move together
+  bool factor = false;                          ///< values multiply what the case says
+  std::vector<TomlValue> values;                ///< to choose from; empty: `distribution`
+  bool ends_decide = false;                     ///< values are a range: right at both ends, right in between
+  std::vector<std::string> labels;              ///< of values that are not numbers; else empty
+  std::vector<FileKey> file_keys;               ///< of files
+  std::string normalise_by;                     ///< of files: the rule, "pgv" or "pgv-pairs", where one is asked for
+  std::vector<double> normalisation;            ///< of files [-]: what each record is multiplied by; empty: nothing
+  std::filesystem::path normalisation_file;     ///< that these were read from, if they were
+  std::optional<Distribution> distribution;     ///< to sample from
+  TomlValue original;                           ///< what the case says; of a factor
+  SourcePosition parameter_position, position;  ///< of the parameter and of its values in the study
+};
+
+/// [ida] of a study: an incremental dynamic analysis, in which every record is scaled to each level of intensity.
+struct IdaSpec {
+  bool spectral = false;       ///< Sa(period, damping), oscillator_peaks(); else the peak ground acceleration
+  double period = 0;           ///< [s], of Sa
+  double damping = 0.05;       ///< ratio [-], of Sa
+  std::string unit;            ///< of the levels, as acceleration_units(); empty: the case's length/s²
+  std::vector<double> levels;  ///< [unit] > 0, ascending
+  std::string polarity;        ///< as-recorded reversed both; empty: as the case says
+  bool normalised = false;     ///< records keep their proportions: the median intensity of the set is each level
+  std::size_t axis = 0;        ///< along which they are
+  SourcePosition position;     ///< of the table in the study
+};
+
+/// A study as read: a case, what varies in it, and how the runs are chosen.
+struct Study {
+  std::filesystem::path file, case_file;
+  std::string text, case_text;  ///< of the two files
+  TomlValue case_root;
+  std::vector<Vary> varies;
+  std::vector<std::string> axes;  ///< their names: the dimensions of a grid
+  Sampling sampling;
+  std::optional<IdaSpec> ida;
+};
+
+/// Reads a study (docs/studies.md) and the case it names. Every error found goes to `diagnostics`, but the values are
+/// not yet tried in the case: see check_study().
+[[nodiscard]] std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+/// One choice along every axis: a level where there are values, else a value `extreme` or the probability u.
+struct Choice {
+  std::size_t level = 0;
+  double u = 0.5;                        ///< probability [-], of a distribution
+  std::optional<bool> low_or_high = {};  ///< one of the extremes in place of u: false the low one
+};
+
+/// The number a vary has by a choice, or nothing when its values are no numbers. Of a factor it is the factor.
+[[nodiscard]] std::optional<double> chosen_number(const Vary& vary, const Choice& choice);
+/// What the record chosen is multiplied by before anything else: 1 unless files are normalised [-].
+[[nodiscard]] double normalisation_of(const Study& study, const std::vector<Choice>& choices);
+/// What a user calls the choice: a label, or the number.
+[[nodiscard]] std::string chosen_text(const Vary& vary, const Choice& choice);
+/// What is to stand in the case by a choice.
+[[nodiscard]] TomlValue chosen_value(const Vary& vary, const Choice& choice);
+
+/// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's place becomes line
+/// −1 − its number among the varies, so that an error can be told from one of the case's own. With [ida] the record is
+/// left as its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation.
+void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root);
+
+}  // namespace bentur

@@ -1,0 +1,295 @@
+#include "bentur/study/plan/study_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <variant>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/file_identity.h"
+#include "bentur/model/quantities.h"
+#include "bentur/study/quantiles.h"
+
+namespace bentur {
+namespace {
+
+constexpr int most_errors = 5;  // of one axis; the rest will be alike
+
+/// " (case.toml:3:1)", or nothing where there is no place.
+std::string place_text(const SourcePosition& position) {
+  const std::string file = std::filesystem::path(position.file).filename().string();
+  if (file.empty()) return "";
+  return position.line > 0 ? fmt::format(" ({}:{}:{})", file, position.line, position.column)
+                           : fmt::format(" ({})", file);
+}
+
+class Trial {
+ public:
+  Trial(const Study& study, CaseMemo& memo, Diagnostics& diagnostics)
+      : study_(study), memo_(memo), diagnostics_(diagnostics) {}
+
+  /// The first choices: errors here are those of the case, or of a value wherever it is put.
+  bool first() {
+    Diagnostics found;
+    const std::vector<Choice> choices(study_.axes.size());
+    const ReadCase read = tried(choices, found);
+    for (const Diagnostic& one : found.errors()) {
+      if (one.position.line < 0) {
+        report(one, choices);
+      } else {
+        diagnostics_.error(one.position, one.message);
+      }
+    }
+    if (!found.ok()) return false;
+    try {
+      facts_.problem = problem_of(read);
+    } catch (const InvalidParameter& error) {
+      diagnostics_.error({study_.case_file.string(), 0, 0}, error.what());
+      return false;
+    }
+    facts_.units = read.c.units;
+    facts_.title = read.c.title;
+    facts_.energy_audit = read.c.analysis.energy_audit;
+    for (const Vary& vary : study_.varies) {
+      if (!vary.normalisation_file.empty()) note(vary.normalisation_file);
+    }
+    return true;
+  }
+
+  /// Everything that axis can be but for its first choice.
+  void along(std::size_t axis) {
+    const auto vary =
+        std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
+    std::vector<Choice> choices(study_.axes.size());
+    errors_ = 0;
+    if (vary->distribution) {
+      for (const bool high : {false, true}) {
+        choices[axis].low_or_high = high;
+        one(choices, axis);
+      }
+      return;
+    }
+    // Of companions one may be a range and the other a list.
+    const bool ends = std::all_of(study_.varies.begin(), study_.varies.end(),
+                                  [&](const Vary& v) { return v.axis != axis || v.ends_decide; });
+    const std::size_t last = vary->values.size() - 1;
+    for (std::size_t level = 1; level <= last && errors_ < most_errors; ++level) {
+      if (ends && level != last) continue;
+      choices[axis].level = level;
+      one(choices, axis);
+    }
+  }
+
+  /// The intensities of all records, once all choices have been tried.
+  void measure_records() {
+    RecordIntensities found = record_axes(study_);
+    std::size_t count = 1;
+    for (const std::size_t size : found.sizes) count *= size;
+    std::vector<Choice> choices(study_.axes.size());
+    for (std::size_t place = 0; place < count; ++place) {
+      std::size_t rest = place;
+      for (std::size_t i = found.axes.size(); i-- > 0; rest /= found.sizes[i]) {
+        choices[found.axes[i]].level = rest % found.sizes[i];
+      }
+      found.values.push_back(measured(choices));
+      if (study_.ida->normalised) found.normalisation.push_back(normalisation_of(study_, choices));
+    }
+    std::vector<double> normalised;
+    for (std::size_t i = 0; i < found.normalisation.size(); ++i) {
+      if (found.values[i] > 0) normalised.push_back(found.values[i] * found.normalisation[i]);
+    }
+    if (!normalised.empty()) found.median = median_of(std::move(normalised));
+    facts_.intensities = std::move(found);
+  }
+
+  StudyFacts take() { return std::move(facts_); }
+
+ private:
+  /// A file that the results come from.
+  void note(const std::filesystem::path& file) {
+    if (!facts_.record_files.insert(file.string()).second) return;
+    std::string& hashes = facts_.records[file.filename().string()];
+    hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
+  }
+
+  ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
+    TomlValue root = study_.case_root;
+    put_choices(study_, choices, root);
+    const std::string name = study_.case_file.string();
+    ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+    if (found.ok() && read.c.excitation.record) note(study_.case_file.parent_path() / read.c.excitation.record->file);
+    return read;
+  }
+
+  double measured(const std::vector<Choice>& choices) {
+    Diagnostics found;
+    const ReadCase read = tried(choices, found);
+    if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
+    std::string what = "[ida]";
+    for (const std::size_t axis : record_axes(study_).axes) {
+      const auto vary =
+          std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
+      what += fmt::format(" with {} = {}", vary->parameter, chosen_text(*vary, choices[axis]));
+    }
+    const auto* motion = std::get_if<SampledMotion>(&read.c.excitation.motion);
+    if (motion == nullptr) {
+      diagnostics_.error(study_.ida->position, what + " needs records: excitation.kind must be \"record\"");
+      return 0;
+    }
+    try {
+      const double intensity = intensity_of(*study_.ida, *motion, facts_.units);
+      if (!(intensity > 0)) {
+        diagnostics_.error(study_.ida->position, what + ": the record is zero throughout, no factor scales it");
+      }
+      return intensity;
+    } catch (const InvalidParameter& error) {
+      diagnostics_.error(study_.ida->position, fmt::format("{}: {}", what, error.what()));
+      return 0;
+    }
+  }
+
+  static Problem problem_of(const ReadCase& read) {
+    std::vector<Building> buildings;
+    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
+    return make_problem(read.c, std::move(buildings));
+  }
+
+  void one(const std::vector<Choice>& choices, std::size_t axis) {
+    Diagnostics found;
+    const ReadCase read = tried(choices, found);
+    for (const Diagnostic& error : found.errors()) {
+      if (error.position.line < 0) {
+        report(error, choices);
+      } else {
+        because_of(axis, choices, error.message + place_text(error.position));
+      }
+      ++errors_;
+    }
+    if (!found.ok()) return;
+    try {
+      compare(problem_of(read), axis, choices);
+    } catch (const InvalidParameter& error) {
+      because_of(axis, choices, error.what());
+      ++errors_;
+    }
+  }
+
+  /// Where the study gives the value chosen.
+  static SourcePosition place_of(const Vary& vary, const std::vector<Choice>& choices) {
+    SourcePosition position = vary.position;
+    if (vary.values.empty() || vary.values[choices[vary.axis].level].line <= 0) return position;
+    position.line = vary.values[choices[vary.axis].level].line;
+    position.column = vary.values[choices[vary.axis].level].column;
+    return position;
+  }
+
+  /// An error about a value that the study has put in.
+  void report(const Diagnostic& error, const std::vector<Choice>& choices) {
+    const Vary& vary = study_.varies[static_cast<std::size_t>(-1 - error.position.line)];
+    std::string message = error.message;
+    if (vary.distribution) {
+      message += choices[vary.axis].low_or_high ? " (the distribution can give that: cut it off with low, high)"
+                                                : " (the median of the distribution)";
+    } else if (vary.factor) {
+      message += fmt::format(" (factor {})", chosen_text(vary, choices[vary.axis]));
+    }
+    // An unknown key is the parameter's fault, not the value's.
+    const bool key = message.find("is not a known key") != std::string::npos;
+    diagnostics_.error(key ? vary.parameter_position : place_of(vary, choices), message);
+  }
+
+  /// An error elsewhere, in the case or a record, that a choice along `axis` brings about.
+  void because_of(std::size_t axis, const std::vector<Choice>& choices, const std::string& what) {
+    const auto vary =
+        std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
+    diagnostics_.error(place_of(*vary, choices),
+                       fmt::format("with {} = {}: {}", vary->parameter, chosen_text(*vary, choices[axis]), what));
+  }
+
+  void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
+    const Problem& first = facts_.problem;
+    if (!same_places(first, problem)) {
+      because_of(axis, choices, "the numbers of floors and contact points must be the same in all runs");
+      ++errors_;
+      return;
+    }
+    for (std::size_t b = 0; b < first.buildings.size(); ++b) {
+      facts_.floors_move |= first.buildings[b].model.elevations != problem.buildings[b].model.elevations;
+    }
+    for (std::size_t i = 0; i < first.points.size(); ++i) {
+      facts_.points_move |= first.points[i].elevation != problem.points[i].elevation;
+    }
+  }
+
+  const Study& study_;
+  CaseMemo& memo_;
+  Diagnostics& diagnostics_;
+  StudyFacts facts_;
+  int errors_ = 0;
+};
+
+bool touches(const ParameterPath& path, const char* table, const char* key) {
+  if (path.empty() || std::get<std::string>(path[0]) != table) return false;
+  const auto* last = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
+  return last != nullptr && *last == key;
+}
+
+/// Whether delays depend on the widths.
+bool has_wave_velocity(const TomlValue& value) {
+  return std::any_of(value.members.begin(), value.members.end(), [](const TomlMember& member) {
+    return member.key == "wave_velocity" || has_wave_velocity(member.value);
+  });
+}
+
+bool has_wave_velocity(const Vary& vary) {
+  return std::any_of(vary.path.begin(), vary.path.end(),
+                     [](const PathStep& s) { return s == PathStep("wave_velocity"); }) ||
+         std::any_of(vary.values.begin(), vary.values.end(), [](const TomlValue& v) { return has_wave_velocity(v); });
+}
+
+}  // namespace
+
+std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics) {
+  Diagnostics found;
+  Trial trial(study, memo, found);
+  try {
+    (void)SweepPlan(plan_axes(study), study.sampling);
+    if (trial.first()) {
+      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+        if (!study.ida || axis != study.ida->axis) trial.along(axis);
+      }
+      if (study.ida && found.ok()) trial.measure_records();
+    }
+  } catch (const InvalidParameter& error) {
+    found.error({study.file.string(), 0, 0}, error.what());
+  }
+  // Several values can lead to one message.
+  std::set<std::string> said;
+  for (const Diagnostic& one : found.errors()) {
+    if (said.insert(one.text()).second) diagnostics.error(one.position, one.message);
+  }
+  return found.ok() ? std::optional(trial.take()) : std::nullopt;
+}
+
+std::vector<SweepAxis> plan_axes(const Study& study) {
+  const bool wave =
+      has_wave_velocity(study.case_root) ||
+      std::any_of(study.varies.begin(), study.varies.end(), [](const Vary& vary) { return has_wave_velocity(vary); });
+  std::vector<SweepAxis> axes(study.axes.size(), SweepAxis{.levels = 0, .inner = !wave});
+  for (const Vary& vary : study.varies) {
+    SweepAxis& axis = axes[vary.axis];
+    axis.levels = vary.values.size();
+    axis.inner = axis.inner && (touches(vary.path, "gap", "width") || touches(vary.path, "gap", "contact"));
+  }
+  if (study.ida) axes[study.ida->axis] = {.levels = study.ida->levels.size(), .inner = false};
+  return axes;
+}
+
+std::string first_message(const Diagnostics& diagnostics) {
+  const std::vector<Diagnostic> errors = diagnostics.errors();
+  return errors.empty() ? "" : errors.front().message;
+}
+
+}  // namespace bentur

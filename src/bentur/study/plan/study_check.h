@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bentur/io/case/case_memo.h"
+#include "bentur/study/plan/record_intensity.h"
+#include "bentur/study/plan/study.h"
+#include "bentur/study/plan/sweep_plan.h"
+
+namespace bentur {
+
+/// What trying out a study has shown.
+struct StudyFacts {
+  Problem problem;  ///< of the first choice along every axis
+  Units units;
+  std::string title;
+  bool energy_audit = false;
+  std::map<std::string, std::string> records;  ///< file name of every record, and of factors, to its SHA-256
+  std::set<std::string> record_files;          ///< where they are
+  bool floors_move = false;                    ///< elevations of floors differ between runs
+  bool points_move = false;                    ///< elevations of contact points differ between runs
+  RecordIntensities intensities;               ///< with [ida]
+};
+
+/// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
+/// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case
+/// does not know, a value out of its range and a distribution that can give one are found before anything is run.
+/// @return nothing where there was an error; all of them are in `diagnostics`, with their place in study, case or
+/// record. With [ida] the intensity of every record is found too; of a combination that makes no case it is NaN.
+[[nodiscard]] std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics);
+
+/// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
+/// unless delays are reckoned from the widths.
+[[nodiscard]] std::vector<SweepAxis> plan_axes(const Study& study);
+
+/// The message of an error about a case made by a study, without its place in a file.
+[[nodiscard]] std::string first_message(const Diagnostics& diagnostics);
+
+}  // namespace bentur

@@ -1,0 +1,338 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/input_file.h"
+#include "bentur/study/plan/ida_toml.h"
+#include "bentur/study/plan/normalisation.h"
+#include "bentur/study/plan/study.h"
+#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/plan/vary_toml.h"
+
+namespace bentur {
+namespace {
+
+void read_sampling(const TomlView& root, Study& study) {
+  const auto view = root.find("sampling");
+  if (!view || !view->is_table_of({"method", "count", "seed"})) return;
+  const auto method = view->word("method", {"latin-hypercube", "sobol", "random"});
+  study.sampling.method = method == "sobol"    ? Sampling::Method::sobol
+                          : method == "random" ? Sampling::Method::random
+                                               : Sampling::Method::latin_hypercube;
+  const auto whole = [&](const char* key, std::int64_t least, std::int64_t most, Need need) {
+    const auto value = view->get(key, need);
+    if (value &&
+        (!value->is(TomlValue::Kind::integer) || value->value().integer < least || value->value().integer > most)) {
+      value->error_value(fmt::format("must be a whole number from {} to {}", least, most));
+      return std::optional<std::int64_t>();
+    }
+    return value ? std::optional(value->value().integer) : std::nullopt;
+  };
+  study.sampling.count = static_cast<std::size_t>(whole("count", 1, 1000000000, Need::required).value_or(1));
+  study.sampling.seed = static_cast<std::uint64_t>(whole("seed", 0, 1000000000, Need::optional).value_or(1));
+}
+
+/// The case's own number, or list of numbers, that a factor multiplies.
+bool is_numeric(const TomlValue& value) {
+  if (value.kind == TomlValue::Kind::list) {
+    return !value.items.empty() && std::all_of(value.items.begin(), value.items.end(), is_numeric);
+  }
+  return value.kind == TomlValue::Kind::integer || value.kind == TomlValue::Kind::real;
+}
+
+/// Keys of [excitation] that scale the record.
+bool is_scale(const PathStep& key) { return key == PathStep("pga") || key == PathStep("scale"); }
+
+void take_out_scale(TomlValue& root) {
+  for (TomlMember& table : root.members) {
+    if (table.key != "excitation") continue;
+    std::erase_if(table.value.members, [](const TomlMember& member) { return is_scale(member.key); });
+  }
+}
+
+/// Finds the vary's key in the case, and refuses what a study must leave alone.
+void place_in_case(const TomlView& parameter, const TomlValue& case_root, bool ida, Vary& vary) {
+  if (vary.path.empty()) return;
+  std::string error;
+  const auto path = resolved(case_root, vary.path, error);
+  if (!path) {
+    parameter.error_value(error);
+    vary.path.clear();
+    return;
+  }
+  vary.path = *path;
+  for (FileKey& key : vary.file_keys) {
+    const PathStep last = key.path.back();
+    key.path = vary.path;
+    key.path.back() = last;
+  }
+  const auto& first = std::get<std::string>(vary.path.front());
+  if (first == "units" || first == "title") {
+    parameter.error_value("is the same in all runs of a study");
+    return;
+  }
+  if (ida && vary.path.size() == 2 && first == "excitation" && is_scale(vary.path[1])) {
+    parameter.error_value("is set by [ida], which scales every record to each level");
+    return;
+  }
+  const bool chooses_file = vary.path == ParameterPath{"excitation", "file"};
+  if (!chooses_file && (!vary.normalise_by.empty() || !vary.normalisation.empty())) {
+    parameter.error_value("is no record to be normalised: normalisation goes with excitation.file");
+  }
+  if (!vary.factor) return;
+  const TomlValue* original = find_value(case_root, vary.path);
+  if (original == nullptr || !is_numeric(*original)) {
+    parameter.error_value("must be a number of the case, or a list of numbers, for a factor to multiply");
+    return;
+  }
+  vary.original = *original;
+}
+
+/// Two varies of one key would overwrite one another.
+void refuse_overlaps(const std::vector<TomlView>& views, const std::vector<Vary>& varies) {
+  const auto paths = [](const Vary& vary) {
+    std::vector<ParameterPath> all = {vary.path};
+    for (const FileKey& key : vary.file_keys) all.push_back(key.path);
+    return all;
+  };
+  const auto meet = [&](const Vary& a, const Vary& b) {
+    for (const ParameterPath& x : paths(a)) {
+      for (const ParameterPath& y : paths(b)) {
+        if (!x.empty() && !y.empty() && overlap(x, y)) return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < varies.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!meet(varies[i], varies[j])) continue;
+      if (const auto parameter = views[i].find("parameter")) {
+        parameter->error_value(fmt::format("is varied in line {} already", views[j].value().line));
+      }
+      break;
+    }
+  }
+}
+
+std::string levels_text(const Vary& vary) {
+  return vary.distribution ? "a distribution" : fmt::format("{} values", vary.values.size());
+}
+
+/// Which axis each vary moves along: its own, or that of its companions.
+void settle_axes(const std::vector<TomlView>& views, const std::vector<std::string>& together, Study& study) {
+  std::map<std::string, std::size_t> leaders;  // the first vary of each name
+  for (std::size_t i = 0; i < study.varies.size(); ++i) {
+    Vary& vary = study.varies[i];
+    if (together[i].empty()) {
+      vary.axis = study.axes.size();
+      study.axes.push_back(vary.name);
+      continue;
+    }
+    const auto [leader, is_new] = leaders.emplace(together[i], i);
+    if (is_new) {
+      vary.axis = study.axes.size();
+      study.axes.push_back(together[i]);
+      continue;
+    }
+    const Vary& first = study.varies[leader->second];
+    vary.axis = first.axis;
+    if (vary.values.size() != first.values.size() || vary.distribution.has_value() != first.distribution.has_value()) {
+      views[i]
+          .find("together")
+          ->error_value(fmt::format("has {} here, and {} in line {}: these cannot move in step", levels_text(vary),
+                                    levels_text(first), views[leader->second].value().line));
+    }
+  }
+  std::map<std::string, std::size_t> names;
+  for (std::size_t i = 0; i < study.varies.size(); ++i) {
+    const std::string& name = study.varies[i].name;
+    const auto [first, is_new] = names.emplace(name, i);
+    if (!name.empty() && !is_new) {
+      views[i].error(fmt::format("has the name {} in the results, as the one in line {}: give name = \"..\"",
+                                 in_quotes(name), views[first->second].value().line));
+    }
+  }
+  for (const auto& [name, leader] : leaders) {
+    const auto one = names.find(name);
+    if (one != names.end() && study.varies[one->second].axis != study.varies[leader].axis) {
+      views[one->second].error(
+          fmt::format("has the name {} of others that move together: give name = \"..\"", in_quotes(name)));
+    }
+  }
+}
+
+void read_varies(const TomlView& root, Study& study) {
+  const auto list = root.find("vary");
+  if (!list && study.ida) return;
+  if (!list) {
+    root.error_missing("vary", "one [[vary]] table for each thing that varies");
+    return;
+  }
+  if (!list->is(TomlValue::Kind::list) || list->size() == 0) {
+    list->error_value("must be one or more tables, each headed [[vary]]");
+    return;
+  }
+  const VaryContext context{study.file.parent_path(), study.case_file.parent_path(), root.has("sampling")};
+  std::vector<TomlView> views;
+  std::vector<std::string> together(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    views.push_back(list->item(i));
+    Vary vary = read_vary(views[i], context, together[i]);
+    vary.position.file = study.file.string();
+    if (const auto parameter = views[i].find("parameter")) {
+      vary.parameter_position = {study.file.string(), parameter->value().line, parameter->value().column};
+      place_in_case(*parameter, study.case_root, study.ida.has_value(), vary);
+    }
+    study.varies.push_back(std::move(vary));
+  }
+  refuse_overlaps(views, study.varies);
+  settle_axes(views, together, study);
+}
+
+bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) {
+  const auto given = root.get("case", Need::required);
+  const auto name = given ? given->as_text() : std::nullopt;
+  if (!name) return false;
+  study.case_file = study.file.parent_path() / *name;
+  std::string problem;
+  const auto text = read_input(study.case_file, case_input, problem);
+  if (!text) {
+    given->error_value(problem + " (names are relative to the study)");
+    return false;
+  }
+  study.case_text = *text;
+  auto parsed = parse_toml(study.case_text, study.case_file.string(), diagnostics);
+  if (!parsed) return false;
+  study.case_root = std::move(*parsed);
+  return true;
+}
+
+/// [ida] polarity is a vary of excitation.polarity, a choice of the record like its file.
+void add_polarity(const TomlView& root, Study& study) {
+  if (study.ida->polarity.empty()) return;
+  const TomlView view = *root.find("ida")->find("polarity");
+  const ParameterPath path = {"excitation", "polarity"};
+  Vary vary;
+  vary.parameter = "excitation.polarity";
+  vary.path = path;
+  vary.name = "polarity";
+  vary.axis = study.axes.size();
+  for (const std::string& one : polarities()) {
+    if (study.ida->polarity == "both" || study.ida->polarity == one) {
+      vary.values.push_back(toml_text(one));
+      vary.labels.push_back(one);
+    }
+  }
+  vary.parameter_position = vary.position = {study.file.string(), view.value().line, view.value().column};
+  for (const Vary& other : study.varies) {
+    if (overlap(other.path, path)) {
+      view.error_value(fmt::format("but {} is varied in line {}", other.parameter, other.parameter_position.line));
+    } else if (other.name == vary.name || study.axes[other.axis] == vary.name) {
+      view.error_value(fmt::format("has the name of what varies in line {}: give that another name = \"..\"",
+                                   other.parameter_position.line));
+    }
+  }
+  study.axes.push_back(vary.name);
+  study.varies.push_back(std::move(vary));
+}
+
+TomlValue scaled(TomlValue value, double factor) {
+  if (value.kind == TomlValue::Kind::list) {
+    for (TomlValue& item : value.items) item = scaled(std::move(item), factor);
+    return value;
+  }
+  return toml_number(value.real * factor);
+}
+
+}  // namespace
+
+std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  Study study;
+  study.file = file;
+  std::string problem;
+  const auto text = read_input(file, study_input, problem);
+  if (!text) {
+    diagnostics.error({file.string(), 0, 0}, problem);
+    return std::nullopt;
+  }
+  study.text = *text;
+  Diagnostics found;
+  const std::string name = file.string();
+  if (const auto parsed = parse_toml(study.text, name, found)) {
+    const TomlView root(*parsed, "", name, found);
+    (void)root.is_table_of({"case", "vary", "sampling", "ida"});
+    read_sampling(root, study);
+    study.ida = read_ida(root);
+    if (read_case_of(root, study, found)) {
+      read_varies(root, study);
+      if (study.ida) add_polarity(root, study);
+      settle_normalisation(root, study);
+    }
+    if (study.ida) {
+      study.ida->position.file = name;
+      study.ida->axis = study.axes.size();
+      study.axes.emplace_back("intensity");
+    }
+  }
+  for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
+  return found.ok() ? std::optional(std::move(study)) : std::nullopt;
+}
+
+double normalisation_of(const Study& study, const std::vector<Choice>& choices) {
+  double factor = 1;
+  for (const Vary& vary : study.varies) {
+    if (!vary.normalisation.empty()) factor *= vary.normalisation[choices[vary.axis].level];
+  }
+  return factor;
+}
+
+std::optional<double> chosen_number(const Vary& vary, const Choice& choice) {
+  if (vary.distribution) {
+    if (!choice.low_or_high) return vary.distribution->quantile(choice.u);
+    const Extremes ends = extremes(*vary.distribution);
+    return *choice.low_or_high ? ends.high : ends.low;
+  }
+  if (!vary.labels.empty()) return std::nullopt;
+  return vary.values[choice.level].real;
+}
+
+std::string chosen_text(const Vary& vary, const Choice& choice) {
+  if (!vary.distribution && !vary.labels.empty()) return in_quotes(vary.labels[choice.level]);
+  return fmt::format("{}", *chosen_number(vary, choice));
+}
+
+TomlValue chosen_value(const Vary& vary, const Choice& choice) {
+  if (vary.factor) {
+    const double factor = vary.distribution ? *chosen_number(vary, choice) : vary.values[choice.level].real;
+    return scaled(vary.original, factor);
+  }
+  return vary.distribution ? toml_number(*chosen_number(vary, choice)) : vary.values[choice.level];
+}
+
+void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root) {
+  for (std::size_t v = 0; v < study.varies.size(); ++v) {
+    const Vary& vary = study.varies[v];
+    const Choice& choice = choices[vary.axis];
+    const int line = -1 - static_cast<int>(v);
+    put_value(root, vary.path, chosen_value(vary, choice), line, 0);
+    for (const FileKey& key : vary.file_keys) {
+      if (const auto& value = key.values[choice.level]) put_value(root, key.path, *value, line, 0);
+    }
+  }
+  if (study.ida) {
+    take_out_scale(root);
+  } else if (const double factor = normalisation_of(study, choices); factor != 1) {
+    // The case's own scale, or the one that varies, and not what an earlier call has put here.
+    const ParameterPath path = {"excitation", "scale"};
+    const TomlValue* const given = find_value(study.case_root, path);
+    double scale = given != nullptr ? given->real : 1;
+    for (const Vary& vary : study.varies) {
+      if (vary.path == path) scale = chosen_value(vary, choices[vary.axis]).real;
+    }
+    put_value(root, path, toml_number(scale * factor), 0, 0);
+  }
+}
+
+}  // namespace bentur

@@ -1,0 +1,362 @@
+#include "bentur/study/plan/vary_toml.h"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <system_error>
+
+#include "bentur/study/plan/normalisation.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = TomlValue::Kind;
+
+constexpr std::size_t most_levels = 10000000;
+
+const std::vector<std::string> file_keys = {"unit", "format", "time_step", "column", "channel", "skip_lines"};
+
+bool is_name(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !text.empty() && letter(text[0]) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+/// To the nearest of 15 decimal digits, so that 0.3/3 is the 0.1 that a user will ask for.
+double rounded(double x) { return std::strtod(fmt::format("{:.15g}", x).c_str(), nullptr); }
+
+bool is_number(const TomlValue& value) { return value.kind == Kind::integer || value.kind == Kind::real; }
+
+/// The coordinate of values that are no numbers: the texts themselves, or `labels`.
+void label_values(const TomlView& view, const TomlView& values, Vary& vary) {
+  const bool numbers = std::all_of(vary.values.begin(), vary.values.end(), is_number);
+  if (const auto given = view.find("labels")) {
+    if (!given->is_list_of("texts", {vary.values.size(), "one per value"})) return;
+    for (std::size_t i = 0; i < given->size(); ++i) vary.labels.push_back(given->item(i).as_text().value_or(""));
+  } else if (!numbers) {
+    for (std::size_t i = 0; i < vary.values.size(); ++i) {
+      const TomlValue& value = vary.values[i];
+      if (value.kind == Kind::text) {
+        vary.labels.push_back(value.text);
+      } else if (value.kind == Kind::boolean) {
+        vary.labels.emplace_back(value.boolean ? "true" : "false");
+      } else {
+        values.item(i).error("cannot name itself in the results: give labels, one text per value");
+        return;
+      }
+    }
+  }
+  std::set<std::string> seen;
+  std::set<double> seen_numbers;
+  for (std::size_t i = 0; i < vary.values.size(); ++i) {
+    const bool is_new =
+        vary.labels.empty() ? seen_numbers.insert(vary.values[i].real).second : seen.insert(vary.labels[i]).second;
+    if (!is_new) values.item(i).error("stands twice");
+  }
+}
+
+void read_values(const TomlView& view, const TomlView& values, Vary& vary) {
+  if (!values.is_list_of("values")) return;
+  vary.values = values.value().items;
+  if (vary.factor) {
+    for (std::size_t i = 0; i < values.size(); ++i) (void)values.item(i).as_number(Rule::finite);
+  }
+  label_values(view, values, vary);
+}
+
+struct Ends {
+  double from = 0, to = 0;
+  bool log = false;  // spacing
+};
+
+std::optional<Ends> read_ends(const TomlView& view, Rule rule) {
+  const bool log = view.word("spacing", {"linear", "log"}, Need::optional) == "log";
+  if (log) rule = Rule::positive;
+  const auto from = view.number("from", rule);
+  const auto to = view.number("to", rule);
+  if (!from || !to) return std::nullopt;
+  if (!(*from < *to)) {
+    view.find("to")->error_value(fmt::format("must be more than from = {}", *from));
+    return std::nullopt;
+  }
+  return Ends{*from, *to, log};
+}
+
+void read_range(const TomlView& view, const VaryContext& context, Vary& vary) {
+  if (!context.samples) {
+    for (const double value : read_steps(view, Rule::finite)) vary.values.push_back(toml_number(value));
+    vary.ends_decide = true;
+    return;
+  }
+  if (const auto count = view.find("count")) {
+    count->error("is for a grid: [sampling] says how many runs there are");
+  }
+  if (const auto ends = read_ends(view, Rule::finite)) {
+    vary.distribution = Distribution{.kind = ends->log ? Distribution::Kind::log_uniform : Distribution::Kind::uniform,
+                                     .low = ends->from,
+                                     .high = ends->to};
+  }
+}
+
+void read_distribution(const TomlView& view, const VaryContext& context, Vary& vary) {
+  const std::vector<std::string> kinds = {"uniform", "log_uniform", "normal", "lognormal"};
+  if (!context.samples) {
+    view.error("needs a [sampling] table: a grid has no distributions");
+    return;
+  }
+  if (!view.is_table_of(kinds)) return;
+  const auto kind = view.exactly_one(kinds);
+  if (!kind) return;
+  const TomlView table = *view.find(*kind);
+  Distribution d;
+  if (*kind == "uniform" || *kind == "log_uniform") {
+    if (!table.is_table_of({"low", "high"})) return;
+    const bool log = *kind == "log_uniform";
+    d.kind = log ? Distribution::Kind::log_uniform : Distribution::Kind::uniform;
+    const auto low = table.number("low", log ? Rule::positive : Rule::finite);
+    const auto high = table.number("high", Rule::finite);
+    if (!low || !high) return;
+    d.low = *low;
+    d.high = *high;
+  } else {
+    const bool normal = *kind == "normal";
+    if (!table.is_table_of(normal ? std::vector<std::string>{"mean", "standard_deviation", "cov", "low", "high"}
+                                  : std::vector<std::string>{"median", "cov", "low", "high"})) {
+      return;
+    }
+    d.kind = normal ? Distribution::Kind::normal : Distribution::Kind::lognormal;
+    const auto centre = table.number(normal ? "mean" : "median", normal ? Rule::finite : Rule::positive);
+    const std::string form = normal ? table.exactly_one({"standard_deviation", "cov"}).value_or("") : "cov";
+    const double spread = form.empty() ? 0 : table.number(form, Rule::positive).value_or(0);
+    const auto low = table.number("low", normal ? Rule::finite : Rule::not_negative, Need::optional);
+    const auto high = table.number("high", normal ? Rule::finite : Rule::positive, Need::optional);
+    if (!centre || !(spread > 0)) return;
+    d.centre = *centre;
+    d.spread = !normal ? lognormal_spread(spread) : form == "cov" ? spread * std::abs(*centre) : spread;
+    if (!(d.spread > 0)) {
+      table.find("cov")->error("needs a mean other than 0");
+      return;
+    }
+    if (low) d.low = *low;
+    if (high) d.high = *high;
+  }
+  if (!(d.low < d.high)) {
+    table.find("high")->error_value(fmt::format("must be more than low = {}", d.low));
+    return;
+  }
+  if (const double off = d.deviations_off(); off > Distribution::farthest) {
+    const bool normal = d.kind == Distribution::Kind::normal;
+    table.error(
+        fmt::format("lies, cut off at low and high, {:.0f} standard deviations from its {} {}, where it has no "
+                    "values: check {}, low and high",
+                    off, normal ? "mean" : "median", d.centre, normal ? "mean" : "median"));
+    return;
+  }
+  vary.distribution = d;
+}
+
+/// The files that a pattern names, sorted, with the pattern's own folder before them.
+std::vector<std::string> matches(const std::string& pattern, const fs::path& folder) {
+  std::string whole;
+  for (const char c : folder.string()) {
+    if (c == '*' || c == '?' || c == '[' || c == '\\') whole += '\\';
+    whole += c;
+  }
+  whole = (fs::path(whole) / pattern).string();
+  glob_t found{};
+  std::vector<std::string> names;
+  if (::glob(whole.c_str(), 0, nullptr, &found) == 0) {
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) names.emplace_back(found.gl_pathv[i]);
+  }
+  ::globfree(&found);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The way from a folder to a file; its own name in the file system where there is none.
+std::string from_folder(const fs::path& file, const fs::path& folder) {
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(file, failed).lexically_normal();
+  const fs::path base = fs::absolute(folder.empty() ? fs::path(".") : folder, failed).lexically_normal();
+  const fs::path way = absolute.lexically_relative(base);
+  return (way.empty() ? absolute : way).string();
+}
+
+/// The key that stands beside the one varied: excitation.unit beside excitation.file.
+ParameterPath beside(ParameterPath path, const std::string& key) {
+  path.back() = key;
+  return path;
+}
+
+/// @param entries where the study names each file: a table may have keys of its own, which go before those of the vary.
+void read_file_keys(const TomlView& view, const std::vector<const TomlValue*>& entries, Vary& vary) {
+  for (const std::string& key : file_keys) {
+    if (vary.path.empty()) continue;
+    FileKey found{beside(vary.path, key), std::vector<std::optional<TomlValue>>(entries.size())};
+    if (const auto given = view.find(key)) {
+      const bool list = given->is(Kind::list);
+      if (list && !given->is_list_of("one value per file", {entries.size(), "one per file"})) continue;
+      for (std::size_t i = 0; i < entries.size(); ++i)
+        found.values[i] = list ? given->value().items[i] : given->value();
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      for (const TomlMember& member : entries[i]->members) {
+        if (member.key == key) found.values[i] = member.value;
+      }
+    }
+    const auto given = [](const std::optional<TomlValue>& value) { return value.has_value(); };
+    if (std::any_of(found.values.begin(), found.values.end(), given)) vary.file_keys.push_back(std::move(found));
+  }
+}
+
+void read_files(const TomlView& view, const TomlView& files, const VaryContext& context, Vary& vary) {
+  std::vector<fs::path> paths;
+  std::vector<const TomlValue*> places;  // where the study names them
+  const auto add = [&](const TomlView& entry) {
+    std::vector<std::string> keys = {"file"};
+    keys.insert(keys.end(), file_keys.begin(), file_keys.end());
+    if (entry.is(Kind::table) && !entry.is_table_of(keys)) return;
+    const auto named = entry.is(Kind::table) ? entry.get("file", Need::required) : entry;
+    const auto text = named ? named->as_text() : std::nullopt;
+    if (!text) return;
+    const TomlView& one = *named;
+    const bool pattern = text->find_first_of("*?[") != std::string::npos;
+    std::error_code ignored;
+    if (!pattern && !fs::exists(context.folder / *text, ignored)) {
+      one.error_value("there is no such file (names are relative to the study)");
+      return;
+    }
+    const std::vector<std::string> found =
+        pattern ? matches(*text, context.folder) : std::vector<std::string>{(context.folder / *text).string()};
+    if (found.empty()) one.error_value("no file matches (names are relative to the study)");
+    paths.insert(paths.end(), found.begin(), found.end());
+    places.resize(paths.size(), &entry.value());
+  };
+  if (files.is(Kind::list)) {
+    if (!files.is_list_of("files")) return;
+    for (std::size_t i = 0; i < files.size(); ++i) add(files.item(i));
+  } else {
+    add(files);
+  }
+  std::set<std::string> names;
+  for (const fs::path& path : paths) names.insert(path.filename().string());
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const fs::path& path = paths[i];
+    vary.values.push_back(toml_text(from_folder(path, context.case_folder)));
+    vary.values.back().line = places[i]->line;
+    vary.values.back().column = places[i]->column;
+    // Their names, or where two are alike their ways from the study.
+    const std::string label =
+        names.size() == paths.size() ? path.filename().string() : from_folder(path, context.folder);
+    vary.labels.push_back(label);
+    if (!seen.insert(label).second) files.error(fmt::format("name {} twice", in_quotes(label)));
+  }
+  read_file_keys(view, places, vary);
+  read_normalisation(view, context.folder, paths, vary);
+}
+
+/// The last key of a path.
+std::string last_key(const ParameterPath& path) {
+  std::string key;
+  for (const PathStep& step : path) {
+    if (const auto* text = std::get_if<std::string>(&step)) key = *text;
+  }
+  return key;
+}
+
+void read_name(const TomlView& view, const std::string& default_name, Vary& vary) {
+  const auto given = view.find("name");
+  const auto text = given ? given->as_text() : std::nullopt;
+  vary.name = text.value_or(default_name);
+  if (given && text && !is_name(*text)) {
+    given->error_value("must be letters, digits and _, and begin with no digit");
+  } else if (!given && !default_name.empty() && !is_name(default_name)) {
+    view.error(fmt::format("needs a name = \"..\" for the results: {} is none", in_quotes(default_name)));
+  }
+}
+
+}  // namespace
+
+std::vector<double> read_steps(const TomlView& view, Rule rule) {
+  const auto ends = read_ends(view, rule);
+  const auto count = view.find("count");
+  if (!count) {
+    view.error_missing("count", "how many values from `from` to `to`");
+    return {};
+  }
+  if (!count->is(Kind::integer) || count->value().integer < 2 ||
+      count->value().integer > static_cast<std::int64_t>(most_levels)) {
+    count->error_value(fmt::format("must be a whole number from 2 to {}", most_levels));
+    return {};
+  }
+  std::vector<double> values;
+  if (!ends) return values;
+  const auto steps = static_cast<double>(count->value().integer - 1);
+  for (std::int64_t i = 0; i < count->value().integer; ++i) {
+    const auto k = static_cast<double>(i);
+    const double value = ends->log ? ends->from * std::pow(ends->to / ends->from, k / steps)
+                                   : (ends->from * (steps - k) + ends->to * k) / steps;
+    values.push_back(k == 0 ? ends->from : k == steps ? ends->to : rounded(value));
+  }
+  return values;
+}
+
+Vary read_vary(const TomlView& view, const VaryContext& context, std::string& together) {
+  Vary vary;
+  std::vector<std::string> known = {"parameter", "values", "labels", "from",         "to",       "count",
+                                    "spacing",   "files",  "factor", "distribution", "together", "name"};
+  known.insert(known.end(), file_keys.begin(), file_keys.end());
+  known.emplace_back("normalisation");
+  if (!view.is_table_of(known)) return vary;
+  const auto parameter = view.get("parameter", Need::required);
+  if (const auto text = parameter ? parameter->as_text() : std::nullopt) {
+    vary.parameter = *text;
+    std::string error;
+    if (const auto path = parse_path(*text, error)) {
+      vary.path = *path;
+    } else {
+      parameter->error_value(error);
+    }
+  }
+  const auto factor = view.find("factor");
+  const bool listed = factor && factor->is(Kind::list);
+  vary.factor = listed || (factor && factor->as_flag().value_or(false));
+  if (const auto name = view.text("together", Need::optional)) {
+    together = *name;
+    if (!is_name(*name)) view.find("together")->error_value("must be letters, digits and _, and begin with no digit");
+  }
+  read_name(view, last_key(vary.path), vary);
+
+  // What it is to be: exactly one of these; `from` stands for from and to.
+  std::vector<std::string> forms = {"values", "from", "files", "distribution"};
+  if (listed) forms.emplace_back("factor");
+  const auto form = view.exactly_one(forms);
+  const auto only_with = [&](const std::vector<std::string>& keys, const std::string& owner) {
+    for (const std::string& key : keys) {
+      if (const auto other = view.find(key); other && form && *form != owner) {
+        other->error(fmt::format("goes with {}", owner));
+      }
+    }
+  };
+  only_with({"to", "count", "spacing"}, "from");
+  only_with({"labels"}, "values");
+  only_with(file_keys, "files");
+  only_with({"normalisation"}, "files");
+  if (!form) return vary;
+  if (*form == "files" && vary.factor) view.find("factor")->error("goes with numbers, not with files");
+  const TomlView given = *view.find(*form);
+  vary.position = {"", given.value().line, given.value().column};
+  if (*form == "values" || *form == "factor") read_values(view, given, vary);
+  if (*form == "from") read_range(view, context, vary);
+  if (*form == "files") read_files(view, given, context, vary);
+  if (*form == "distribution") read_distribution(given, context, vary);
+  return vary;
+}
+
+}  // namespace bentur

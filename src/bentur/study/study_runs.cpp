@@ -1,0 +1,214 @@
+#include "bentur/study/study_runs.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/solve/solver.h"
+#include "bentur/study/plan/vary_toml.h"
+
+namespace bentur {
+namespace {
+
+constexpr std::size_t most_groups = 64;  // kept, of those with several runs
+
+/// The values of a run do not make a case.
+struct NotACase : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Number of the gap whose widths a path leads to, and of the point where it names one; nothing for other paths.
+struct WidthPlace {
+  int gap = 0;
+  std::optional<std::size_t> point;
+};
+
+std::optional<WidthPlace> width_place(const ParameterPath& path) {
+  if (path.size() < 3 || path.size() > 4 || path[0] != PathStep("gap") || path[2] != PathStep("width")) {
+    return std::nullopt;
+  }
+  WidthPlace place{static_cast<int>(std::get<std::size_t>(path[1])), std::nullopt};
+  if (path.size() == 4) place.point = std::get<std::size_t>(path[3]);
+  return place;
+}
+
+/// Sets the widths of a gap, or of one of its points, to a number or to the numbers of a list.
+void set_widths(const WidthPlace& place, const TomlValue& value, Problem& problem) {
+  std::size_t point = 0;
+  for (ContactPoint& p : problem.points) {
+    if (p.left != place.gap) continue;
+    if (!place.point || *place.point == point) {
+      p.width = value.kind == TomlValue::Kind::list ? value.items.at(point).real : value.real;
+    }
+    ++point;
+  }
+  for (WatchedFloor& floor : problem.watched) {
+    if (floor.left == place.gap) {
+      floor.width = watched_width(problem.points, floor.left, floor.elevation).value_or(value.real);
+    }
+  }
+}
+
+std::vector<Building> made_buildings(const ReadCase& read) {
+  std::vector<Building> buildings;
+  for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
+  return buildings;
+}
+
+}  // namespace
+
+struct StudyRuns::Group {
+  std::uint64_t number;
+  TomlValue root;  // of one of its runs
+  ReadCase read;
+  Problem problem;
+  FreeResponse free;
+};
+
+struct StudyRuns::Place {
+  std::mutex mutex;
+  std::shared_ptr<const Group> group;
+};
+
+struct StudyRuns::Bench {
+  std::shared_ptr<const Group> group;
+  Problem problem;
+  TomlValue root;
+  Case c;
+};
+
+StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo)
+    : study_(std::move(study)),
+      facts_(std::move(facts)),
+      memo_(std::move(memo)),
+      plan_(plan_axes(study_), study_.sampling),
+      quantities_(sweep_quantities(facts_.problem, facts_.units, facts_.energy_audit)) {
+  widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
+    return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
+  });
+}
+
+StudyRuns::~StudyRuns() = default;
+
+std::vector<Choice> StudyRuns::choices(std::size_t run) const {
+  std::vector<Choice> result(plan_.axes().size());
+  for (std::size_t axis = 0; axis < result.size(); ++axis) {
+    if (plan_.axes()[axis].levels > 0) {
+      result[axis].level = plan_.level(run, axis);
+    } else {
+      result[axis].u = plan_.unit(run, axis);
+    }
+  }
+  return result;
+}
+
+std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) const {
+  Diagnostics found;
+  TomlValue root = study_.case_root;
+  const std::vector<Choice> chosen = choices(run);
+  put_choices(study_, chosen, root);
+  if (study_.ida) {
+    put_value(root, {"excitation", "scale"},
+              toml_number(record_factor(facts_.intensities, facts_.intensities.place(chosen),
+                                        study_.ida->levels[chosen[study_.ida->axis].level])),
+              0, 0);
+  }
+  const std::string name = study_.case_file.string();
+  ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, memo_.get());
+  if (!found.ok()) throw NotACase(first_message(found));
+  Problem problem = make_problem(read.c, made_buildings(read));
+  if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors or contact points");
+  FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
+  return std::make_shared<const Group>(
+      Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(free)});
+}
+
+std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run) const {
+  if (!plan_.has_groups()) return made_group(run);
+  const std::uint64_t number = plan_.group(run);
+  std::shared_ptr<Place> place;
+  {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<Place>& known = groups_[number];
+    if (!known) {
+      known = std::make_shared<Place>();
+      recent_.push_back(number);
+    }
+    place = known;
+    if (recent_.size() > most_groups) {
+      groups_.erase(recent_.front());
+      recent_.erase(recent_.begin());
+    }
+  }
+  const std::lock_guard lock(place->mutex);  // others that need the same group wait for it
+  if (!place->group) place->group = made_group(run);
+  return place->group;
+}
+
+void StudyRuns::set_problem(Bench& bench, std::size_t run) const {
+  if (!bench.group || (bench.group->number != plan_.group(run))) {
+    bench.group = nullptr;
+    bench.group = group_of(run);
+    bench.problem = bench.group->problem;
+    if (!widths_only_) {
+      bench.root = bench.group->root;
+      bench.c = bench.group->read.c;
+    }
+  }
+  const std::vector<Choice> chosen = choices(run);
+  if (widths_only_) {
+    for (const Vary& vary : study_.varies) {
+      if (plan_.axes()[vary.axis].inner) {
+        set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), bench.problem);
+      }
+    }
+    return;
+  }
+  put_choices(study_, chosen, bench.root);
+  Diagnostics found;
+  const std::string name = study_.case_file.string();
+  bench.c.gaps = read_gaps(TomlView(bench.root, "", name, found), bench.group->read.buildings);
+  if (!found.ok()) throw NotACase(first_message(found));
+  bench.problem.points = contact_points(bench.c, bench.problem.buildings);
+  bench.problem.watched = watched_floors(bench.c, bench.problem.buildings, bench.problem.points);
+}
+
+std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {
+  std::vector<RunResult> results;
+  results.reserve(runs.size());
+  SolveOptions options;
+  options.energy_audit = facts_.energy_audit;
+  options.progress = [&](double) { return go_on(); };
+  Bench bench;
+  for (const std::size_t run : runs) {
+    if (!go_on()) break;
+    RunResult result{run, RunStatus::done, {}, {}};
+    try {
+      set_problem(bench, run);
+      options.most_steps = static_cast<long>(bench.group->read.c.analysis.limits.steps);
+      const Response response = bench.group->free.solve(bench.problem, options);
+      if (response.status == Status::stopped) break;
+      if (response.status == Status::done) {
+        result.values.resize(row_size(quantities_));
+        fill_row(bench.problem, response, result.values);
+      } else {
+        result.status = RunStatus::failed;
+        result.message = response.message;
+      }
+    } catch (const NotACase& error) {
+      result.status = RunStatus::invalid;
+      result.message = error.what();
+    } catch (const InvalidParameter& error) {
+      result.status = RunStatus::invalid;
+      result.message = error.what();
+    }
+    if (result.status != RunStatus::done) result.values.clear();
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace bentur

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bentur/model/quantities.h"
+#include "bentur/study/plan/study_check.h"
+#include "bentur/study/plan/sweep_plan.h"
+
+namespace bentur {
+
+/// How a run ended. A case that no check beforehand could find wrong is one of values that do not go together.
+enum class RunStatus : unsigned char { done = 0, failed = 1, invalid = 2 };
+
+struct RunResult {
+  std::size_t run = 0;
+  RunStatus status = RunStatus::done;
+  std::string message;         ///< why, unless done
+  std::vector<double> values;  ///< a row by sweep_quantities(); empty unless done
+};
+
+/// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
+/// different groups what is alike in them. What a run gives does not depend on which others are run, or where.
+/// May serve many threads.
+class StudyRuns {
+ public:
+  /// `study` has been checked, with these facts.
+  StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo);
+  ~StudyRuns();
+
+  [[nodiscard]] const Study& study() const noexcept { return study_; }
+  [[nodiscard]] const StudyFacts& facts() const noexcept { return facts_; }
+  [[nodiscard]] const SweepPlan& plan() const noexcept { return plan_; }
+  [[nodiscard]] const std::vector<Quantity>& quantities() const noexcept { return quantities_; }
+
+  /// What run number `run` has along each axis.
+  [[nodiscard]] std::vector<Choice> choices(std::size_t run) const;
+
+  /// Solves the runs one after the other, best in the order of the plan. `go_on` is asked now and then; once it says
+  /// false the rest is left out.
+  [[nodiscard]] std::vector<RunResult> solve(std::span<const std::size_t> runs,
+                                             const std::function<bool()>& go_on) const;
+
+ private:
+  struct Group;
+  struct Place;  // of a group in the making
+  struct Bench;  // what one call of solve() works with
+
+  [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run) const;
+  [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run) const;
+  void set_problem(Bench& bench, std::size_t run) const;
+
+  Study study_;
+  StudyFacts facts_;
+  std::shared_ptr<CaseMemo> memo_;
+  SweepPlan plan_;
+  std::vector<Quantity> quantities_;
+  bool widths_only_ = false;  // nothing but widths varies within a group
+  mutable std::mutex mutex_;
+  mutable std::map<std::uint64_t, std::shared_ptr<Place>> groups_;  // those in use
+  mutable std::vector<std::uint64_t> recent_;                       // their numbers, oldest first
+};
+
+}  // namespace bentur
