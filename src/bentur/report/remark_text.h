@@ -8,8 +8,9 @@
 
 namespace bentur {
 
-/// Remarks as sentences: whose, the number, what is usual, what follows; one for all that differ in subject and number
-/// alone. @throws InvalidParameter for an unknown language or a remark that the catalogue does not have.
+/// Remarks as sentences, each with its subject, its number, what is usual and what follows from it; those that differ
+/// in subject and number alone become one. @throws InvalidParameter for an unknown language or a remark that the
+/// catalogue does not have.
 [[nodiscard]] std::vector<std::string> remark_texts(const std::vector<Remark>& remarks,
                                                     std::string_view language = "en");
 

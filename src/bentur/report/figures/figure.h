@@ -6,16 +6,18 @@
 
 namespace bentur {
 
-/// A figure as plain data: what is drawn, not how. Texts are shown as they are, whatever characters they have.
+// A figure as plain data: what is drawn, not how. Texts are shown as they are, whatever characters they have.
+
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
 /// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale is for areas.
 enum class Tone { black, blue, orange, grey, pale };
 
+/// Points joined by a line, marks at them, or both; or an area.
 struct Curve {
-  std::string label;  ///< in the legend; empty: not there
-  std::vector<double> x, y;
-  std::vector<double> top;  ///< where given, the area between y and top is filled in place of a line
+  std::string label = {};  ///< in the legend; empty: not there
+  std::vector<double> x = {}, y = {};
+  std::vector<double> top = {};  ///< where given, the area between y and top is filled in place of a line
   Tone tone = Tone::black;
   Line line = Line::solid;
   Mark mark = Mark::none;
@@ -24,8 +26,8 @@ struct Curve {
 
 /// Instants marked along the upper edge of a panel.
 struct Events {
-  std::string label;
-  std::vector<double> x;
+  std::string label = {};
+  std::vector<double> x = {};
 };
 
 /// A straight line across a panel: x = at where vertical, else y = at.
@@ -44,6 +46,7 @@ struct HeatMap {
   std::string label;                     ///< of the scale, with its unit
 };
 
+/// One axis of a panel.
 struct Axis {
   std::string label = {};                    ///< with symbol and unit; empty: that of a neighbouring panel serves
   std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
@@ -51,19 +54,21 @@ struct Axis {
   std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
 };
 
+/// One frame with its axes and what is drawn in it.
 struct Panel {
-  std::string title;
-  Axis x, y;
+  std::string title = {};
+  Axis x = {}, y = {};
   double height = 4.2;  ///< of the frame [cm]
-  std::vector<Curve> curves;
+  std::vector<Curve> curves = {};
   std::vector<Rule> rules = {};
   Events events = {};
   std::optional<HeatMap> map = {};
 };
 
+/// Panels in rows, from the upper left.
 struct Figure {
-  std::string title;  ///< says what is shown; for the comment of the script and the report, not drawn
-  std::vector<Panel> panels;
+  std::string title = {};  ///< what is shown, for the comment of the data file; not drawn
+  std::vector<Panel> panels = {};
   int columns = 1;             ///< panels side by side
   double width = 8.8;          ///< of the whole [cm]; a journal's column
   bool shared_legend = false;  ///< the first panel's legend stands above all panels and the others have none

@@ -10,6 +10,7 @@
 
 namespace bentur {
 
+/// A figure and what its files are called.
 struct NamedFigure {
   std::string name;  ///< of its files, without ending
   Figure figure;
@@ -21,7 +22,7 @@ struct NamedFigure {
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 
-/// Refuses before the work what write_figures() would refuse of a figure of that name.
+/// Refuses, before any work is done, what write_figures() would refuse for a figure of that name.
 void expect_figure(const std::filesystem::path& folder, const std::string& name,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <type_traits>
 #include <variant>
 
 #include "bentur/core/number_text.h"
@@ -59,7 +57,7 @@ std::vector<std::string> storey_numbers(std::size_t count) {
   return numbers;
 }
 
-Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
+Html structure_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
   const Words& say = story.say;
   const Units& units = story.c.units;
   rows.emplace_back(say("input.structure"), say("input.frame"));
@@ -105,7 +103,7 @@ Html frame_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
   return table.markup();
 }
 
-Html stick_echo(const Stick& stick, const Story& story, Rows& rows) {
+Html structure_echo(const Stick& stick, const Story& story, Rows& rows) {
   const Words& say = story.say;
   const Units& units = story.c.units;
   rows.emplace_back(say("input.structure"), say("input.stick"));
@@ -124,10 +122,10 @@ Html matrix_echo(const std::string& name, const std::string& unit, const Eigen::
     const Eigen::VectorXd values = matrix.col(j);
     table.add(std::to_string(j + 1), "", std::vector<double>(values.begin(), values.end()));
   }
-  return element("p", Html::text(name + " [" + unit + "]")) + table.markup();
+  return element("p", name + " [" + unit + "]") + table.markup();
 }
 
-Html matrices_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
+Html structure_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
   const Words& say = story.say;
   const Units& units = story.c.units;
   rows.emplace_back(say("input.structure"), say("input.matrices"));
@@ -165,11 +163,10 @@ Html modes_table(const Building& building, const Story& story) {
   table.add(say("column.participation"), "(" + mass_unit(story.c) + ")^½", participation);
   table.add(say("column.effective_mass"), "%", fraction);
   table.add(say("column.cumulative_mass"), "%", cumulative);
-  Html content = element("h4", Html::text(say("heading.modes"))) + table.markup();
+  Html content = element("h4", say("heading.modes")) + table.markup();
   if (shown < properties.periods.size()) {
-    content +=
-        element("p", Html::text(say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}})),
-                "class=\"note\"");
+    content += element("p", say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}}),
+                       "class=\"note\"");
   }
   return content;
 }
@@ -179,25 +176,15 @@ Html building_echo(const Story& story, std::size_t b) {
   const BuildingSpec& spec = story.c.buildings.at(b);
   const Building& building = story.problem.buildings.at(b);
   Rows rows;
-  const Html table = std::visit(
-      [&](const auto& structure) {
-        using Structure = std::decay_t<decltype(structure)>;
-        if constexpr (std::is_same_v<Structure, PlaneFrame>) {
-          return frame_echo(structure, story, rows);
-        } else if constexpr (std::is_same_v<Structure, Stick>) {
-          return stick_echo(structure, story, rows);
-        } else {
-          return matrices_echo(structure, story, rows);
-        }
-      },
-      spec.structure);
+  const Html table =
+      std::visit([&](const auto& structure) { return structure_echo(structure, story, rows); }, spec.structure);
   rows.emplace_back(say("input.damping"), damping_text(spec.damping, say));
   if (spec.calibrate_period) rows.emplace_back(say("input.calibrated"), quantity(*spec.calibrate_period, "s"));
   if (spec.base_elevation != 0) {
     rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, story.c.units.length));
   }
   if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, story.c.units.length));
-  return element("h3", Html::text(building.name)) + facts(rows) + table + modes_table(building, story);
+  return element("h3", building.name) + facts(rows) + table + modes_table(building, story);
 }
 
 /// Unit of what a law works with, by the law's exponent; empty where it has none or it is the law's own.
@@ -218,7 +205,7 @@ Html gap_echo(const Story& story, std::size_t gap) {
   if (spec.elevations.empty()) {
     rows.emplace_back(say("input.law"), say("input.no_contact"));
     if (!spec.widths.empty()) rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), story.c.units.length));
-    return element("h3", Html::text(say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}}))) + facts(rows);
+    return element("h3", say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}})) + facts(rows);
   }
   rows.emplace_back(say("input.law"), spec.contact.law);
   for (const auto& [name, word] : story.from_case() ? spec.contact.choices() : spec.contact.words) {
@@ -249,8 +236,7 @@ Html gap_echo(const Story& story, std::size_t gap) {
   for (const auto& [name, values] : parameters) {
     table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, story.c.units), values);
   }
-  return element("h3", Html::text(say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}}))) + facts(rows) +
-         table.markup();
+  return element("h3", say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}})) + facts(rows) + table.markup();
 }
 
 Html motion_echo(const Story& story) {
@@ -299,7 +285,7 @@ Html motion_echo(const Story& story) {
   if (c.excitation.kinematics == Kinematics::absolute) {
     rows.emplace_back(say("motion.kinematics"), say("motion.absolute"));
   }
-  return element("h3", Html::text(say("heading.motion"))) + facts(rows);
+  return element("h3", say("heading.motion")) + facts(rows);
 }
 
 Html initial_echo(const Story& story) {
@@ -322,8 +308,7 @@ Html initial_echo(const Story& story) {
     if (!velocities.empty()) {
       table.add(say("column.initial_velocity"), story.c.units.length + "/s", reversed(velocities, elevations.size()));
     }
-    content += element("h3", Html::text(say("heading.initial_of", {{"building", story.c.buildings[b].name}}))) +
-               table.markup();
+    content += element("h3", say("heading.initial_of", {{"building", story.c.buildings[b].name}})) + table.markup();
   }
   return content;
 }
@@ -345,16 +330,16 @@ Html analysis_echo(const Story& story) {
   }
   rows.emplace_back(say("analysis.solver"), solver);
   rows.emplace_back(say("analysis.events"), std::to_string(story.response.events));
-  return element("h3", Html::text(say("heading.analysis"))) + facts(rows);
+  return element("h3", say("heading.analysis")) + facts(rows);
 }
 
 /// What result files hold of the buildings.
 Html buildings_of_results(const Story& story) {
-  Html content = element("p", Html::text(story.say("input.from_results")), "class=\"note\"");
+  Html content = element("p", story.say("input.from_results"), "class=\"note\"");
   for (const Building& building : story.problem.buildings) {
     const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
     const std::vector<double> first(periods.begin(), periods.begin() + std::min(periods.size(), most_modes));
-    content += element("h3", Html::text(building.name)) +
+    content += element("h3", building.name) +
                facts({{story.say("input.floors"), list_text(building.model.elevations) + " " + story.c.units.length},
                       {story.say("input.periods"), list_text(first) + " s"}});
   }

@@ -23,14 +23,12 @@ using html::Html;
 using html::Story;
 using html::Words;
 
-/// The hardest impacts by peak force, then closing speed, the hardest first.
+/// The hardest impacts, the hardest first.
 std::vector<std::size_t> hardest_impacts(const std::vector<Impact>& impacts) {
   std::vector<std::size_t> order(impacts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return impacts[a].peak_force != impacts[b].peak_force ? impacts[a].peak_force > impacts[b].peak_force
-                                                          : impacts[a].closing_speed > impacts[b].closing_speed;
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return html::is_harder(impacts[a], impacts[b]); });
   order.resize(std::min(order.size(), html::most_impacts));
   return order;
 }
@@ -53,7 +51,7 @@ std::vector<PointSeparation> from_peaks(const Problem& problem, const Response& 
 }
 
 Html button(const Words& say, const std::string& id) {
-  return element("button", Html::text(say("motion." + id)), fmt::format("type=\"button\" id=\"{}\"", id));
+  return element("button", say("motion." + id), fmt::format("type=\"button\" id=\"{}\"", id));
 }
 
 Html labelled(const Words& say, const std::string& key, const Html& control) {
@@ -66,7 +64,7 @@ Html speeds() {
                                                      {"0.1", "1/10 ×"}, {"0.01", "1/100 ×"}, {"0.001", "1/1000 ×"}};
   for (const auto& [value, text] : all) {
     const std::string chosen = std::string(value) == "1" ? " selected" : "";
-    options += element("option", Html::text(text), fmt::format("value=\"{}\"{}", value, chosen));
+    options += element("option", text, fmt::format("value=\"{}\"{}", value, chosen));
   }
   return element("select", options, "id=\"speed\"");
 }
@@ -75,23 +73,22 @@ Html speeds() {
 Html motion_section(const Story& story) {
   const Words& say = story.say;
   const std::string label = Html::text(say("motion.picture")).str();
-  Html content = element("noscript", element("p", Html::text(say("motion.noscript"))));
+  Html content = element("noscript", element("p", say("motion.noscript")));
   content += element(
       "div",
-      element("svg", {}, "id=\"stage\" role=\"img\" aria-label=\"" + label + "\"") +
+      element("svg", Html(), "id=\"stage\" role=\"img\" aria-label=\"" + label + "\"") +
           element("div",
-                  element("p", element("output", {}, "id=\"clock\"") + Html::markup("<br>") +
-                                   element("span", {}, "id=\"event\"")) +
+                  element("p", element("output", Html(), "id=\"clock\"") + Html::markup("<br>") +
+                                   element("span", Html(), "id=\"event\"")) +
                       element("div",
                               element("table",
-                                      element("caption",
-                                              Html::text(say("motion.opening", {{"unit", story.c.units.length}}))) +
-                                          element("tbody", {}, "id=\"live\""),
+                                      element("caption", say("motion.opening", {{"unit", story.c.units.length}})) +
+                                          element("tbody", Html(), "id=\"live\""),
                                       "class=\"live\""),
                               "class=\"wide\""),
                   "class=\"readout\""),
       "class=\"player\"");
-  content += element("svg", {},
+  content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
   content += Html::markup("<input type=\"range\" id=\"scrub\" class=\"screen\" min=\"0\" aria-label=\"" +
                           Html::text(say("motion.scrub")).str() + "\">\n");
@@ -100,14 +97,19 @@ Html motion_section(const Story& story) {
       button(say, "play") + button(say, "previous") + button(say, "next") + button(say, "hardest") +
           labelled(say, "motion.speed", speeds()) +
           element("label", Html::markup("<input type=\"checkbox\" id=\"slow\"> ") + Html::text(say("motion.slow"))) +
-          labelled(say, "motion.magnify",
-                   Html::markup("<input type=\"range\" id=\"magnify\">") + element("output", {}, "id=\"magnified\"")),
+          labelled(
+              say, "motion.magnify",
+              Html::markup("<input type=\"range\" id=\"magnify\">") + element("output", Html(), "id=\"magnified\"")),
       "class=\"controls screen\"");
-  content += element("p", Html::text(say("motion.note")), "class=\"note\"");
+  content += element("p", say("motion.note"), "class=\"note\"");
   return html::section("motion", say("heading.motion_picture"), content);
 }
 
 }  // namespace
+
+bool html::is_harder(const Impact& a, const Impact& b) {
+  return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.closing_speed > b.closing_speed;
+}
 
 double report_output_step(const Problem& problem) {
   Eigen::Index floors = 0;
@@ -138,13 +140,12 @@ std::string report_html(const Case& c, const Problem& problem, const Response& r
   const std::vector<std::size_t> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
-  Html body = element("header",
-                      element("h1", Html::text(title)) +
-                          element("p", Html::text(say("report.by", {{"version", options.version}})), "class=\"note\""));
+  Html body = element("header", element("h1", title) +
+                                    element("p", say("report.by", {{"version", options.version}}), "class=\"note\""));
   body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
           html::gap_section(story) + html::peaks_section(story) + html::impacts_section(story, listed) +
           html::figures_section(say, options.figures) + html::input_section(story);
-  body += element("footer", element("p", Html::text(say("report.footer")), "class=\"note\""));
+  body += element("footer", element("p", say("report.footer"), "class=\"note\""));
   body += element("script", html::json_markup(html::animation_json(story, listed)),
                   "type=\"application/json\" id=\"data\"") +
           Html::markup("\n");

@@ -88,26 +88,23 @@ Html verdict(const SweepData& sweep, const Words& say) {
   const char* const badge = overlooked > 0 ? "verdict.unmodelled"
                             : pounding > 0 ? "verdict.pounding"
                                            : "verdict.no_pounding";
-  Html block = element("p", Html::text(say(badge)), "class=\"badge\"") +
-               element("p",
-                       Html::text(say("sweep.pounding",
-                                      {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}})),
-                       "class=\"lead\"");
+  Html block =
+      element("p", say(badge), "class=\"badge\"") +
+      element("p", say("sweep.pounding", {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}}),
+              "class=\"lead\"");
   if (overlooked > 0) {
-    block +=
-        element("p", Html::text(say("sweep.unmodelled", {{"runs", std::to_string(overlooked)}})), "class=\"lead\"");
+    block += element("p", say("sweep.unmodelled", {{"runs", std::to_string(overlooked)}}), "class=\"lead\"");
   }
   if (hardest < status.size()) {
-    block +=
-        element("p", Html::text(say("sweep.hardest", {{"force", with_unit_of(sweep, forces[hardest], "peak_force")},
-                                                      {"where", where(sweep, hardest, forces, say)}})));
+    block += element("p", say("sweep.hardest", {{"force", with_unit_of(sweep, forces[hardest], "peak_force")},
+                                                {"where", where(sweep, hardest, forces, say)}}));
   }
   if (widest < status.size()) {
-    block += element("p", Html::text(say("sweep.needed", {{"gap", with_unit_of(sweep, needed[widest], need)},
-                                                          {"where", where(sweep, widest, needed, say)}})));
+    block += element("p", say("sweep.needed", {{"gap", with_unit_of(sweep, needed[widest], need)},
+                                               {"where", where(sweep, widest, needed, say)}}));
   }
   if (finished < status.size()) {
-    block += element("p", Html::text(say("sweep.failed", {{"failed", std::to_string(status.size() - finished)}})));
+    block += element("p", say("sweep.failed", {{"failed", std::to_string(status.size() - finished)}}));
   }
   return html::section("verdict", say("heading.verdict"),
                        element("div", block, pounding > 0 ? "class=\"verdict pounds\"" : "class=\"verdict clear\""));
@@ -143,7 +140,7 @@ Html varied(const SweepData& sweep, const Words& say) {
 Html source(const SweepData& sweep, const Words& say, const std::string& attribute) {
   const std::string text = sweep.results().attribute(attribute);
   if (text.empty()) return {};
-  return element("h3", Html::text(say("heading." + attribute))) + element("pre", Html::text(text));
+  return element("h3", say("heading." + attribute)) + element("pre", text);
 }
 
 }  // namespace
@@ -153,9 +150,8 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
   const SweepData sweep(results);
   const std::string given = results.attribute("title");
   const std::string title = given.empty() ? say("report.untitled") : given;
-  Html body = element("header",
-                      element("h1", Html::text(title)) +
-                          element("p", Html::text(say("sweep.by", {{"version", options.version}})), "class=\"note\""));
+  Html body = element(
+      "header", element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\""));
   body += verdict(sweep, say) + html::figures_section(say, options.figures) + varied(sweep, say) +
           html::section("input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case"));
   return html::page(say, title, body, false);

@@ -40,9 +40,7 @@ GapFindings findings(const Story& story, std::size_t gap) {
 const Impact* hardest_impact(const Response& response, std::size_t point) {
   const Impact* hardest = nullptr;
   for (const Impact& impact : response.impacts) {
-    if (impact.point != static_cast<int>(point)) continue;
-    if (hardest == nullptr || impact.peak_force > hardest->peak_force ||
-        (impact.peak_force == hardest->peak_force && impact.closing_speed > hardest->closing_speed)) {
+    if (impact.point == static_cast<int>(point) && (hardest == nullptr || is_harder(impact, *hardest))) {
       hardest = &impact;
     }
   }
@@ -191,47 +189,49 @@ std::string rules_text(const Story& story, const std::vector<std::size_t>& point
 /// What contact does to the buildings, over all of them.
 std::string effect_text(const Story& story) {
   const auto& buildings = story.response.buildings;
-  double amplification = 0;
-  double acceleration = 0;
-  std::size_t most = 0;
-  std::size_t fastest = 0;
-  Eigen::Index most_floor = 0;
-  Eigen::Index fastest_floor = 0;
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
-    for (Eigen::Index floor = 0; floor < buildings[b].displacement.size(); ++floor) {
-      const double free = buildings[b].displacement_no_contact(floor);
-      if (free > 0 && buildings[b].displacement(floor) / free > amplification) {
-        amplification = buildings[b].displacement(floor) / free;
-        most = b;
-        most_floor = floor;
-      }
-      if (buildings[b].acceleration(floor) > acceleration) {
-        acceleration = buildings[b].acceleration(floor);
-        fastest = b;
-        fastest_floor = floor;
+  struct Place {
+    std::size_t building = 0;
+    Eigen::Index floor = 0;
+    double value = 0;
+  };
+  const auto largest = [&](const auto& value_of) {
+    Place found;
+    for (std::size_t b = 0; b < buildings.size(); ++b) {
+      for (Eigen::Index floor = 0; floor < buildings[b].displacement.size(); ++floor) {
+        const double value = value_of(buildings[b], floor);
+        if (value > found.value) found = {b, floor, value};
       }
     }
-  }
-  const auto level = [&](std::size_t b, Eigen::Index floor) {
-    return quantity(story.problem.buildings[b].model.elevations[static_cast<std::size_t>(floor)], story.c.units.length);
+    return found;
+  };
+  const auto level = [&](const Place& place) {
+    return quantity(story.problem.buildings[place.building].model.elevations[static_cast<std::size_t>(place.floor)],
+                    story.c.units.length);
   };
   std::string text;
   if (!story.response.impacts.empty()) {
-    const BuildingPeaks& peaks = buildings[most];
-    text = amplification > 1 + 1e-9
+    const Place most = largest([](const BuildingPeaks& peaks, Eigen::Index floor) {
+      const double free = peaks.displacement_no_contact(floor);
+      return free > 0 ? peaks.displacement(floor) / free : 0;
+    });
+    const BuildingPeaks& peaks = buildings[most.building];
+    text = most.value > 1 + 1e-9
                ? story.say("verdict.amplified",
-                           {{"building", story.problem.buildings[most].name},
-                            {"elevation", level(most, most_floor)},
-                            {"factor", number(amplification)},
-                            {"with", quantity(peaks.displacement(most_floor), story.c.units.length)},
-                            {"without", quantity(peaks.displacement_no_contact(most_floor), story.c.units.length)}})
+                           {{"building", story.problem.buildings[most.building].name},
+                            {"elevation", level(most)},
+                            {"factor", number(most.value)},
+                            {"with", quantity(peaks.displacement(most.floor), story.c.units.length)},
+                            {"without", quantity(peaks.displacement_no_contact(most.floor), story.c.units.length)}})
                : story.say("verdict.not_amplified");
     text += " ";
   }
-  return text + story.say("verdict.acceleration", {{"acceleration", quantity(acceleration, acceleration_unit(story.c))},
-                                                   {"g", number(acceleration / story.c.units.gravity)},
-                                                   {"building", story.problem.buildings[fastest].name},
-                                                   {"elevation", level(fastest, fastest_floor)}});
+  const Place fastest =
+      largest([](const BuildingPeaks& peaks, Eigen::Index floor) { return peaks.acceleration(floor); });
+  return text +
+         story.say("verdict.acceleration", {{"acceleration", quantity(fastest.value, acceleration_unit(story.c))},
+                                            {"g", number(fastest.value / story.c.units.gravity)},
+                                            {"building", story.problem.buildings[fastest.building].name},
+                                            {"elevation", level(fastest)}});
 }
 
 /// What of a rule's wording was checked, in the words of the report.
@@ -295,18 +295,18 @@ Html verdict_section(const Story& story) {
     const std::string badge = !found.unmodelled.empty() ? "verdict.unmodelled"
                               : pounding                ? "verdict.pounding"
                                                         : "verdict.no_pounding";
-    Html block = element("p", Html::text(story.say(badge)), "class=\"badge\"");
+    Html block = element("p", story.say(badge), "class=\"badge\"");
     if (!found.unmodelled.empty()) {
-      block += element("p", Html::text(unmodelled_text(story, found.unmodelled)), "class=\"lead\"");
+      block += element("p", unmodelled_text(story, found.unmodelled), "class=\"lead\"");
     }
     const std::string collision = collision_text(story, gap, found, points.size());
-    if (!collision.empty()) block += element("p", Html::text(collision), "class=\"lead\"");
-    block += element("p", Html::text(needed_text(story, found)));
-    if (!points.empty()) block += element("p", Html::text(rules_text(story, points)));
+    if (!collision.empty()) block += element("p", collision, "class=\"lead\"");
+    block += element("p", needed_text(story, found));
+    if (!points.empty()) block += element("p", rules_text(story, points));
     blocks += element("div", block, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
   }
   return section("verdict", story.say("heading.verdict"),
-                 blocks + element("p", Html::text(effect_text(story)), "class=\"effect\""));
+                 blocks + element("p", effect_text(story), "class=\"effect\""));
 }
 
 namespace {
@@ -337,7 +337,7 @@ Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& go
   table.add(say("column.given"), story.c.units.length, widths);
   table.add(say("column.simulated"), story.c.units.length, simulated);
   table.add(say("gap.given_is"), "", marks, false);
-  return element("p", Html::text(say("gap.watched"))) + table.markup();
+  return element("p", say("gap.watched")) + table.markup();
 }
 
 }  // namespace
@@ -372,7 +372,7 @@ Html gap_section(const Story& story) {
     table.add("SRSS", length, srss);
     if (story.from_case()) table.add("DDC", length, ddc);
     table.add(say("gap.given_is"), "", marks, false);
-    content += element("h3", Html::text(gap_name(story.problem, gap)));
+    content += element("h3", gap_name(story.problem, gap));
     if (!points.empty()) content += table.markup();
     content += watched_table(story, gap, governing);
     if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
@@ -380,11 +380,11 @@ Html gap_section(const Story& story) {
       content += code_table(story, points);
     }
   }
-  content += element("p", Html::text(say("gap.note")), "class=\"note\"");
+  content += element("p", say("gap.note"), "class=\"note\"");
   content += element("p",
-                     Html::text(say(!story.from_case() ? "gap.no_case"
-                                    : codes            ? "gap.codes_note"
-                                                       : "gap.no_codes")),
+                     say(!story.from_case() ? "gap.no_case"
+                         : codes            ? "gap.codes_note"
+                                            : "gap.no_codes"),
                      "class=\"note\"");
   return section("gaps", say("heading.gaps"), content);
 }

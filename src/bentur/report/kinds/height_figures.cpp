@@ -31,32 +31,25 @@ double frame_height(const RunData& run) {
 
 /// One panel for each building.
 Figure beside(const RunData& run, const FigureOptions& options, const std::vector<std::size_t>& shown) {
-  Figure figure;
-  figure.width = options.width;
-  figure.columns = static_cast<int>(std::min(shown.size(), most_columns));
+  Figure figure{.columns = static_cast<int>(std::min(shown.size(), most_columns)), .width = options.width};
   const Axis elevation = elevation_axis(run);
   for (std::size_t b = 0; b < shown.size(); ++b) {
-    Panel panel;
-    panel.title = run.buildings[shown[b]].name;
-    panel.y = elevation;
+    Panel panel{.title = run.buildings[shown[b]].name, .y = elevation, .height = frame_height(run)};
     if (b % static_cast<std::size_t>(figure.columns) != 0) panel.y.label = "";
-    panel.height = frame_height(run);
     figure.panels.push_back(panel);
   }
   return figure;
 }
 
-/// From the base, which does not move, up.
-Curve over_height(const RunData::Building& building, const std::vector<double>& values) {
-  Curve curve;
+/// A curve from the base, which does not move, up; with marks where there are few floors.
+Curve over_height(const RunData::Building& building, const std::vector<double>& values, Curve curve) {
   curve.x = {0};
   curve.y = {building.base};
   curve.x.insert(curve.x.end(), values.begin(), values.end());
   curve.y.insert(curve.y.end(), building.elevations.begin(), building.elevations.end());
+  if (building.elevations.size() > 20) curve.mark = Mark::none;
   return curve;
 }
-
-bool few(const RunData::Building& building) { return building.elevations.size() <= 20; }
 
 }  // namespace
 
@@ -76,31 +69,24 @@ Figure envelope_figure(const RunData& run, const FigureOptions& options) {
     Panel& panel = figure.panels[b];
     panel.x = {.label = with_unit("max |x|", run.length), .from = 0, .to = 1.05 * largest};
     if (!(largest > 0)) panel.x.to = 1;
-    Curve with = over_height(building, building.peaks);
-    with.label = "with contact";
-    with.mark = few(building) ? Mark::disc : Mark::none;
-    Curve without = over_height(building, building.peaks_no_contact);
-    without.label = "without";
-    without.tone = Tone::orange;
-    without.line = Line::dashed;
-    without.width = 1.2;
-    without.mark = few(building) ? Mark::circle : Mark::none;
-    panel.curves = {with, without};
+    const Curve with{.label = "with contact", .mark = Mark::disc};
+    const Curve without{
+        .label = "without", .tone = Tone::orange, .line = Line::dashed, .mark = Mark::circle, .width = 1.2};
+    panel.curves = {over_height(building, building.peaks, with),
+                    over_height(building, building.peaks_no_contact, without)};
   }
   return figure;
 }
 
 Figure amplification_figure(const RunData& run, const FigureOptions& options) {
-  Panel panel;
-  panel.x.label = "Amplification of max |x| by contact [–]";
-  panel.y = elevation_axis(run);
-  panel.height = frame_height(run);
-  panel.rules = {{.at = 1, .vertical = true}};
+  Panel panel{.x = {.label = "Amplification of max |x| by contact [–]"},
+              .y = elevation_axis(run),
+              .height = frame_height(run),
+              .rules = {{.at = 1, .vertical = true}}};
   const std::vector<std::size_t> shown = run.shown(options);
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const RunData::Building& building = run.buildings[shown[b]];
-    Curve curve;
-    curve.label = building.name;
+    Curve curve{.label = building.name};
     for (std::size_t i = 0; i < building.peaks.size(); ++i) {
       if (!(building.peaks_no_contact[i] > 0)) continue;
       curve.x.push_back(building.peaks[i] / building.peaks_no_contact[i]);
@@ -110,11 +96,7 @@ Figure amplification_figure(const RunData& run, const FigureOptions& options) {
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
-  Figure figure;
-  figure.title = "Largest displacement with contact over that without";
-  figure.width = options.width;
-  figure.panels = {panel};
-  return figure;
+  return {.title = "Largest displacement with contact over that without", .panels = {panel}, .width = options.width};
 }
 
 Figure modes_figure(const RunData& run, const FigureOptions& options) {
@@ -130,12 +112,10 @@ Figure modes_figure(const RunData& run, const FigureOptions& options) {
     for (std::size_t mode = 0; mode < std::min(building.periods.size(), most_modes); ++mode) {
       const auto row = building.shapes.begin() + static_cast<std::ptrdiff_t>(mode * floors);
       const std::vector<double> shape(row, row + static_cast<std::ptrdiff_t>(floors));
-      Curve curve = over_height(building, shape);
-      tell_apart(curve, mode);
-      curve.mark = few(building) ? curve.mark : Mark::none;
       const std::string period = fmt::format("{:.3g} s", building.periods[mode]);
-      curve.label = figure.columns > 2 ? period : fmt::format("T{} = {}", mode + 1, period);
-      panel.curves.push_back(curve);
+      Curve style{.label = figure.columns > 2 ? period : fmt::format("T{} = {}", mode + 1, period)};
+      tell_apart(style, mode);
+      panel.curves.push_back(over_height(building, shape, style));
     }
   }
   return figure;

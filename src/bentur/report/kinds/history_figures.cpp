@@ -78,16 +78,13 @@ Events contacts(const RunData& run, std::size_t point, const Window& window) {
 /// for.
 Figure histories(const RunData& run, const FigureOptions& options, std::size_t point, const std::string& label,
                  const std::vector<Curve>& curves, const std::vector<Rule>& rules, bool mark_contacts) {
-  Figure figure;
-  figure.width = options.width;
-  figure.shared_legend = true;
+  Figure figure{.width = options.width, .shared_legend = true};
   const auto add = [&](const std::string& title, const Window& window, bool last) {
-    Panel panel;
-    panel.title = title;
-    panel.x = {.label = last ? time_label : "", .from = window.from, .to = window.to};
-    panel.y.label = label;
-    panel.height = 3.4;
-    panel.rules = rules;
+    Panel panel{.title = title,
+                .x = {.label = last ? time_label : "", .from = window.from, .to = window.to},
+                .y = {.label = label},
+                .height = 3.4,
+                .rules = rules};
     for (const Curve& curve : curves) panel.curves.push_back(within(curve, window));
     if (mark_contacts) panel.events = contacts(run, point, window);
     figure.panels.push_back(std::move(panel));
@@ -106,11 +103,9 @@ Figure displacement_figure(const RunData& run, const FigureOptions& options) {
   const std::size_t i = run.point(options);
   const RunData::Point& point = run.points[i];
   const auto curve = [&](std::size_t building, std::size_t floor) {
-    Curve one;
-    one.label = run.buildings[building].name;
-    one.x = run.time;
-    one.y = run.history(fmt::format("displacement_{}", building + 1), floor);
-    return one;
+    return Curve{.label = run.buildings[building].name,
+                 .x = run.time,
+                 .y = run.history(fmt::format("displacement_{}", building + 1), floor)};
   };
   Curve right = curve(point.left + 1, point.right_floor);
   right.tone = Tone::orange;
@@ -122,10 +117,7 @@ Figure displacement_figure(const RunData& run, const FigureOptions& options) {
 
 Figure opening_figure(const RunData& run, const FigureOptions& options) {
   const std::size_t i = run.point(options);
-  Curve opening;
-  opening.label = "opening";
-  opening.x = run.time;
-  opening.y = run.history("opening", i);
+  const Curve opening{.label = "opening", .x = run.time, .y = run.history("opening", i)};
   const Rule closed{.at = 0, .tone = Tone::grey};
   const Rule rest{.at = run.points[i].width, .label = "at rest", .tone = Tone::grey, .line = Line::dashed};
   Figure figure = histories(run, options, i, with_unit("Opening g", run.length), {opening}, {closed, rest}, true);
@@ -139,9 +131,7 @@ Figure force_figure(const RunData& run, const FigureOptions& options) {
     throw NoFigure("no contact force at " + run.point_name(i));
   }
   // Impacts are far shorter than a sample: each is drawn through its start, its peak and its end.
-  Curve force;
-  force.x = {run.time.front()};
-  force.y = {0};
+  Curve force{.x = {run.time.front()}, .y = {0}};
   for (const RunData::Impact& impact : run.impacts) {
     if (impact.point != i) continue;
     for (const auto& [x, y] : {std::pair{impact.start, 0.0}, std::pair{impact.peak_force_time, impact.peak_force},
@@ -162,40 +152,26 @@ Figure energy_figure(const RunData& run, const FigureOptions& options) {
   if (run.results.find("energy_input") == nullptr) {
     throw NoFigure("the run kept no energies: analysis.energy_audit = true in its case does");
   }
-  const auto curve = [&](const std::string& label, std::initializer_list<const char*> parts) {
-    Curve sum;
-    sum.label = label;
+  const Window asked = window(run, options);
+  const auto curve = [&](std::initializer_list<const char*> parts, Curve sum) {
     sum.x = run.time;
     sum.y.assign(run.time.size(), 0.0);
     for (const char* part : parts) {
       const std::vector<double> values = run.results.numbers(std::string("energy_") + part);
       std::transform(values.begin(), values.end(), sum.y.begin(), sum.y.begin(), std::plus<>());
     }
-    return sum;
+    return within(sum, asked);
   };
-  Panel panel;
-  const Window asked = window(run, options);
-  panel.x = {.label = time_label, .from = asked.from, .to = asked.to};
-  panel.y.label = with_unit("Energy E", unit_text(run.results.at("energy_input").units));
-  panel.height = 5;
-  Curve motion = curve("kinetic + strain", {"kinetic", "strain"});
-  motion.tone = Tone::orange;
-  Curve contact = curve("contact", {"contact_stored", "contact_lost"});
-  contact.tone = Tone::blue;
-  contact.line = Line::dash_dot;
-  contact.width = 1.2;
-  Curve damping = curve("damping", {"damping"});
-  damping.tone = Tone::grey;
-  damping.line = Line::dashed;
-  damping.width = 1.4;
-  Curve input = curve("input", {"input"});
-  input.width = 1.2;
-  for (const Curve& one : {input, motion, damping, contact}) panel.curves.push_back(within(one, asked));
-  Figure figure;
-  figure.title = "Where the energy is, of all buildings together";
-  figure.width = options.width;
-  figure.panels = {panel};
-  return figure;
+  const Panel panel{
+      .x = {.label = time_label, .from = asked.from, .to = asked.to},
+      .y = {.label = with_unit("Energy E", unit_text(run.results.at("energy_input").units))},
+      .height = 5,
+      .curves = {curve({"input"}, {.label = "input", .width = 1.2}),
+                 curve({"kinetic", "strain"}, {.label = "kinetic + strain", .tone = Tone::orange}),
+                 curve({"damping"}, {.label = "damping", .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
+                 curve({"contact_stored", "contact_lost"},
+                       {.label = "contact", .tone = Tone::blue, .line = Line::dash_dot, .width = 1.2})}};
+  return {.title = "Where the energy is, of all buildings together", .panels = {panel}, .width = options.width};
 }
 
 }  // namespace bentur

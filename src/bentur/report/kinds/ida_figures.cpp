@@ -8,19 +8,12 @@
 #include "bentur/report/kinds/internal/run_data.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
 #include "bentur/study/fragility/ida_fragility.h"
+#include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
 
 constexpr std::size_t most_cases = 6;
-
-/// Values at `fraction` of a sample, between the two next to it; its entries in order.
-double fractile(const std::vector<double>& sorted, double fraction) {
-  const double at = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 /// An incremental dynamic analysis: levels of intensity, records, and what else varies.
 struct Analysis {
@@ -60,24 +53,24 @@ Analysis analysis(const SweepData& sweep) {
 }
 
 std::string case_name(const SweepData& sweep, const Analysis& ida, const std::vector<std::size_t>& at) {
-  std::string text;
+  std::vector<std::string> choices;
   for (const std::size_t d : ida.others) {
     const SweepDimension& one = sweep.dimensions()[d];
-    if (one.size > 1) text += (text.empty() ? "" : ", ") + one.choice(at[d]);
+    if (one.size > 1) choices.push_back(one.choice(at[d]));
   }
-  return text;
+  return fmt::format("{}", fmt::join(choices, ", "));
 }
 
-/// At each level of intensity the values of all records.
+/// The largest value of a quantity at one level of intensity; NaN where there is none.
 double largest(const SweepData& sweep, const std::string& quantity, std::vector<std::size_t> at, std::size_t dimension,
                std::size_t level) {
   at[dimension] = level;
   double result = NAN;
-  for (const double value : sweep.values(quantity, at)) result = std::isnan(result) ? value : std::max(result, value);
+  for (const double value : sweep.values(quantity, at)) result = std::fmax(result, value);
   return result;
 }
 
-/// Number of a case in the table of outcomes.
+/// Index of a case in the table of outcomes.
 std::size_t case_number(const SweepData& sweep, const Analysis& ida, const std::vector<std::size_t>& at) {
   std::size_t number = 0;
   for (const std::size_t d : ida.others) number = number * sweep.dimensions()[d].size + at[d];
@@ -110,26 +103,20 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
   const SweepDimension& levels = sweep.dimensions()[ida.level];
   const std::vector<std::size_t> chosen = sweep.chosen(options.at);
-  std::string open;
+  std::vector<std::string> open;
   for (const std::size_t d : ida.others) {
-    if (chosen[d] == sweep.dimensions()[d].size) {
-      const SweepDimension& one = sweep.dimensions()[d];
-      open += fmt::format("{}{} (such as --at {}={})", open.empty() ? "" : ", ", one.name, one.name, one.value(0));
-    }
+    const SweepDimension& one = sweep.dimensions()[d];
+    if (chosen[d] == one.size) open.push_back(fmt::format("{0} (such as --at {0}={1})", one.name, one.value(0)));
   }
-  if (!open.empty()) throw NoFigure("one analysis is shown at a time: choose " + open);
+  if (!open.empty()) throw NoFigure(fmt::format("one analysis is shown at a time: choose {}", fmt::join(open, ", ")));
   const std::string quantity = "peak_force";
-  Panel panel;
-  panel.x.label = with_unit("Peak contact force F", unit_text(sweep.results().at(quantity).units));
-  panel.x.from = 0;
-  panel.y = intensity_axis(levels);
-  panel.height = 5.5;
+  const std::string unit = unit_text(sweep.results().at(quantity).units);
+  Panel panel{
+      .x = {.label = with_unit("Peak contact force F", unit), .from = 0}, .y = intensity_axis(levels), .height = 5.5};
   const auto places = combinations(sweep, chosen, ida.record);
   std::vector<std::vector<double>> at_level(levels.size);
   for (const std::vector<std::size_t>& place : places) {
-    Curve record;
-    record.tone = Tone::pale;
-    record.label = panel.curves.empty() ? fmt::format("{} records", places.size()) : "";
+    Curve record{.label = panel.curves.empty() ? fmt::format("{} records", places.size()) : "", .tone = Tone::pale};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
       record.x.push_back(value);
@@ -140,23 +127,17 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   }
   const std::pair<double, Line> fractiles[] = {{0.16, Line::dashed}, {0.5, Line::solid}, {0.84, Line::dash_dot}};
   for (const auto& [fraction, line] : fractiles) {
-    Curve curve;
-    curve.label = fmt::format("{:.0f} %", 100 * fraction);
-    curve.line = line;
-    curve.width = 1.5;
+    Curve curve{.label = fmt::format("{:.0f} %", 100 * fraction), .line = line, .width = 1.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
       if (at_level[i].empty()) continue;
-      std::sort(at_level[i].begin(), at_level[i].end());
-      curve.x.push_back(fractile(at_level[i], fraction));
+      curve.x.push_back(quantile_of(at_level[i], fraction));
       curve.y.push_back(levels.numbers[i]);
     }
     panel.curves.push_back(std::move(curve));
   }
-  Figure figure;
-  figure.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all";
-  figure.width = options.width;
-  figure.panels = {panel};
-  return figure;
+  return {.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
+          .panels = {panel},
+          .width = options.width};
 }
 
 Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
@@ -165,18 +146,17 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const IdaResults results = event_results(sweep, options.event);
   const auto cases = combinations(sweep, sweep.chosen(options.at), ida.others);
   if (cases.size() > most_cases) {
-    std::string names;
-    for (const std::size_t d : ida.others) names += (names.empty() ? "" : ", ") + sweep.dimensions()[d].name;
+    std::vector<std::string> names;
+    for (const std::size_t d : ida.others) names.push_back(sweep.dimensions()[d].name);
     throw NoFigure(fmt::format("{} combinations of {} are too many for one figure: fix some with --at NAME=VALUE",
-                               cases.size(), names));
+                               cases.size(), fmt::join(names, ", ")));
   }
   const bool pounding = options.event == FigureOptions().event;
   const std::string unit = unit_text(results.quantity_units);
   const std::string event = options.event + (unit.empty() || unit == "–" ? "" : " " + unit);
-  Panel panel;
-  panel.x = intensity_axis(levels);
-  panel.y = {.label = pounding ? "Probability of pounding P [–]" : "P(" + event + ") [–]", .from = 0, .to = 1};
-  panel.height = 5.5;
+  Panel panel{.x = intensity_axis(levels),
+              .y = {.label = pounding ? "Probability of pounding P [–]" : "P(" + event + ") [–]", .from = 0, .to = 1},
+              .height = 5.5};
   std::vector<Curve> areas, lines;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Curve observed;
@@ -191,14 +171,10 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     const Fragility& fit = fragility.fit;
     const std::string name = case_name(sweep, ida, cases[c]);
     if (fit.kind == Fragility::Kind::fitted) {
-      Curve line;
-      Curve area;
+      Curve line{.label = name.empty() ? "lognormal fit" : name, .width = 1.3};
       tell_apart(line, c);
       line.mark = Mark::none;
-      line.width = 1.3;
-      line.label = name.empty() ? "lognormal fit" : name;
-      area.tone = Tone::pale;
-      if (c == 0) area.label = "95 % bounds";
+      Curve area{.label = c == 0 ? "95 % bounds" : "", .tone = Tone::pale};
       constexpr int steps = 200;
       for (int i = 1; i <= steps; ++i) {
         const double x = *panel.x.to * i / steps;
@@ -212,10 +188,9 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
           }
         }
         if (values.empty()) continue;
-        std::sort(values.begin(), values.end());
         area.x.push_back(x);
-        area.y.push_back(fractile(values, 0.025));
-        area.top.push_back(fractile(values, 0.975));
+        area.y.push_back(quantile_of(values, 0.025));
+        area.top.push_back(quantile_of(values, 0.975));
       }
       if (!area.x.empty()) areas.push_back(std::move(area));
       lines.push_back(std::move(line));
@@ -229,12 +204,10 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   }
   panel.curves = areas;
   panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
-  Figure figure;
-  figure.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",
-                             pounding ? "pounding" : event);
-  figure.width = options.width;
-  figure.panels = {panel};
-  return figure;
+  return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",
+                               pounding ? "pounding" : event),
+          .panels = {panel},
+          .width = options.width};
 }
 
 }  // namespace bentur

@@ -41,59 +41,37 @@ std::string title(const RunData& run, const Course& course) {
 Figure impact_figure(const RunData& run, const FigureOptions& options) {
   const Course course = read_course(run);
   const auto panel = [&](const std::string& label, const std::vector<double>& values) {
-    Panel one;
-    one.y.label = label;
-    one.x.from = course.time.front();
-    one.x.to = course.time.back();
-    one.height = 3;
-    Curve curve;
-    curve.x = course.time;
-    curve.y = values;
-    one.curves = {curve};
-    return one;
+    return Panel{.x = {.from = course.time.front(), .to = course.time.back()},
+                 .y = {.label = label},
+                 .height = 3,
+                 .curves = {{.x = course.time, .y = values}}};
   };
-  Figure figure;
-  figure.title = title(run, course);
-  figure.width = options.width;
-  figure.panels = {panel(with_unit("Shortening δ", run.length), course.shortening),
-                   panel(with_unit("Force F", run.force), course.force)};
-  figure.panels.back().x.label = fmt::format("Time since the contact began at {:.4f} s [ms]", course.start);
-  return figure;
+  Panel force = panel(with_unit("Force F", run.force), course.force);
+  force.x.label = fmt::format("Time since the contact began at {:.4f} s [ms]", course.start);
+  return {.title = title(run, course),
+          .panels = {panel(with_unit("Shortening δ", run.length), course.shortening), force},
+          .width = options.width};
 }
 
 Figure loop_figure(const RunData& run, const FigureOptions& options) {
   const Course course = read_course(run);
   const auto deepest = static_cast<std::size_t>(std::max_element(course.shortening.begin(), course.shortening.end()) -
                                                 course.shortening.begin());
-  Curve closing;
-  closing.label = "closing";
-  Curve opening;
-  opening.label = "opening";
-  opening.tone = Tone::orange;
-  opening.line = Line::dashed;
-  opening.width = 1.3;
-  for (std::size_t i = 0; i < course.time.size(); ++i) {
-    if (course.shortening[i] == 0 && course.force[i] == 0) continue;
-    if (i <= deepest) {
-      closing.x.push_back(course.shortening[i]);
-      closing.y.push_back(course.force[i]);
+  const auto part = [&](std::size_t first, std::size_t last, Curve curve) {
+    for (std::size_t i = first; i <= last; ++i) {
+      if (course.shortening[i] == 0 && course.force[i] == 0) continue;
+      curve.x.push_back(course.shortening[i]);
+      curve.y.push_back(course.force[i]);
     }
-    if (i >= deepest) {
-      opening.x.push_back(course.shortening[i]);
-      opening.y.push_back(course.force[i]);
-    }
-  }
-  Panel panel;
-  panel.x.label = with_unit("Shortening of the contact zone δ", run.length);
-  panel.x.from = 0;
-  panel.y.label = with_unit("Contact force F", run.force);
-  panel.height = 5;
-  panel.curves = {closing, opening};
-  Figure figure;
-  figure.title = title(run, course);
-  figure.width = options.width;
-  figure.panels = {panel};
-  return figure;
+    return curve;
+  };
+  const Panel panel{.x = {.label = with_unit("Shortening of the contact zone δ", run.length), .from = 0},
+                    .y = {.label = with_unit("Contact force F", run.force)},
+                    .height = 5,
+                    .curves = {part(0, deepest, {.label = "closing"}),
+                               part(deepest, course.time.size() - 1,
+                                    {.label = "opening", .tone = Tone::orange, .line = Line::dashed, .width = 1.3})}};
+  return {.title = title(run, course), .panels = {panel}, .width = options.width};
 }
 
 }  // namespace bentur

@@ -1,5 +1,7 @@
 #include "bentur/report/kinds/kinds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bentur/core/diagnostics.h"
@@ -98,14 +100,10 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
     }
   }
   std::vector<std::string> known;
-  std::string list;
-  for (const FigureKind& one : figure_kinds(results)) {
-    known.push_back(one.name);
-    list += (list.empty() ? "" : ", ") + one.name;
-  }
+  for (const FigureKind& one : figure_kinds(results)) known.push_back(one.name);
   const std::string near = nearest(kind, known);
-  throw NoFigure("no figure \"" + kind + "\" of " + results.name() +
-                 (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " There are " + list);
+  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, results.name(),
+                             near.empty() ? "" : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
 }
 
 }  // namespace bentur

@@ -12,7 +12,7 @@
 
 namespace bentur {
 
-/// What a user may say of a figure beside its kind.
+/// What a user may choose besides the kind of figure.
 struct FigureOptions {
   std::optional<double> from, to;   ///< of histories and energies [s]
   std::optional<std::size_t> gap;   ///< counted from 0; default: the one with the hardest impact
@@ -23,23 +23,25 @@ struct FigureOptions {
   double width = 8.8;                                   ///< [cm]
 };
 
-/// A figure that these results cannot give, or not so; the message says what they can.
+/// These results cannot give the figure that was asked for; what() says what they can give.
 class NoFigure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 struct FigureKind {
-  std::string name, shows;
+  std::string name;   ///< "displacement", as the command line takes it
+  std::string shows;  ///< a few words on what is drawn
 };
 
 /// The kinds of figure that these results can give: those of a run, of a sweep, or of an incremental dynamic analysis.
 /// @throws NoFigure when they are none of these.
 [[nodiscard]] std::vector<FigureKind> figure_kinds(const NetcdfReader& results);
 
-/// All kinds of a run, whether or not one has them.
+/// Names of all kinds of figure that a run may give, whatever this one holds.
 [[nodiscard]] std::vector<std::string> run_figure_names();
 
+/// One figure from the results of a run, a sweep or an incremental dynamic analysis.
 /// @throws NoFigure when there is no such kind, or what the options ask for is not there.
 [[nodiscard]] Figure make_figure(const NetcdfReader& results, const std::string& kind,
                                  const FigureOptions& options = {});
@@ -49,10 +51,11 @@ struct SpectrumCurves {
   std::vector<double> periods;                             ///< T [s]
   std::vector<double> acceleration;                        ///< S_a [unit]
   std::vector<double> displacement;                        ///< S_d [length]
-  std::string acceleration_unit, length;                   ///< as they are to be read
+  std::string acceleration_unit, length;                   ///< units as the axes show them
   double damping = 0.05;                                   ///< ζ [-]
   std::vector<std::pair<std::string, double>> marks = {};  ///< periods to be marked, with names
 };
+/// Both spectra, one above the other. @param width of the figure [cm].
 [[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, double width = 8.8);
 
 }  // namespace bentur

@@ -7,15 +7,10 @@ namespace bentur {
 
 Figure spectrum_figure(const SpectrumCurves& curves, double width) {
   const auto panel = [&](const std::string& label, const std::vector<double>& values) {
-    Panel one;
-    one.x = {.from = curves.periods.front(), .to = curves.periods.back(), .logarithmic = true};
-    one.y.label = label;
-    one.y.from = 0;
-    one.height = 3.2;
-    Curve curve;
-    curve.x = curves.periods;
-    curve.y = values;
-    one.curves = {curve};
+    Panel one{.x = {.from = curves.periods.front(), .to = curves.periods.back(), .logarithmic = true},
+              .y = {.label = label, .from = 0},
+              .height = 3.2,
+              .curves = {{.x = curves.periods, .y = values}}};
     std::size_t index = 0;
     for (const auto& [name, period] : curves.marks) {
       Curve style;
@@ -28,12 +23,12 @@ Figure spectrum_figure(const SpectrumCurves& curves, double width) {
     }
     return one;
   };
-  Figure figure;
-  figure.title = fmt::format("Response spectra of the ground motion, damping ratio {}", number_text(curves.damping));
-  figure.width = width;
-  figure.shared_legend = true;
-  figure.panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
-                   panel(with_unit("Sd", curves.length), curves.displacement)};
+  Figure figure{
+      .title = fmt::format("Response spectra of the ground motion, damping ratio {}", number_text(curves.damping)),
+      .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
+                 panel(with_unit("Sd", curves.length), curves.displacement)},
+      .width = width,
+      .shared_legend = true};
   figure.panels.front().curves.front().label = fmt::format("ζ = {:.3g} %", 100 * curves.damping);
   figure.panels.back().x.label = "Period T [s]";
   return figure;

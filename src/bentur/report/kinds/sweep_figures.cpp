@@ -59,9 +59,7 @@ class SweepDrawing {
 
   Figure make() {
     const std::vector<std::string> names = quantities(sweep_.results(), kind_);
-    Figure figure;
-    figure.title = kind_.label;
-    figure.width = options_.width;
+    Figure figure{.title = kind_.label, .width = options_.width};
     for (std::size_t q = 0; q < names.size(); ++q) {
       Panel panel = this->panel(names[q]);
       if (names.size() > 1) panel.title = building_name(sweep_.results(), q + 1);
@@ -86,12 +84,11 @@ class SweepDrawing {
     return with_unit(kind_.label, unit.empty() ? "–" : unit);
   }
 
-  [[nodiscard]] std::string choices(std::size_t from) const {
-    std::string text;
-    for (std::size_t i = from; i < free_.size(); ++i) {
-      text += (text.empty() ? "" : ", ") + sweep_.dimensions()[free_[i]].name;
-    }
-    return text;
+  /// The names of what is left free.
+  [[nodiscard]] std::string choices() const {
+    std::vector<std::string> names;
+    for (const std::size_t d : free_) names.push_back(sweep_.dimensions()[d].name);
+    return fmt::format("{}", fmt::join(names, ", "));
   }
 
   Panel panel(const std::string& quantity) {
@@ -99,7 +96,7 @@ class SweepDrawing {
     if (!options_.against.empty()) put_first(options_.against);
     if (free_.empty()) throw NoFigure("nothing is left to vary");
     if (free_.size() > 2) {
-      throw NoFigure(fmt::format("{} vary: fix all but one or two, with --at NAME=VALUE", choices(0)));
+      throw NoFigure(fmt::format("{} vary: fix all but one or two, with --at NAME=VALUE", choices()));
     }
     if (free_.size() == 1) return curves(quantity);
     if (options_.against.empty()) {  // numbers before names, and many before few
@@ -115,7 +112,7 @@ class SweepDrawing {
   void put_first(const std::string& name) {
     const auto found =
         std::find_if(free_.begin(), free_.end(), [&](std::size_t d) { return sweep_.dimensions()[d].name == name; });
-    if (found == free_.end()) throw NoFigure(fmt::format("--against {}: what varies is {}", name, choices(0)));
+    if (found == free_.end()) throw NoFigure(fmt::format("--against {}: what varies is {}", name, choices()));
     std::rotate(free_.begin(), found, found + 1);
   }
 
@@ -131,26 +128,25 @@ class SweepDrawing {
     return axis;
   }
 
-  [[nodiscard]] double place(std::size_t d, std::size_t i) const {
+  /// Places of a dimension's values by ascending x.
+  [[nodiscard]] std::vector<std::size_t> ascending(std::size_t d) const {
     const SweepDimension& one = sweep_.dimensions()[d];
-    return one.is_text() ? static_cast<double>(i) : one.numbers[i];
+    std::vector<std::size_t> order(one.size);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return one.place(a) < one.place(b); });
+    return order;
   }
 
   /// Values along the first free dimension, of one owner or all together, by ascending x.
   Curve curve(const std::string& quantity, std::optional<std::size_t> owner) {
     const std::size_t d = free_[0];
-    const SweepDimension& one = sweep_.dimensions()[d];
-    std::vector<std::size_t> order(one.size);
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(d, a) < place(d, b); });
     Curve result;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : ascending(d)) {
       at_[d] = i;
       const std::vector<double> values = sweep_.values(quantity, at_);
-      result.x.push_back(place(d, i));
+      result.x.push_back(sweep_.dimensions()[d].place(i));
       result.y.push_back(owner ? values[*owner] : joined(values, kind_.sum));
     }
-    if (one.is_text()) result.line = Line::none;
     return result;
   }
 
@@ -163,12 +159,12 @@ class SweepDrawing {
   }
 
   Panel framed(const std::string& quantity) const {
-    Panel panel;
-    panel.x = x_axis();
-    panel.y.label = label(quantity);
-    if (kind_.quantity != "amplification") panel.y.from = 0;
-    if (kind_.quantity == "amplification") panel.rules = {{.at = 1}};
-    panel.height = 4.6;
+    Panel panel{.x = x_axis(), .y = {.label = label(quantity)}, .height = 4.6};
+    if (kind_.quantity == "amplification") {
+      panel.rules = {{.at = 1}};
+    } else {
+      panel.y.from = 0;
+    }
     return panel;
   }
 
@@ -211,18 +207,11 @@ class SweepDrawing {
   /// Edges of cells around places: half way, or for names half a step.
   [[nodiscard]] std::vector<double> edges(std::size_t d, const std::vector<std::size_t>& order) const {
     std::vector<double> places;
-    for (const std::size_t i : order) places.push_back(place(d, i));
+    for (const std::size_t i : order) places.push_back(sweep_.dimensions()[d].place(i));
     std::vector<double> list = {places[0] - (places[1] - places[0]) / 2};
     for (std::size_t i = 0; i + 1 < places.size(); ++i) list.push_back((places[i] + places[i + 1]) / 2);
     list.push_back(places.back() + (places.back() - places[places.size() - 2]) / 2);
     return list;
-  }
-
-  [[nodiscard]] std::vector<std::size_t> ascending(std::size_t d) const {
-    std::vector<std::size_t> order(sweep_.dimensions()[d].size);
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(d, a) < place(d, b); });
-    return order;
   }
 
   Panel map(const std::string& quantity) {
@@ -243,44 +232,29 @@ class SweepDrawing {
     }
     at_[x] = sweep_.dimensions()[x].size;
     at_[y] = sweep_.dimensions()[y].size;
-    Panel panel;
-    panel.height = 4.6;
-    panel.x = {.label = sweep_.dimensions()[x].label,
-               .from = map.x_edges.front(),
-               .to = map.x_edges.back(),
-               .names = sweep_.dimensions()[x].texts};
-    panel.y = {.label = sweep_.dimensions()[y].label,
-               .from = map.y_edges.front(),
-               .to = map.y_edges.back(),
-               .names = sweep_.dimensions()[y].texts};
-    panel.map = std::move(map);
-    return panel;
+    const auto axis = [&](std::size_t d, const std::vector<double>& edges) {
+      const SweepDimension& one = sweep_.dimensions()[d];
+      return Axis{.label = one.label, .from = edges.front(), .to = edges.back(), .names = one.texts};
+    };
+    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = 4.6, .map = map};
   }
 
   /// A mark for every sample.
   Panel samples(const std::string& quantity) {
     const std::vector<SweepDimension> coordinates = sweep_.sample_coordinates();
-    std::string known;
-    const SweepDimension* x = nullptr;
-    for (const SweepDimension& one : coordinates) {
-      known += (known.empty() ? "" : ", ") + one.name;
-      if (x == nullptr && (options_.against.empty() ? !one.is_text() : one.name == options_.against)) x = &one;
+    const auto x = std::find_if(coordinates.begin(), coordinates.end(), [&](const SweepDimension& one) {
+      return options_.against.empty() ? !one.is_text() : one.name == options_.against;
+    });
+    if (x == coordinates.end()) {
+      throw NoFigure(fmt::format("--against NAME must be one of {}", fmt::join(names_of(coordinates), ", ")));
     }
-    if (x == nullptr) throw NoFigure(fmt::format("--against NAME must be one of {}", known));
-    Panel panel;
-    panel.height = 4.6;
-    panel.x.label = x->label;
-    panel.x.names = x->texts;
-    panel.y.label = label(quantity);
-    Curve marks;
-    marks.line = Line::none;
-    marks.mark = Mark::circle;
+    Curve marks{.line = Line::none, .mark = Mark::circle};
     for (std::size_t i = 0; i < x->size; ++i) {
-      marks.x.push_back(x->is_text() ? static_cast<double>(i) : x->numbers[i]);
+      marks.x.push_back(x->place(i));
       marks.y.push_back(joined(sweep_.values(quantity, {i}), kind_.sum));
     }
-    panel.curves = {marks};
-    return panel;
+    return {
+        .x = {.label = x->label, .names = x->texts}, .y = {.label = label(quantity)}, .height = 4.6, .curves = {marks}};
   }
 
   const SweepData& sweep_;

@@ -34,6 +34,10 @@ Html element(std::string_view name, const Html& content, std::string_view attrib
   return Html::markup(tag + ">") + content + Html::markup("</" + std::string(name) + ">");
 }
 
+Html element(std::string_view name, std::string_view text, std::string_view attributes) {
+  return element(name, Html::text(text), attributes);
+}
+
 Html json_markup(std::string_view json) {
   std::string text;
   for (const char c : json) {
@@ -61,14 +65,14 @@ Html HtmlTable::markup(std::string_view attributes) const {
   Html head;
   for (const Column& column : columns_) {
     Html name = Html::text(column.name);
-    if (units) name += Html::markup("<br>") + element("small", Html::text(column.unit.empty() ? no_unit : column.unit));
+    if (units) name += Html::markup("<br>") + element("small", column.unit.empty() ? no_unit : column.unit);
     head += element("th", name, std::string("scope=\"col\"") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
   const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
   for (std::size_t row = 0; row < rows; ++row) {
     Html line;
-    for (const Column& column : columns_) line += element("td", Html::text(column.cells.at(row)), alignment(column));
+    for (const Column& column : columns_) line += element("td", column.cells.at(row), alignment(column));
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");
   }
@@ -80,8 +84,7 @@ Html HtmlTable::markup(std::string_view attributes) const {
 Html facts(const std::vector<std::pair<std::string, std::string>>& rows) {
   Html body;
   for (const auto& [name, value] : rows) {
-    body += element("tr", element("th", Html::text(name), "scope=\"row\"") + element("td", Html::text(value))) +
-            Html::markup("\n");
+    body += element("tr", element("th", name, "scope=\"row\"") + element("td", value)) + Html::markup("\n");
   }
   return element("div", element("table", element("tbody", body), "class=\"facts\""), "class=\"wide\"") +
          Html::markup("\n");

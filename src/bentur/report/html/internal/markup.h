@@ -28,8 +28,9 @@ class Html {
   std::string markup_;
 };
 
-/// <name attributes>content</name>; `name` and `attributes` stand in the sources.
+/// <name attributes>content</name>; `name` and `attributes` stand in the sources. A text as content is escaped.
 [[nodiscard]] Html element(std::string_view name, const Html& content, std::string_view attributes = "");
+[[nodiscard]] Html element(std::string_view name, std::string_view text, std::string_view attributes = "");
 
 /// JSON text as it may stand inside <script>: no "<", so that neither </script> nor <!-- can end or open anything.
 [[nodiscard]] Html json_markup(std::string_view json);
@@ -40,7 +41,7 @@ class HtmlTable {
   /// `unit` empty: none. All columns of one length.
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values);
   void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
-  /// Rows that stand out, e.g. the level that governs.
+  /// Makes a row stand out, e.g. the level that governs.
   void mark(std::size_t row) { marked_.push_back(row); }
   /// In a box of its own, which scrolls where the page is narrow.
   [[nodiscard]] Html markup(std::string_view attributes = "") const;
@@ -55,7 +56,7 @@ class HtmlTable {
   std::vector<std::size_t> marked_;
 };
 
-/// Names and what they have: a table of two columns without a header.
+/// Names and their values: a table of two columns without a header.
 [[nodiscard]] Html facts(const std::vector<std::pair<std::string, std::string>>& rows);
 
 }  // namespace bentur::html

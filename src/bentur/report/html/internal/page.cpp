@@ -60,7 +60,7 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
       nonce + "'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n";
   Html content = body;
   if (with_script) content += element("script", Html::markup(asset("report.js")), "nonce=\"" + nonce + "\"");
-  const Html document = element("head", Html::markup(head) + element("title", Html::text(title)) +
+  const Html document = element("head", Html::markup(head) + element("title", title) +
                                             element("style", Html::markup(asset("report.css")))) +
                         Html::markup("\n") + element("body", content);
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
@@ -70,16 +70,15 @@ Html figures_section(const Words& say, const std::vector<ReportFigure>& figures)
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (figures[i].svg.empty()) {
-      content += element("p", Html::text(figures[i].caption), "class=\"note\"");
+      content += element("p", figures[i].caption, "class=\"note\"");
       continue;
     }
-    content += element("figure", Html::markup(inline_svg(figures[i].svg, i + 1)) +
-                                     element("figcaption", Html::text(figures[i].caption))) +
-               Html::markup("\n");
+    content +=
+        element("figure", Html::markup(inline_svg(figures[i].svg, i + 1)) + element("figcaption", figures[i].caption)) +
+        Html::markup("\n");
   }
-  return section(
-      "figures", say("heading.figures"),
-      figures.empty() ? element("p", Html::text(say("figures.none"))) : element("div", content, "class=\"figures\""));
+  return section("figures", say("heading.figures"),
+                 figures.empty() ? element("p", say("figures.none")) : element("div", content, "class=\"figures\""));
 }
 
 }  // namespace bentur::html

@@ -9,8 +9,8 @@
 
 namespace bentur::html {
 
-/// A whole page with the style of reports and, where asked for, their script. Its policy lets it fetch nothing and run
-/// no other script.
+/// A whole page with the style of reports and, where asked for, their script. Its Content-Security-Policy
+/// lets it fetch nothing and run no other script.
 [[nodiscard]] std::string page(const Words& say, const std::string& title, const Html& body, bool with_script);
 
 /// The figures, or why there are none.

@@ -12,7 +12,7 @@
 
 namespace bentur::html {
 
-/// What the sections of a report are written from.
+/// Everything that the sections of a report are written from.
 struct Story {
   const Case& c;
   const Problem& problem;
@@ -28,10 +28,10 @@ struct Story {
 /// Impacts a report lists, hardest first; where there are more, it says so.
 constexpr std::size_t most_impacts = 1500;
 
-/// Does it pound, where, how often, how hard, and how wide the gap would have to be; one block a gap.
+/// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] Html verdict_section(const Story& story);
 
-/// What is unusual, and what the model leaves out.
+/// Remarks on unusual numbers, and what the model leaves out.
 [[nodiscard]] Html remarks_section(const Story& story);
 
 /// The gap needed at each level, simulated and by every rule.
@@ -46,12 +46,14 @@ constexpr std::size_t most_impacts = 1500;
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] Html input_section(const Story& story);
 
-// Small things the sections share.
+// What the sections share.
 
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
+/// By peak force, then, as where no force is known, by closing speed.
+[[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
 /// Values from the top floor down, as a building stands.

@@ -11,11 +11,15 @@
 namespace bentur {
 namespace {
 
-std::string lower_case_end(const std::string& parameter) {
-  const std::size_t dot = parameter.find_last_of('.');
-  std::string last = dot == std::string::npos ? parameter : parameter.substr(dot + 1);
-  if (const std::size_t bracket = last.find('['); bracket != std::string::npos) last.erase(bracket);
-  return last;
+/// "width" of "gap[0].width[1]".
+std::string last_key(const std::string& parameter) {
+  const std::string last = parameter.substr(parameter.find_last_of('.') + 1);  // npos + 1 is 0
+  return last.substr(0, last.find('['));
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 /// "spectral acceleration, period 1.2 s, damping 5 %" as "Sa (1.2 s, 5 %)"; other measures as they are.
@@ -33,7 +37,7 @@ bool equal(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::
 }  // namespace
 
 std::string parameter_label(const std::string& parameter, const std::string& name) {
-  const std::string key = lower_case_end(parameter);
+  const std::string key = last_key(parameter);
   const bool of_gap = parameter.find("gap[") != std::string::npos;
   if (of_gap && key == "width") return "Gap width w";
   if (key == "restitution") return "Restitution e";
@@ -49,14 +53,19 @@ std::string parameter_label(const std::string& parameter, const std::string& nam
   if (key == "period") return "Period T";
   std::string words = name.empty() ? key : name;
   std::replace(words.begin(), words.end(), '_', ' ');
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return words;
+  return capitalised(words);
 }
 
 std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number_text(numbers[i]); }
 
 std::string SweepDimension::choice(std::size_t i) const {
   return is_text() ? texts[i] : name + " = " + value(i) + (unit.empty() || unit == "–" ? "" : " " + unit);
+}
+
+std::vector<std::string> names_of(const std::vector<SweepDimension>& dimensions) {
+  std::vector<std::string> names;
+  for (const SweepDimension& one : dimensions) names.push_back(one.name);
+  return names;
 }
 
 SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
@@ -69,15 +78,11 @@ SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
     return one;
   }
   one.numbers = results_.numbers(variable.name);
-  const std::string unit = unit_text(variable.units);
-  one.unit = unit;
+  one.unit = unit_text(variable.units);
   const bool factor = variable.long_name.rfind("factor of ", 0) == 0;
   const std::string label = variable.name == "intensity" ? intensity_label(variable.long_name)
                                                          : parameter_label(variable.long_name, variable.name);
-  one.label = with_unit(factor ? "Factor of " + variable.name : label, unit.empty() ? "–" : unit);
-  if (!one.label.empty() && one.label[0] >= 'a' && one.label[0] <= 'z') {
-    one.label[0] = static_cast<char>(one.label[0] - 'a' + 'A');
-  }
+  one.label = capitalised(with_unit(factor ? "Factor of " + variable.name : label, one.unit.empty() ? "–" : one.unit));
   return one;
 }
 
@@ -146,23 +151,22 @@ std::vector<std::size_t> SweepData::chosen(const std::vector<std::pair<std::stri
   for (const auto& [name, text] : at) {
     const std::size_t d = index(name);
     if (d == dimensions_.size()) {
-      std::string known;
-      for (const SweepDimension& one : dimensions_) known += (known.empty() ? "" : ", ") + one.name;
-      throw NoFigure(fmt::format("--at {}={}: nothing of that name varies; there are {}", name, text, known));
+      throw NoFigure(fmt::format("--at {}={}: nothing of that name varies; there are {}", name, text,
+                                 fmt::join(names_of(dimensions_), ", ")));
     }
     double number = NAN;
     std::from_chars(text.data(), text.data() + text.size(), number);
-    std::string known;
+    std::vector<std::string> known;
     const SweepDimension& one = dimensions_[d];
     if (one.texts.empty() && one.numbers.empty()) throw NoFigure("--at: samples cannot be chosen from");
     result[d] = one.size;
     for (std::size_t i = 0; i < one.size; ++i) {
       if (one.is_text() ? one.texts[i] == text : equal(one.numbers[i], number)) result[d] = i;
-      if (i < 12) known += (i > 0 ? ", " : "") + one.value(i);
+      if (i < 12) known.push_back(one.value(i));
     }
     if (result[d] == one.size) {
-      throw NoFigure(
-          fmt::format("--at {}={}: no such value; there are {}{}", name, text, known, one.size > 12 ? ", ..." : ""));
+      throw NoFigure(fmt::format("--at {}={}: no such value; there are {}{}", name, text, fmt::join(known, ", "),
+                                 one.size > 12 ? ", ..." : ""));
     }
   }
   return result;

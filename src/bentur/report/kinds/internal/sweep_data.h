@@ -19,28 +19,32 @@ struct SweepDimension {
   std::vector<std::string> texts = {};
 
   [[nodiscard]] bool is_text() const { return !texts.empty(); }
+  /// Where value `i` stands on an axis: the number, or of a text `i` itself.
+  [[nodiscard]] double place(std::size_t i) const { return is_text() ? static_cast<double>(i) : numbers[i]; }
   /// "0.2", or the text.
   [[nodiscard]] std::string value(std::size_t i) const;
   /// "width = 0.2 cm", or the text.
   [[nodiscard]] std::string choice(std::size_t i) const;
 };
 
-/// What figures need of the results of bentur sweep or bentur ida (docs/studies.md).
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<SweepDimension>& dimensions);
+
+/// The results of bentur sweep or bentur ida (docs/studies.md), as figures and reports need them.
 class SweepData {
  public:
   explicit SweepData(const NetcdfReader& results);
 
   [[nodiscard]] const NetcdfReader& results() const noexcept { return results_; }
-  /// Those of a grid, or of samples the only one: "sample", without values.
+  /// Of a grid the directions that vary; of samples one, "sample", without values.
   [[nodiscard]] const std::vector<SweepDimension>& dimensions() const noexcept { return dimensions_; }
-  /// Number of a dimension among dimensions(); their count where there is none of that name.
+  /// Index of a dimension among dimensions(); their count where there is none of that name.
   [[nodiscard]] std::size_t index(const std::string& name) const;
 
   /// Values of a quantity at one combination of the dimensions' values, one per point, floor or gap.
   [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const;
-  /// Their number.
+  /// How many points, floors or gaps a quantity has values for; 1 where there is one value a run.
   [[nodiscard]] std::size_t owners(const std::string& quantity) const;
-  /// What these are called: "300 cm", or empty where there is one.
+  /// Their names, "z = 300 cm" or "gap 1"; one empty name where there is one value a run.
   [[nodiscard]] std::vector<std::string> owner_names(const std::string& quantity) const;
 
   /// The values chosen with `at`; size() of the dimension where it is left free.
