@@ -235,18 +235,8 @@ void write_figure_data(const NetcdfFile& file, const FigureData& figures, const 
 
 }  // namespace
 
-FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver) {
-  FigureData data;
-  data.close_up = close_up(problem, response, solver);
-  if (const auto* motion = std::get_if<SampledMotion>(&problem.motion)) {
-    data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
-    data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
-  }
-  return data;
-}
-
-std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response, std::string_view version,
-                             const FigureData* figures) {
+std::string histories_netcdf(const RunResults& results, std::string_view version) {
+  const auto& [c, problem, response, remarks, figures] = results;
   const Histories& histories = response.histories;
   const std::string length = udunit(c.units.length);
   const std::string force = udunit(c.units.force);
@@ -281,7 +271,7 @@ std::string histories_netcdf(const Case& c, const Problem& problem, const Respon
   file.write("building_delay", {buildings}, delays.data(), "s", "delay of the ground motion at the buildings");
   write_points(file, time, problem, histories, length, force);
   write_impacts(file, response.impacts, length, force);
-  if (figures != nullptr) write_figure_data(file, *figures, length, force);
+  write_figure_data(file, figures, length, force);
   if (response.energy) write_energy(file, time, response.energy->histories, force + " " + length);
   return file.take();
 }

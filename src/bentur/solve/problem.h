@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,6 +49,18 @@ struct Problem {
   std::vector<Eigen::VectorXd> initial_velocity;      ///< per building, dofs [length/s, rad/s]; empty: at rest
   double duration = 0;                                ///< [s] > 0
 };
+
+/// What lies between building `left` and building `left` + 1: indices into Problem::points and Problem::watched, from
+/// the lowest up.
+struct Gap {
+  std::size_t left = 0;
+  std::vector<std::size_t> points, watched;
+};
+
+/// The gaps of a problem, left to right.
+[[nodiscard]] std::vector<Gap> gaps_of(const Problem& problem);
+/// One of them. @throws InvalidParameter unless there are so many.
+[[nodiscard]] Gap gap_at(const Problem& problem, std::size_t gap);
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, std::size_t gap);

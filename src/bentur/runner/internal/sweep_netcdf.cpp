@@ -243,7 +243,7 @@ void SweepFile::define_quantities() {
     if (!names.empty() && names.back() == ' ') names.pop_back();
     if (!names.empty()) attribute(id, "coordinates", names);
   };
-  for (const Quantity& quantity : runs_.quantities()) {
+  for (const RowPart& quantity : runs_.quantities()) {
     if (quantity.count == 0) {  // of contact points where there are none
       quantities_.push_back(none_);
       continue;
@@ -342,7 +342,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
   SweepTotals totals;
   const auto named = [&](std::string_view name) {
     return std::find_if(runs_.quantities().begin(), runs_.quantities().end(),
-                        [&](const Quantity& quantity) { return quantity.name == name; });
+                        [&](const RowPart& quantity) { return quantity.name == name; });
   };
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
   if (runs_.plan().is_grid()) write_grid_coordinates();
@@ -374,7 +374,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
     std::vector<double> values;
     for (std::size_t q = 0; q < quantities_.size(); ++q) {
       if (quantities_[q] == none_) continue;
-      const Quantity& quantity = runs_.quantities()[q];
+      const RowPart& quantity = runs_.quantities()[q];
       values.clear();
       for (const RunResult& result : results) {
         const auto begin = result.values.begin() + static_cast<std::ptrdiff_t>(quantity.first);
