@@ -1,4 +1,4 @@
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 
 #include <gtest/gtest.h>
 
