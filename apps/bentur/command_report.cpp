@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"

@@ -1,4 +1,4 @@
-#include "bentur/model/quantities.h"
+#include "bentur/model/quantity_row.h"
 
 #include <gtest/gtest.h>
 
@@ -59,11 +59,11 @@ Response some_response() {
 class SweepRow : public testing::Test {
  protected:
   void fill() {
-    const std::vector<Quantity> quantities = sweep_quantities(problem_, {}, false);
-    std::vector<double> row(row_size(quantities));
-    fill_row(problem_, response_, row);
+    const std::vector<RowPart> parts = row_parts(problem_, {}, false);
+    std::vector<double> row(row_size(parts));
+    fill_row(parts, {problem_, response_, units_}, row);
     values_.clear();
-    for (const Quantity& quantity : quantities) {
+    for (const RowPart& quantity : parts) {
       const auto first = row.begin() + static_cast<std::ptrdiff_t>(quantity.first);
       values_[quantity.name] = {first, first + static_cast<std::ptrdiff_t>(quantity.count)};
     }
@@ -72,6 +72,7 @@ class SweepRow : public testing::Test {
 
   Problem problem_ = row_of_three();
   Response response_ = some_response();
+  Units units_;
   std::map<std::string, std::vector<double>> values_;
 };
 
@@ -129,10 +130,11 @@ TEST_F(SweepRow, WhatDoesNotExistIsNotANumber) {
 }
 
 TEST_F(SweepRow, RefusesARowOfAnotherLength) {
-  std::vector<double> row(row_size(sweep_quantities(problem_, {}, false)) - 1);
-  EXPECT_THROW(fill_row(problem_, response_, row), InvalidParameter);
+  const std::vector<RowPart> parts = row_parts(problem_, {}, false);
+  std::vector<double> row(row_size(parts) - 1);
+  EXPECT_THROW(fill_row(parts, {problem_, response_, units_}, row), InvalidParameter);
   row.resize(row.size() + 2);
-  EXPECT_THROW(fill_row(problem_, response_, row), InvalidParameter);
+  EXPECT_THROW(fill_row(parts, {problem_, response_, units_}, row), InvalidParameter);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/runner/internal/sweep_netcdf.h"
 #include "bentur/study/fragility/fragility_report.h"

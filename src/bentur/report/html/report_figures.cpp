@@ -1,6 +1,6 @@
 #include "bentur/report/html/report_figures.h"
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/internal/words.h"

@@ -1,10 +1,13 @@
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 
+#include <fmt/format.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -23,6 +26,13 @@ std::string in_words(int status, bool open) {
   if (status == NC_EHDFERR) return "is cut short or damaged, so that it cannot be read as NetCDF";
   if (status == NC_ENOTNC) return "is not a NetCDF file";
   return (open ? "" : "cannot be read as NetCDF: ") + std::string(nc_strerror(status));
+}
+
+/// By NetcdfType.
+constexpr nc_type library_types[] = {NC_DOUBLE, NC_INT, NC_BYTE, NC_STRING};
+
+const void* address(const NetcdfValues& values) {
+  return std::visit([](const auto& of_one_type) -> const void* { return of_one_type.data(); }, values);
 }
 
 }  // namespace
@@ -144,6 +154,100 @@ std::string NetcdfReader::attribute(const std::string& attribute) const { return
 
 std::string NetcdfReader::attribute(std::string_view variable, const std::string& attribute) const {
   return text_attribute(id_of(at(variable)), attribute);
+}
+
+NetcdfWriter::NetcdfWriter(std::string name, Place place) : name_(std::move(name)), place_(place) {
+  check(place == Place::memory ? nc_create_mem(name_.c_str(), NC_NETCDF4, 0, &id_)
+                               : nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+}
+
+NetcdfWriter::~NetcdfWriter() {
+  if (id_ >= 0) nc_abort(id_);
+}
+
+void NetcdfWriter::check(int status) const {
+  if (status != NC_NOERR) throw std::runtime_error(name_ + ": " + nc_strerror(status));
+}
+
+void NetcdfWriter::describe(const std::string& title, const std::string& source, std::string_view version) const {
+  attribute("Conventions", "CF-1.8");
+  attribute("title", title);
+  attribute("source", source);
+  attribute("history", fmt::format("{} {}", netcdf_history, version));
+}
+
+NetcdfWriter::Dimension NetcdfWriter::dimension(const std::string& name, std::size_t size) const {
+  int id = 0;
+  check(nc_def_dim(id_, name.c_str(), size, &id));
+  return Dimension{id};
+}
+
+NetcdfWriter::Variable NetcdfWriter::define(const std::string& name, NetcdfType type,
+                                            const std::vector<Dimension>& dimensions, const std::string& units,
+                                            const std::string& long_name) const {
+  std::vector<int> ids(dimensions.size());
+  std::transform(dimensions.begin(), dimensions.end(), ids.begin(),
+                 [](Dimension one) { return static_cast<int>(one); });
+  const nc_type library_type = library_types[static_cast<std::size_t>(type)];
+  int id = 0;
+  check(nc_def_var(id_, name.c_str(), library_type, static_cast<int>(ids.size()), ids.data(), &id));
+  if (place_ == Place::disk && type != NetcdfType::text) check(nc_def_var_fill(id_, id, NC_NOFILL, nullptr));
+  const Variable variable{id};
+  if (!units.empty()) attribute(variable, "units", units);
+  attribute(variable, "long_name", long_name);
+  return variable;
+}
+
+void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& sizes) const {
+  constexpr std::size_t cache_bytes = 1U << 20, cache_slots = 101;
+  constexpr float preemption = 0.75F;  // how readily pieces read or written in full leave the cache [-]
+  check(nc_def_var_chunking(id_, static_cast<int>(variable), NC_CHUNKED, sizes.data()));
+  check(nc_set_var_chunk_cache(id_, static_cast<int>(variable), cache_bytes, cache_slots, preemption));
+}
+
+void NetcdfWriter::put(Variable variable, const NetcdfValues& values, const NetcdfBlock& block) const {
+  const void* data = address(values);
+  std::vector<const char*> pointers;
+  if (const auto* texts = std::get_if<std::span<const std::string>>(&values)) {
+    for (const std::string& text : *texts) pointers.push_back(text.c_str());
+    data = pointers.data();
+  }
+  const int id = static_cast<int>(variable);
+  check(block.start.empty() ? nc_put_var(id_, id, data)
+                            : nc_put_vara(id_, id, block.start.data(), block.count.data(), data));
+}
+
+NetcdfWriter::Variable NetcdfWriter::write(const std::string& name, const std::vector<Dimension>& dimensions,
+                                           const NetcdfValues& values, const std::string& units,
+                                           const std::string& long_name) const {
+  const Variable variable = define(name, static_cast<NetcdfType>(values.index()), dimensions, units, long_name);
+  put(variable, values);
+  return variable;
+}
+
+void NetcdfWriter::attribute(const char* name, const std::string& text) const {
+  attribute(Variable{NC_GLOBAL}, name, text);
+}
+
+void NetcdfWriter::attribute(Variable variable, const char* name, const std::string& text) const {
+  check(nc_put_att_text(id_, static_cast<int>(variable), name, text.size(), text.data()));
+}
+
+void NetcdfWriter::attribute(Variable variable, const char* name, const NetcdfValues& values) const {
+  const std::size_t count = std::visit([](const auto& of_one_type) { return of_one_type.size(); }, values);
+  check(nc_put_att(id_, static_cast<int>(variable), name, library_types[values.index()], count, address(values)));
+}
+
+std::string NetcdfWriter::finish() {
+  const int id = std::exchange(id_, -1);
+  if (place_ == Place::disk) {
+    check(nc_close(id));
+    return "";
+  }
+  NC_memio memory{};
+  check(nc_close_memio(id, &memory));
+  const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
+  return {static_cast<const char*>(memory.memory), memory.size};
 }
 
 }  // namespace bentur

@@ -1,4 +1,4 @@
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,9 @@ std::string example_histories() {
   SolveOptions options;
   options.output_step = 0.01;
   const Response response = solve(problem, ExactSolver{}, options);
-  const FigureData figures = figure_data(problem, response, ExactSolver{});
-  return histories_netcdf(*c, problem, response, "1", &figures);
+  RunResults results = run_results(*c, problem, response);
+  results.figures = figure_data(problem, response, ExactSolver{});
+  return histories_netcdf(results, "1");
 }
 
 TEST(NetcdfReaderTest, ReadsWhatIsWritten) {
