@@ -8,6 +8,7 @@ find_package(TBB REQUIRED CONFIG)
 find_package(MPI QUIET COMPONENTS CXX)  # without it a sweep has the threads of one process alone
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)
+pkg_check_modules(utf8proc REQUIRED IMPORTED_TARGET libutf8proc)
 find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)
 if(BENTUR_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -95,7 +95,7 @@ void add_report_command(CLI::App& app) {
       ->check(not_empty())
       ->type_name("FILE");
   command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
-      ->check(CLI::IsMember(std::vector<std::string>(report_languages().begin(), report_languages().end())));
+      ->check(CLI::IsMember(report_languages()));
   add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");
   command->callback([arguments] { run(*arguments); });

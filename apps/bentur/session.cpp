@@ -15,6 +15,7 @@
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/report/remark_text.h"
+#include "bentur/report/utf8.h"
 #include "bentur/solve/solver.h"
 #include "text/effort_text.h"
 #include "text/table.h"
@@ -38,21 +39,6 @@ std::atomic<bool> stop_asked = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void ask_stop(int) { stop_asked = true; }
-/// Bytes of the character that begins at `at`, by its first one and the ones that must follow; 0 where it is none.
-std::size_t character_length(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned lead = byte(at);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0U) != 0x80U) return 0;
-  }
-  return length;
-}
 
 }  // namespace
 
@@ -204,19 +190,9 @@ std::string proportions_text(const Building& building, const Proportions& found,
 
 std::string harmless(const std::string& text) {
   std::string shown;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = character_length(text, at);
-    const auto lead = static_cast<unsigned char>(text[at]);
-    const bool c0 = length == 1 && (lead < 0x20 || lead == 0x7F) && lead != '\n' && lead != '\t';
-    const bool c1 = length == 2 && lead == 0xC2 && static_cast<unsigned char>(text[at + 1]) < 0xA0;
-    if (length == 0) {
-      shown += "\\ufffd";
-    } else if (c0 || c1) {
-      shown += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[at + length - 1]));
-    } else {
-      shown.append(text, at, length);
-    }
-    at += std::max<std::size_t>(1, length);
+  for (const auto& [bytes, code] : characters(text)) {
+    const bool is_control = code < 0x20 ? code != '\n' && code != '\t' : code >= 0x7F && code < 0xA0;
+    shown += is_control ? fmt::format("\\u{:04x}", code < 0 ? 0xFFFD : code) : std::string(bytes);
   }
   return shown;
 }

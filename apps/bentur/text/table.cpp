@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-namespace bentur::cli {
+#include "bentur/report/utf8.h"
 
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
+namespace bentur::cli {
 
 std::string wrapped(const std::string& text) {
   constexpr std::size_t widest = 100;
@@ -17,7 +14,7 @@ std::string wrapped(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    if (taken > 0 && taken + 1 + width(word) > widest) {
+    if (taken > 0 && taken + 1 + display_width(word) > widest) {
       result += "\n  ";
       taken = 2;
     } else if (at > 0) {
@@ -25,7 +22,7 @@ std::string wrapped(const std::string& text) {
       ++taken;
     }
     result += word;
-    taken += width(word);
+    taken += display_width(word);
     at = end + 1;
   }
   return result;
@@ -43,9 +40,9 @@ std::string Table::text() const {
   std::vector<std::size_t> widths;
   std::size_t total = 0;
   for (const Column& column : columns_) {
-    std::size_t widest = std::max(width(column.name), width(column.unit));
+    std::size_t widest = std::max(display_width(column.name), display_width(column.unit));
     for (const std::string& cell : column.cells) {
-      widest = std::max(widest, width(cell));
+      widest = std::max(widest, display_width(cell));
     }
     widths.push_back(widest);
     total += widest + 2;
@@ -54,7 +51,7 @@ std::string Table::text() const {
   const auto line = [&](const auto& cell_of) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::string& cell = cell_of(columns_[i]);
-      text += std::string(2 + widths[i] - width(cell), ' ') + cell;
+      text += std::string(2 + widths[i] - display_width(cell), ' ') + cell;
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';

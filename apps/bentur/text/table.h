@@ -7,9 +7,6 @@
 
 namespace bentur::cli {
 
-/// Characters a UTF-8 text takes on a terminal.
-[[nodiscard]] std::size_t width(const std::string& text);
-
 /// Words in lines of at most 100 characters, those after the first indented by two.
 [[nodiscard]] std::string wrapped(const std::string& text);
 

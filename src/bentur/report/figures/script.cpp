@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <iterator>
+#include <span>
 
 #include "bentur/core/errors.h"
 #include "bentur/files/result_kind.h"
@@ -18,66 +19,24 @@ namespace {
 constexpr double columns_per_cm = 90;    // points of a curve closer than that cannot be told apart
 constexpr std::size_t most_cells = 120;  // of a heat map along an axis; more are merged, keeping the largest
 
-const char* colour(Tone tone) {
-  switch (tone) {
-    case Tone::black:
-      return "#000000";
-    case Tone::blue:
-      return "#1f5fa8";
-    case Tone::orange:
-      return "#e08214";
-    case Tone::grey:
-      return "#8c8c8c";
-    case Tone::pale:
-      return "#d9d9d9";
-  }
-  return "#000000";
-}
-
-const char* dashes(Line line) {
-  switch (line) {
-    case Line::dashed:
-      return "(9,4)";
-    case Line::dotted:
-      return "(2,3)";
-    case Line::dash_dot:
-      return "(9,3,2,3)";
-    default:
-      return "solid";
-  }
-}
-
-int point_type(Mark mark) {
-  switch (mark) {
-    case Mark::disc:
-      return 7;
-    case Mark::circle:
-      return 6;
-    case Mark::square:
-      return 4;
-    case Mark::triangle:
-      return 8;
-    case Mark::diamond:
-      return 12;
-    case Mark::cross:
-      return 2;
-    case Mark::none:
-      break;
-  }
-  return 7;
-}
-
+// In gnuplot's terms, in the order of Tone, Line and Mark.
+constexpr const char* colours[] = {"#000000", "#1f5fa8", "#e08214", "#8c8c8c", "#d9d9d9"};
+constexpr const char* dashes[] = {"solid", "solid", "(9,4)", "(2,3)", "(9,3,2,3)"};
+constexpr int point_types[] = {7, 7, 6, 4, 8, 12, 2};
 constexpr const char* event_style = "pt 11 ps 0.35 lc rgb '#606060'";
+
+const char* colour(Tone tone) { return colours[static_cast<std::size_t>(tone)]; }
 
 /// Widths differ by a little between dashes: gnuplot's SVG takes a new dash for a line of equal colour and width only
 /// where something else has changed.
 std::string line_style(Tone tone, Line line, double width) {
   width += 0.01 * static_cast<double>(line);
-  return fmt::format("lc rgb '{}' dt {} lw {:.3g}", colour(tone), dashes(line), width);
+  return fmt::format("lc rgb '{}' dt {} lw {:.3g}", colour(tone), dashes[static_cast<std::size_t>(line)], width);
 }
 
 std::string mark_style(Tone tone, Mark mark) {
-  return fmt::format("pt {} ps {} lc rgb '{}'", point_type(mark), mark == Mark::disc ? 0.4 : 0.5, colour(tone));
+  return fmt::format("pt {} ps {} lc rgb '{}'", point_types[static_cast<std::size_t>(mark)],
+                     mark == Mark::disc ? 0.4 : 0.5, colour(tone));
 }
 
 std::string value_text(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
@@ -158,14 +117,12 @@ class Writer {
   }
 
   void axis(const char* name, const Ticks& ticks) {
-    script_ += fmt::format("{} logscale {}\n", ticks.logarithmic ? "set" : "unset", name);
-    script_ += fmt::format("set {}range [{}:{}]\nset {}tics (", name, ticks.from, ticks.to, name);
-    std::string list;
-    for (const auto& [at, text] : ticks.labels) {
-      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", gnuplot_string(text), at);
-    }
-    for (const double at : ticks.minor) list += fmt::format("{}'' {} 1", list.empty() ? "" : ", ", at);
-    script_ += list + ")\n";
+    std::vector<std::string> list;
+    for (const auto& [at, text] : ticks.labels) list.push_back(fmt::format("{} {}", gnuplot_string(text), at));
+    for (const double at : ticks.minor) list.push_back(fmt::format("'' {} 1", at));
+    script_ +=
+        fmt::format("{} logscale {}\nset {}range [{}:{}]\nset {}tics ({})\n", ticks.logarithmic ? "set" : "unset", name,
+                    name, ticks.from, ticks.to, name, fmt::join(list, ", "));
   }
 
   void label(const std::string& text, double x_cm, double y_cm, const char* how) {
@@ -190,10 +147,10 @@ class Writer {
     }
   }
 
-  std::size_t block(const std::string& what, const std::vector<const std::vector<double>*>& columns) {
+  std::size_t block(const std::string& what, const std::vector<std::span<const double>>& columns) {
     data_ += fmt::format("{}# {}\n", blocks_ > 0 ? "\n\n" : "", plain_text(what));
-    for (std::size_t i = 0; i < columns.front()->size(); ++i) {
-      for (std::size_t c = 0; c < columns.size(); ++c) data_ += (c > 0 ? " " : "") + value_text((*columns[c])[i]);
+    for (std::size_t i = 0; i < columns.front().size(); ++i) {
+      for (std::size_t c = 0; c < columns.size(); ++c) data_ += (c > 0 ? " " : "") + value_text(columns[c][i]);
       data_ += '\n';
     }
     return blocks_++;
@@ -223,74 +180,62 @@ class Writer {
     label(scaled(panel.x.label, placed.x), middle, placed.bottom - 0.75, "center");
     label(scaled(panel.y.label, placed.y), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2, "center rotate");
     legend(placed);
-    std::string plots;
-    const auto add = [&](const std::string& plot) { plots += (plots.empty() ? "plot " : ", \\\n     ") + plot; };
-    if (panel.map) map(placed, add);
+    std::vector<std::string> plots;
+    if (panel.map) plots.push_back(map(placed));
     for (const Rule& rule : panel.rules) {
-      const double low = rule.vertical ? placed.x.from : placed.y.from;
-      const double high = rule.vertical ? placed.x.to : placed.y.to;
-      if (rule.at < low || rule.at > high) continue;
-      const std::string from =
-          rule.vertical ? fmt::format("first {}, graph 0", rule.at) : fmt::format("graph 0, first {}", rule.at);
-      const std::string to =
-          rule.vertical ? fmt::format("first {}, graph 1", rule.at) : fmt::format("graph 1, first {}", rule.at);
-      script_ +=
-          fmt::format("set arrow from {} to {} nohead back {}\n", from, to, line_style(rule.tone, rule.line, 0.7));
+      const Ticks& across = rule.vertical ? placed.x : placed.y;
+      if (rule.at < across.from || rule.at > across.to) continue;
+      const auto end = [&](int edge) {
+        return rule.vertical ? fmt::format("first {}, graph {}", rule.at, edge)
+                             : fmt::format("graph {}, first {}", edge, rule.at);
+      };
+      script_ += fmt::format("set arrow from {} to {} nohead back {}\n", end(0), end(1),
+                             line_style(rule.tone, rule.line, 0.7));
     }
-    for (const Curve& curve : panel.curves) this->curve(placed, curve, add);
-    events(placed, add);
-    script_ += plots + "\n";
+    for (const Curve& curve : panel.curves) this->curve(placed, curve, plots);
+    events(placed, plots);
+    script_ += fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
   }
 
-  template <typename Add>
-  void curve(const PlacedPanel& placed, const Curve& curve, const Add& add) {
+  void curve(const PlacedPanel& placed, const Curve& curve, std::vector<std::string>& plots) {
     const Panel& panel = *placed.panel;
     const std::string what =
         fmt::format("{}; columns: {}, {}", curve.label.empty() ? "curve" : curve.label, panel.x.label, panel.y.label);
     if (!curve.top.empty()) {
-      add(fmt::format("data index {} using 1:2:3 with filledcurves fc rgb '{}' fs solid noborder",
-                      block(what + ", upper edge", {&curve.x, &curve.y, &curve.top}), colour(curve.tone)));
+      plots.push_back(fmt::format("data index {} using 1:2:3 with filledcurves fc rgb '{}' fs solid noborder",
+                                  block(what + ", upper edge", {curve.x, curve.y, curve.top}), colour(curve.tone)));
       return;
     }
     const Points points = thinned(curve.x, curve.y, static_cast<int>((placed.right - placed.left) * columns_per_cm));
-    const std::size_t index = block(what, {&points.x, &points.y});
-    if (curve.line != Line::none) {
-      add(fmt::format("data index {} using 1:2 with lines {}", index, line_style(curve.tone, curve.line, curve.width)));
-    }
-    if (curve.mark != Mark::none) {
-      add(fmt::format("data index {} using 1:2 with points {}", index, mark_style(curve.tone, curve.mark)));
-    }
+    const std::string columns = fmt::format("data index {} using 1:2 with ", block(what, {points.x, points.y}));
+    if (curve.line != Line::none) plots.push_back(columns + "lines " + line_style(curve.tone, curve.line, curve.width));
+    if (curve.mark != Mark::none) plots.push_back(columns + "points " + mark_style(curve.tone, curve.mark));
   }
 
-  template <typename Add>
-  void events(const PlacedPanel& placed, const Add& add) {
+  void events(const PlacedPanel& placed, std::vector<std::string>& plots) {
     Events kept = placed.panel->events;
     std::erase_if(kept.x, [&](double at) { return at < placed.x.from || at > placed.x.to; });
     if (kept.x.empty()) return;
     const double height = placed.y.to - 0.03 * (placed.y.to - placed.y.from);
-    add(fmt::format("data index {} using 1:({}) with points {}", block(kept.label, {&kept.x}), height, event_style));
+    plots.push_back(
+        fmt::format("data index {} using 1:({}) with points {}", block(kept.label, {kept.x}), height, event_style));
   }
 
-  template <typename Add>
-  void map(const PlacedPanel& placed, const Add& add) {
+  std::string map(const PlacedPanel& placed) {
     HeatMap map = *placed.panel->map;
     coarsen(map);
     const std::size_t nx = map.x_edges.size() - 1;
     std::vector<double> columns[7];
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
     for (std::size_t i = 0; i < map.values.size(); ++i) {
       if (!std::isfinite(map.values[i])) continue;
-      low = std::min(low, map.values[i]);
-      high = std::max(high, map.values[i]);
-      const double cell[] = {map.x_edges[i % nx], map.x_edges[i % nx + 1], map.y_edges[i / nx],
-                             map.y_edges[i / nx + 1]};
-      const double row[] = {
-          (cell[0] + cell[1]) / 2, (cell[2] + cell[3]) / 2, cell[0], cell[1], cell[2], cell[3], map.values[i]};
+      const double *x = &map.x_edges[i % nx], *y = &map.y_edges[i / nx];
+      const double row[] = {(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[0], x[1], y[0], y[1], map.values[i]};
       for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);
     }
-    if (!(high >= low)) refuse("an empty map");
-    const Ticks scale = make_ticks({.low = low, .high = high, .most = 6});
+    const std::vector<double>& values = columns[6];
+    if (values.empty()) refuse("an empty map");
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const Ticks scale = make_ticks({.low = *low, .high = *high, .most = 6});
     script_ +=
         "set style line 100 lc rgb '#000000' lw 0.7\nset palette defined (0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 "
         "'#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 "
@@ -299,10 +244,9 @@ class Writer {
     script_ += fmt::format("set colorbox user vertical origin {} size screen {}, screen {} border 100\n",
                            screen(placed.right + 0.2, placed.bottom), x(0.25), y(placed.top - placed.bottom));
     label(scaled(map.label, scale), layout_.width - 0.22, (placed.bottom + placed.top) / 2, "center rotate");
-    const std::size_t index =
-        block(map.label + " in cells; columns: x, y, and lower and upper end of both, value",
-              {&columns[0], &columns[1], &columns[2], &columns[3], &columns[4], &columns[5], &columns[6]});
-    add(fmt::format("data index {} using 1:2:3:4:5:6:7 with boxxyerror fc palette fs solid noborder", index));
+    return fmt::format("data index {} using 1:2:3:4:5:6:7 with boxxyerror fc palette fs solid noborder",
+                       block(map.label + " in cells; columns: x, y, and lower and upper end of both, value",
+                             {std::begin(columns), std::end(columns)}));
   }
 
   /// Merges neighbouring cells until there are few enough for a file of reasonable size.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/utf8.h"
 
 namespace bentur {
 namespace {
@@ -15,124 +16,120 @@ constexpr double edge = 0.3;            // free to the right of a frame
 constexpr double map_room = 1.95;       // of a colour scale with its numbers and label
 constexpr double events_height = 0.09;  // of the frame, kept free for marks along its upper edge
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void take(double value, bool positive_only) {
-    if (!std::isfinite(value) || (positive_only && value <= 0)) return;
+double text_width(const std::string& text) { return static_cast<double>(display_width(text)) * character_width; }
+
+/// Of names all stand where there is room for them, else numbers. Along y only what lies between the ends of the x axis
+/// counts.
+Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
+  const Axis& axis = is_upright ? panel.y : panel.x;
+  if (!axis.names.empty()) return named_ticks(axis.names, axis.names.size() > static_cast<std::size_t>(most), most);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low = infinity;
+  double high = -infinity;
+  const auto take = [&](double value) {
+    if (!std::isfinite(value) || (axis.logarithmic && value <= 0)) return;
     low = std::min(low, value);
     high = std::max(high, value);
-  }
-  void take(const std::vector<double>& values, bool positive_only) {
-    for (const double value : values) take(value, positive_only);
-  }
-};
-
-/// Names stand where there is room for all of them, else numbers.
-Ticks ticks_of(const Axis& axis, Range range, int most) {
-  if (!axis.names.empty()) return named_ticks(axis.names, axis.names.size() > static_cast<std::size_t>(most), most);
-  return make_ticks({range.low, range.high, axis.from, axis.to, axis.logarithmic, most});
-}
-
-Ticks x_ticks(const Panel& panel, int most) {
-  Range range;
-  for (const Curve& curve : panel.curves) range.take(curve.x, panel.x.logarithmic);
-  for (const Rule& rule : panel.rules) {
-    if (rule.vertical) range.take(rule.at, panel.x.logarithmic);
-  }
-  if (panel.map) range.take(panel.map->x_edges, panel.x.logarithmic);
-  return ticks_of(panel.x, range, most);
-}
-
-/// Only what lies between the ends of the x axis counts.
-Ticks y_ticks(const Panel& panel, int most) {
-  Range range;
-  const double from = panel.x.from.value_or(-std::numeric_limits<double>::infinity());
-  const double to = panel.x.to.value_or(std::numeric_limits<double>::infinity());
+  };
   for (const Curve& curve : panel.curves) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      if (!(curve.x[i] >= from && curve.x[i] <= to)) continue;
-      range.take(curve.y[i], panel.y.logarithmic);
-      if (!curve.top.empty()) range.take(curve.top[i], panel.y.logarithmic);
+      if (!is_upright) {
+        take(curve.x[i]);
+      } else if (curve.x[i] >= panel.x.from.value_or(-infinity) && curve.x[i] <= panel.x.to.value_or(infinity)) {
+        take(curve.y[i]);
+        if (!curve.top.empty()) take(curve.top[i]);
+      }
     }
   }
   for (const Rule& rule : panel.rules) {
-    if (!rule.vertical) range.take(rule.at, panel.y.logarithmic);
+    if (rule.vertical != is_upright) take(rule.at);
   }
-  if (panel.map) range.take(panel.map->y_edges, panel.y.logarithmic);
-  if (!panel.events.x.empty() && !panel.y.to && panel.y.names.empty()) {
-    range.high += events_height * std::max(range.high - range.low, 0.0);
+  if (panel.map) {
+    for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
-  return ticks_of(panel.y, range, most);
+  if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
+  return make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most});
+}
+
+/// Whether two numbers of an axis of this length come too near to one another.
+bool is_crowded(const Ticks& ticks, double length) {
+  const auto place = [&](double at) {
+    return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
+                             : (at - ticks.from) / (ticks.to - ticks.from);
+  };
+  for (std::size_t i = 1; i < ticks.labels.size(); ++i) {
+    const auto& [at, text] = ticks.labels[i];
+    const auto& [before, other] = ticks.labels[i - 1];
+    if ((place(at) - place(before)) * length < (text_width(text) + text_width(other)) / 2 + 0.2) return true;
+  }
+  return false;
 }
 
 std::vector<LegendEntry> entries(const Panel& panel) {
   std::vector<LegendEntry> list;
+  const auto add = [&](LegendEntry entry) {
+    entry.label = plain_text(entry.label);
+    if (!entry.label.empty()) list.push_back(std::move(entry));
+  };
   for (const Curve& curve : panel.curves) {
-    if (curve.label.empty()) continue;
-    list.push_back({.label = plain_text(curve.label),
-                    .tone = curve.tone,
-                    .line = curve.line,
-                    .mark = curve.mark,
-                    .width = curve.width,
-                    .area = !curve.top.empty()});
+    add({curve.label, curve.tone, curve.line, curve.mark, curve.width, !curve.top.empty()});
   }
-  for (const Rule& rule : panel.rules) {
-    if (!rule.label.empty()) list.push_back({.label = plain_text(rule.label), .tone = rule.tone, .line = rule.line});
-  }
-  if (!panel.events.label.empty() && !panel.events.x.empty()) {
-    list.push_back({.label = plain_text(panel.events.label), .tone = Tone::grey, .event = true});
-  }
+  for (const Rule& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
+  if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
   return list;
 }
 
-/// Rows and columns of a legend in a given width; too long labels are cut.
-struct Grid {
-  int columns = 1, rows = 0;
-  double step = 0;
-};
-Grid fit(std::vector<LegendEntry>& list, double width) {
-  if (list.empty()) return {};
-  constexpr double around = sample_width + 0.35;
-  const auto most = static_cast<std::size_t>(std::max(4.0, (width - sample_width - 0.1) / character_width));
-  std::size_t longest = 0;
+/// Cuts labels that are too long, and places the entries in rows and columns within a width, x and y measured from the
+/// upper left corner. @return the height they take.
+double arrange(std::vector<LegendEntry>& list, double width) {
+  if (list.empty()) return 0;
+  double longest = 0;
   for (LegendEntry& entry : list) {
-    entry.label = cut(entry.label, most);
-    longest = std::max(longest, length_of(entry.label));
+    entry.label =
+        cut(entry.label, static_cast<std::size_t>(std::max(4.0, (width - sample_width - 0.1) / character_width)));
+    longest = std::max(longest, text_width(entry.label));
   }
-  Grid grid;
-  grid.step = around + static_cast<double>(longest) * character_width;
-  const int count = static_cast<int>(list.size());
-  grid.columns = std::clamp(static_cast<int>((width + 0.25) / grid.step), 1, count);
-  grid.rows = (count + grid.columns - 1) / grid.columns;
-  grid.columns = (count + grid.rows - 1) / grid.rows;
-  return grid;
+  const double step = sample_width + 0.35 + longest;
+  const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + 0.25) / step)), list.size());
+  const std::size_t rows = (list.size() + fitting - 1) / fitting;
+  const std::size_t columns = (list.size() + rows - 1) / rows;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    list[i].x = static_cast<double>(i % columns) * step;
+    list[i].y = -(static_cast<double>(i / columns) + 0.5) * line_height;
+  }
+  return static_cast<double>(rows) * line_height;
 }
 
-void place(std::vector<LegendEntry>& list, const Grid& grid, double left, double top) {
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::size_t column = i % static_cast<std::size_t>(grid.columns);
-    const std::size_t row = i / static_cast<std::size_t>(grid.columns);
-    list[i].x = left + static_cast<double>(column) * grid.step;
-    list[i].y = top - (static_cast<double>(row) + 0.5) * line_height;
+void shift(std::vector<LegendEntry>& list, double right, double up) {
+  for (LegendEntry& entry : list) {
+    entry.x += right;
+    entry.y += up;
   }
 }
 
 /// Panels of one row or column of the figure have margins alike.
 class Arrangement {
  public:
-  explicit Arrangement(const Figure& figure) : figure_(figure), columns_(std::max(1, figure.columns)) {}
+  explicit Arrangement(const Figure& figure)
+      : figure_(figure), columns_(static_cast<std::size_t>(std::max(1, figure.columns))) {
+    result_.width = figure.width;
+    for (const Panel& panel : figure.panels) {
+      const int most = std::max(2, static_cast<int>(panel.height / 0.55));
+      result_.panels.push_back({.panel = &panel, .y = ticks_of(panel, true, most)});
+    }
+  }
 
   Layout make() {
-    for (const Panel& panel : figure_.panels) {
-      PlacedPanel placed;
-      placed.panel = &panel;
-      placed.y = y_ticks(panel, std::max(2, static_cast<int>(panel.height / 0.55)));
-      result_.panels.push_back(placed);
-    }
     place_columns();
-    place_rows();
-    return result_;
+    for (std::size_t row = 0; row < result_.panels.size(); row += columns_) {
+      place_row(row, std::min(row + columns_, result_.panels.size()));
+    }
+    result_.height = depth_;
+    for (PlacedPanel& placed : result_.panels) {  // measured from the upper edge so far
+      for (double* y : {&placed.top, &placed.bottom, &placed.title_y}) *y += depth_;
+      shift(placed.legend, 0, depth_);
+    }
+    return std::move(result_);
   }
 
  private:
@@ -140,9 +137,9 @@ class Arrangement {
     std::vector<double> left(columns_, 0.0), right(columns_, edge);
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
       const Panel& panel = *result_.panels[i].panel;
-      const double room = (panel.y.label.empty() ? 0.1 : label_room) + 0.2 +
-                          static_cast<double>(result_.panels[i].y.longest()) * character_width;
-      left[i % columns_] = std::max(left[i % columns_], room);
+      double numbers = character_width;
+      for (const auto& [at, text] : result_.panels[i].y.labels) numbers = std::max(numbers, text_width(text));
+      left[i % columns_] = std::max(left[i % columns_], (panel.y.label.empty() ? 0.1 : label_room) + 0.2 + numbers);
       if (panel.map) right[i % columns_] = map_room;
     }
     double free = figure_.width;
@@ -157,88 +154,47 @@ class Arrangement {
         placed.right = placed.left + width;
         int most = 10;
         do {  // fewer numbers until they do not touch
-          placed.x = x_ticks(*placed.panel, most--);
-        } while (most > 1 && crowded(placed.x, width));
+          placed.x = ticks_of(*placed.panel, false, most--);
+        } while (most > 1 && is_crowded(placed.x, width));
       }
       at += left[c] + width + right[c];
     }
   }
 
-  static bool crowded(const Ticks& ticks, double width) {
-    const auto place = [&](double at) {
-      return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
-                               : (at - ticks.from) / (ticks.to - ticks.from);
-    };
-    for (std::size_t i = 1; i < ticks.labels.size(); ++i) {
-      const double apart = (place(ticks.labels[i].first) - place(ticks.labels[i - 1].first)) * width;
-      const double text =
-          static_cast<double>(length_of(ticks.labels[i].second) + length_of(ticks.labels[i - 1].second)) / 2 *
-          character_width;
-      if (apart < text + 0.2) return true;
-    }
-    return false;
-  }
-
-  /// What the labels along the upright axes need.
-  static double label_height(const PlacedPanel& placed) {
-    const std::string& map = placed.panel->map ? placed.panel->map->label : placed.panel->y.label;
-    const std::size_t longest = std::max(length_of(scaled(placed.panel->y.label, placed.y)), length_of(map));
-    return static_cast<double>(longest) * character_width;
-  }
-
-  /// From the top down; the height of the whole comes out at the end.
-  void place_rows() {
-    double at = 0.1;  // from the upper edge down
-    const std::size_t count = result_.panels.size();
-    if (figure_.shared_legend && count > 0) {
-      PlacedPanel& first = result_.panels.front();
-      first.legend = entries(*first.panel);
-      const Grid grid = fit(first.legend, figure_.width - first.left - 0.1);
-      place(first.legend, grid, first.left, -at);
-      at += grid.rows * line_height;
-    }
-    for (std::size_t row = 0; row < count; row += columns_) {
-      const std::size_t end = std::min(row + columns_, count);
-      double height = 0;
-      double bottom = 0;
-      int legend_rows = 0;
-      bool titles = false;
-      std::vector<Grid> grids(end - row);
-      for (std::size_t i = row; i < end; ++i) {
-        PlacedPanel& placed = result_.panels[i];
-        if (!figure_.shared_legend) {
-          placed.legend = entries(*placed.panel);
-          grids[i - row] = fit(placed.legend, placed.right - placed.left + edge - 0.1);
-          legend_rows = std::max(legend_rows, grids[i - row].rows);
-        }
-        titles = titles || !placed.panel->title.empty();
-        height = std::max({height, placed.panel->height, label_height(placed)});
-        bottom = std::max(bottom, 0.55 + (placed.panel->x.label.empty() ? 0 : label_room));
+  /// Legends, titles and frames of panels `begin` to `end`, below what is placed already.
+  void place_row(std::size_t begin, std::size_t end) {
+    double legend = 0;
+    double frame = 0;
+    double below = 0;  // for numbers and label of the x axis
+    bool is_titled = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      PlacedPanel& placed = result_.panels[i];
+      const Panel& panel = *placed.panel;
+      if (!figure_.shared_legend || i == 0) {
+        placed.legend = entries(panel);
+        const double right = figure_.shared_legend ? figure_.width : placed.right + edge;
+        legend = std::max(legend, arrange(placed.legend, right - placed.left - 0.1));
       }
-      if (titles) {
-        for (std::size_t i = row; i < end; ++i) result_.panels[i].title_y = -(at + line_height / 2);
-        at += line_height;
-      }
-      for (std::size_t i = row; i < end && !figure_.shared_legend; ++i) {
-        place(result_.panels[i].legend, grids[i - row], result_.panels[i].left, -at);
-      }
-      at += legend_rows * line_height + 0.1;
-      for (std::size_t i = row; i < end; ++i) {
-        result_.panels[i].top = -at;
-        result_.panels[i].bottom = -(at + height);
-      }
-      at += height + bottom + 0.1;
+      is_titled = is_titled || !panel.title.empty();
+      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y)),
+                        text_width(panel.map ? panel.map->label : "")});
+      below = std::max(below, 0.55 + (panel.x.label.empty() ? 0 : label_room));
     }
-    result_.width = figure_.width;
-    result_.height = at;
-    for (PlacedPanel& placed : result_.panels) {
-      for (double* y : {&placed.top, &placed.bottom, &placed.title_y}) *y += at;
-      for (LegendEntry& entry : placed.legend) entry.y += at;
+    const double title = is_titled ? line_height : 0;
+    const double above = figure_.shared_legend && begin == 0 ? legend : 0;  // all titles
+    for (std::size_t i = begin; i < end; ++i) {
+      PlacedPanel& placed = result_.panels[i];
+      placed.title_y = -(depth_ + above + line_height / 2);
+      shift(placed.legend, placed.left, -(depth_ + (above > 0 ? 0 : title)));
+      placed.top = -(depth_ + title + legend + 0.1);
+      placed.bottom = placed.top - frame;
     }
+    depth_ += title + legend + 0.1 + frame + below + 0.1;
   }
 
   const Figure& figure_;
   std::size_t columns_;
+  double depth_ = 0.1;  // of what is placed, from the upper edge
   Layout result_;
 };
 

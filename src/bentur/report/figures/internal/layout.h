@@ -27,10 +27,10 @@ struct LegendEntry {
 /// Where one panel stands, in cm from the lower left corner of the figure.
 struct PlacedPanel {
   const Panel* panel = nullptr;
-  Ticks x, y;
+  Ticks x = {}, y = {};
   double cell_left = 0, left = 0, right = 0, bottom = 0, top = 0;  ///< of the frame; cell_left of all its texts
   double title_y = 0;
-  std::vector<LegendEntry> legend;
+  std::vector<LegendEntry> legend = {};
 };
 
 struct Layout {

@@ -1,28 +1,21 @@
 #include "bentur/report/figures/internal/text.h"
 
 #include <fmt/format.h>
+#include <utf8proc.h>
 
 #include <sstream>
+
+#include "bentur/report/utf8.h"
 
 namespace bentur {
 
 std::string plain_text(std::string_view text) {
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool control = byte < 0x20 || byte == 0x7F;
-    // U+0080 … U+009F, line and paragraph separators, U+FFFE and U+FFFF
-    const std::string_view three = text.substr(i, 3);
-    if (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) {
-      result += ' ';
-      i += 1;
-    } else if (three == "\xE2\x80\xA8" || three == "\xE2\x80\xA9" || three == "\xEF\xBF\xBE" ||
-               three == "\xEF\xBF\xBF") {
-      result += ' ';
-      i += 2;
-    } else {
-      result += control ? ' ' : text[i];
-    }
+  for (const auto& [bytes, code] : characters(text)) {
+    const utf8proc_category_t category = utf8proc_category(code);
+    const bool is_hidden = code < 0 || category == UTF8PROC_CATEGORY_CC || category == UTF8PROC_CATEGORY_ZL ||
+                           category == UTF8PROC_CATEGORY_ZP || code == 0xFFFE || code == 0xFFFF;
+    result += is_hidden ? " " : bytes;
   }
   for (std::size_t at = 0; (at = result.find("]]>", at)) != std::string::npos;) result.insert(at + 2, " ");
   return result;
@@ -40,19 +33,16 @@ std::string gnuplot_string(std::string_view text) {
   return result + "'";
 }
 
-std::size_t length_of(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-  return count;
-}
-
 std::string cut(const std::string& text, std::size_t most) {
-  if (length_of(text) <= most) return text;
-  std::size_t end = 0;
-  for (std::size_t count = 0; end < text.size(); ++end) {
-    if ((static_cast<unsigned char>(text[end]) & 0xC0U) != 0x80U && count++ == most - 1) break;
+  if (display_width(text) <= most) return text;
+  std::string kept;
+  std::size_t width = 1;  // of the ellipsis
+  for (const Utf8Character& one : characters(text)) {
+    width += display_width(one.bytes);
+    if (width > most) break;
+    kept += one.bytes;
   }
-  return text.substr(0, end) + "…";
+  return kept + "…";
 }
 
 std::string unit_text(const std::string& udunits) {

@@ -13,11 +13,8 @@ namespace bentur {
 /// begins with it.
 [[nodiscard]] std::string gnuplot_string(std::string_view text);
 
-/// At most `most` characters (of UTF-8), the last one an ellipsis where something had to go.
+/// A text of at most `most` columns (report/utf8.h), the last one an ellipsis where something had to go.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);
-
-/// Characters of a UTF-8 text.
-[[nodiscard]] std::size_t length_of(std::string_view text);
 
 /// A unit of a NetCDF file as one reads it: "cm s-2" is "cm/s²", "kgf s" is "kgf·s", "1000 kgf" is "tf", "gravity" is
 /// "g", "1" is "–".

@@ -24,11 +24,11 @@ TEST(Text, QuotesStandApartAndNothingElseChanges) {
   EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
 }
 
-TEST(Text, CutCountsCharacters) {
-  EXPECT_EQ(length_of("δ₁ a"), 4U);
+TEST(Text, CutCountsColumns) {
   EXPECT_EQ(cut("δ₁ a", 4), "δ₁ a");
   EXPECT_EQ(cut("δ₁ ab", 4), "δ₁ …");
-  EXPECT_EQ(length_of(cut("δδδδδδδδ", 3)), 3U);
+  EXPECT_EQ(cut("δδδδδδδδ", 3), "δδ…");
+  EXPECT_EQ(cut("建物建物", 6), "建物…") << "these take two columns each";
 }
 
 TEST(Text, UnitsAsOneReadsThem) {

@@ -25,12 +25,6 @@ int exponent_of(double largest) {
   return 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
 }
 
-/// A number of an axis with the decimals its step needs.
-std::string label(double value, double step) {
-  if (std::abs(value) < step * 1e-6) return "0";
-  return fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
-}
-
 Ticks linear(const TickRequest& request) {
   double low = request.from.value_or(request.low);
   double high = request.to.value_or(request.high);
@@ -40,45 +34,34 @@ Ticks linear(const TickRequest& request) {
     if (!request.from) low -= room;
     if (!(high > low)) high = low + 1;
   }
-  constexpr double air = 0.04;  // between data and frame
+  const double air = 0.04 * (high - low);  // between data and frame
   Ticks ticks;
-  ticks.from = request.from || low == 0 ? low : low - air * (high - low);
-  ticks.to = request.to || high == 0 ? high : high + air * (high - low);
+  ticks.from = request.from || low == 0 ? low : low - air;
+  ticks.to = request.to || high == 0 ? high : high + air;
   const double step = round_step((ticks.to - ticks.from) / request.most);
   ticks.exponent = exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
   const double unit = std::pow(10.0, ticks.exponent);
-  const auto first = std::lround(std::ceil(ticks.from / step - 1e-6));
+  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
   const auto last = std::lround(std::floor(ticks.to / step + 1e-6));
-  for (long i = first; i <= last; ++i) {
+  for (auto i = std::lround(std::ceil(ticks.from / step - 1e-6)); i <= last; ++i) {
     const double at = static_cast<double>(i) * step;
-    ticks.labels.emplace_back(at, label(at / unit, step / unit));
+    ticks.labels.emplace_back(at, i == 0 ? "0" : fmt::format("{:.{}f}", at / unit, decimals));
   }
   return ticks;
 }
 
+/// 1, 2 and 5 of each decade have a number where there are few decades, else 1 alone, and of many not each.
 Ticks logarithmic(const TickRequest& request) {
-  Ticks ticks;
-  ticks.logarithmic = true;
   const double low = request.from.value_or(request.low);
   const double high = std::max(request.to.value_or(request.high), low * 1.001);
-  const bool few = 3 * std::log10(high / low) < request.most + 1;
-  const std::vector<double> factors = few ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
-  const auto beyond = [&](double value, bool up) {  // the next number with a label
-    const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-12));
-    if (up) {
-      for (const double factor : factors) {
-        if (factor * power >= value * (1 - 1e-9)) return factor * power;
-      }
-      return 10 * power;
-    }
-    double found = power;
-    for (const double factor : factors) {
-      if (factor * power <= value * (1 + 1e-9)) found = factor * power;
-    }
-    return found;
+  const bool is_few = 3 * std::log10(high / low) < request.most + 1;
+  const auto at_least = [&](double value) {  // the next number with a label
+    return is_few ? round_step(value) : std::pow(10.0, std::ceil(std::log10(value) - 1e-12));
   };
-  ticks.from = request.from ? low : beyond(low, false);
-  ticks.to = request.to ? high : beyond(high, true);
+  Ticks ticks;
+  ticks.logarithmic = true;
+  ticks.from = request.from ? low : 1 / at_least(1 / low);  // 1, 2, 5 are, up to a power of ten, 1/1, 1/5, 1/2
+  ticks.to = request.to ? high : at_least(high);
   const int first = static_cast<int>(std::floor(std::log10(ticks.from) + 1e-9));
   const int last = static_cast<int>(std::ceil(std::log10(ticks.to) - 1e-9));
   const int stride = std::max(1, (last - first + request.most - 1) / request.most);
@@ -86,8 +69,8 @@ Ticks logarithmic(const TickRequest& request) {
     for (int digit = 1; digit < 10; ++digit) {
       const double at = digit * std::pow(10.0, exponent);
       if (at < ticks.from * (1 - 1e-9) || at > ticks.to * (1 + 1e-9)) continue;
-      const bool named = std::find(factors.begin(), factors.end(), digit) != factors.end();
-      if (named && (exponent - first) % stride == 0) {
+      const bool is_named = digit == 1 || (is_few && (digit == 2 || digit == 5));
+      if (is_named && (exponent - first) % stride == 0) {
         ticks.labels.emplace_back(at, fmt::format("{:.4g}", at));
       } else {
         ticks.minor.push_back(at);
@@ -98,12 +81,6 @@ Ticks logarithmic(const TickRequest& request) {
 }
 
 }  // namespace
-
-std::size_t Ticks::longest() const {
-  std::size_t most = 1;
-  for (const auto& [at, text] : labels) most = std::max(most, length_of(text));
-  return most;
-}
 
 std::string scaled(const std::string& label, const Ticks& ticks) {
   if (ticks.numbered) return label + " (number)";

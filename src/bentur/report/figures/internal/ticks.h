@@ -15,9 +15,6 @@ struct Ticks {
   int exponent = 0;       ///< the numbers are those of value / 10^exponent
   std::vector<std::pair<double, std::string>> labels;
   std::vector<double> minor;  ///< without a number
-
-  /// Characters of the longest label.
-  [[nodiscard]] std::size_t longest() const;
 };
 
 /// An axis for data from `low` to `high`, at most about `most` numbers apart by 1, 2 or 5 times a power of ten. Ends

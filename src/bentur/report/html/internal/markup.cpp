@@ -1,10 +1,12 @@
 #include "bentur/report/html/internal/markup.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/utf8.h"
 
 namespace bentur::html {
 namespace {
@@ -12,48 +14,16 @@ namespace {
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 constexpr const char* no_unit = "\xC2\xA0";               // a space that keeps the line
 
-/// Length of the UTF-8 character at the start of `text`; 0 where it is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(0);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : first >= 0xE0 && first < 0xF0 ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  }
-  return length;
-}
-
 }  // namespace
 
 Html Html::text(std::string_view any) {
+  static const std::map<std::int32_t, std::string_view> references = {{'&', "&amp;"},  {'<', "&lt;"},   {'>', "&gt;"},
+                                                                      {'"', "&quot;"}, {'\'', "&#39;"}, {'`', "&#96;"}};
   std::string markup;
-  while (!any.empty()) {
-    const std::size_t length = character_length(any);
-    const char c = any.front();
-    const bool control = length == 1 && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && c != '\n' && c != '\t';
-    if (length == 0 || control) {
-      markup += replacement;
-    } else if (c == '&') {
-      markup += "&amp;";
-    } else if (c == '<') {
-      markup += "&lt;";
-    } else if (c == '>') {
-      markup += "&gt;";
-    } else if (c == '"') {
-      markup += "&quot;";
-    } else if (c == '\'') {
-      markup += "&#39;";
-    } else if (c == '`') {
-      markup += "&#96;";
-    } else {
-      markup += any.substr(0, length);
-    }
-    any.remove_prefix(std::max<std::size_t>(length, 1));
+  for (const auto& [bytes, code] : characters(any)) {
+    const auto reference = references.find(code);
+    const bool is_control = (code < 0x20 && code != '\n' && code != '\t') || code == 0x7F;
+    markup += reference != references.end() ? reference->second : is_control ? replacement : bytes;
   }
   return Html(std::move(markup));
 }

@@ -13,13 +13,6 @@
 namespace bentur::html {
 namespace {
 
-std::string asset(std::string_view name) {
-  for (const EmbeddedFile& file : report_assets()) {
-    if (file.name == name) return std::string(file.content);
-  }
-  throw InvalidParameter("asset", std::string(name), "is not built in");
-}
-
 /// A figure's SVG without what only a file of its own has, and with names of its own among all figures of the page.
 std::string inline_svg(const std::string& file, std::size_t number) {
   const std::size_t start = file.find("<svg");
@@ -49,6 +42,13 @@ std::string nonce_of(const std::string& page) {
 
 }  // namespace
 
+std::string_view asset(std::string_view name) {
+  for (const EmbeddedFile& file : report_assets()) {
+    if (file.name == name) return file.content;
+  }
+  throw InvalidParameter("asset", std::string(name), "is not built in");
+}
+
 std::string page(const Words& say, const std::string& title, const Html& body, bool with_script) {
   const std::string nonce = nonce_of(body.str());
   const std::string head =
@@ -63,7 +63,7 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
   const Html document = element("head", Html::markup(head) + element("title", Html::text(title)) +
                                             element("style", Html::markup(asset("report.css")))) +
                         Html::markup("\n") + element("body", content);
-  return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + std::string(say.language()) + "\"").str() + "\n";
+  return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 
 Html figures_section(const Words& say, const std::vector<ReportFigure>& figures) {

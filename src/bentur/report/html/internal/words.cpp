@@ -1,52 +1,67 @@
 #include "bentur/report/html/internal/words.h"
 
+#include <fmt/args.h>
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/report/html/internal/assets.h"
 
 namespace bentur {
 namespace {
 
-constexpr std::array<std::string_view, 2> languages = {"en", "id"};
+/// A table holds the text of one key in each language, tables of longer keys, or both.
+void collect(const TomlValue& table, const std::string& key, html::Catalogue& into) {
+  for (const TomlMember& member : table.members) {
+    if (member.value.kind == TomlValue::Kind::text) into.texts[key][member.key] = member.value.text;
+    collect(member.value, key.empty() ? member.key : key + "." + member.key, into);
+  }
+}
 
 }  // namespace
 
-std::span<const std::string_view> report_languages() { return languages; }
+const std::vector<std::string>& report_languages() { return html::catalogue().languages; }
 
 namespace html {
 
-Words::Words(std::string_view language) {
-  const auto* const found = std::find(languages.begin(), languages.end(), language);
-  if (found == languages.end()) throw InvalidParameter("lang", std::string(language), "must be en or id");
-  column_ = static_cast<std::size_t>(found - languages.begin());
+const Catalogue& catalogue() {
+  static const Catalogue all = [] {
+    Diagnostics diagnostics;
+    const TomlValue file = parse_toml(std::string(asset("texts.toml")), "texts.toml", diagnostics).value();
+    Catalogue read;
+    collect(file, "", read);
+    for (const TomlValue& tag : find_value(file, {"languages"})->items) read.languages.push_back(tag.text);
+    return read;
+  }();
+  return all;
+}
+
+Words::Words(std::string_view language) : language_(language) {
+  const std::vector<std::string>& known = report_languages();
+  if (std::find(known.begin(), known.end(), language) == known.end()) {
+    throw InvalidParameter("lang", language_, fmt::format("must be {}", fmt::join(known, " or ")));
+  }
 }
 
 std::string Words::operator()(std::string_view key) const {
-  const auto entries = catalogue();
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
-  if (found == entries.end()) throw InvalidParameter("key", std::string(key), "is not in the catalogue");
-  return std::string(found->texts[column_]);
+  const auto& texts = catalogue().texts;
+  const auto found = texts.find(key);
+  if (found == texts.end()) throw InvalidParameter("key", std::string(key), "is not in the catalogue");
+  return found->second.at(language_);
 }
 
 std::string Words::operator()(std::string_view key,
-                              std::initializer_list<std::pair<std::string_view, std::string>> values) const {
+                              std::initializer_list<std::pair<const char*, std::string>> values) const {
+  fmt::dynamic_format_arg_store<fmt::format_context> named;
+  for (const auto& [name, value] : values) named.push_back(fmt::arg(name, value));
   const std::string text = (*this)(key);
-  std::string filled;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t open = text.find('{', at);
-    const std::size_t close = text.find('}', std::min(open, text.size()));
-    filled += text.substr(at, open - at);
-    if (open == std::string::npos || close == std::string::npos) break;
-    const std::string name = text.substr(open + 1, close - open - 1);
-    const auto* const value =
-        std::find_if(values.begin(), values.end(), [&](const auto& given) { return given.first == name; });
-    if (value == values.end()) throw InvalidParameter(std::string(key), name, "has no value");
-    filled += value->second;
-    at = close + 1;
+  try {
+    return fmt::vformat(text, named);
+  } catch (const fmt::format_error& error) {
+    throw InvalidParameter(std::string(key), text, error.what());
   }
-  return filled;
 }
 
 std::string Words::count(std::string_view key, long n) const {

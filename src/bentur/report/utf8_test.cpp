@@ -1,0 +1,33 @@
+#include "bentur/report/utf8.h"
+
+#include <gtest/gtest.h>
+
+namespace bentur {
+namespace {
+
+TEST(Utf8, CharactersAndTheirCodes) {
+  const auto list = characters("aδ建");
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[1].bytes, "δ");
+  EXPECT_EQ(list[1].code, 0x3B4);
+  EXPECT_EQ(list[2].bytes.size(), 3U);
+  EXPECT_TRUE(characters("").empty());
+}
+
+TEST(Utf8, BytesThatAreNoneStandAlone) {
+  const auto list = characters("\xC3<\xFF\xE2\x80");  // half a character, no character, two thirds of one
+  ASSERT_EQ(list.size(), 5U);
+  for (const std::size_t i : {0U, 2U, 3U, 4U}) EXPECT_EQ(list[i].code, -1) << i;
+  EXPECT_EQ(list[1].bytes, "<");
+  EXPECT_EQ(characters("\xED\xA0\x80").front().code, -1) << "half of a UTF-16 pair";
+}
+
+TEST(Utf8, WidthOnATerminal) {
+  EXPECT_EQ(display_width("δ₁ a"), 4U);
+  EXPECT_EQ(display_width("建物"), 4U);
+  EXPECT_EQ(display_width("e\u0301"), 1U) << "an accent of its own stands on the letter";
+  EXPECT_EQ(display_width("a\xFF"), 2U);
+}
+
+}  // namespace
+}  // namespace bentur
