@@ -33,9 +33,9 @@ struct RunArguments {
 };
 
 /// Every quantity of contact points or floors that is for tables, behind the elevations of the places.
-Table quantity_table(const RunResults& run, Owner owner, const std::vector<Place>& places) {
+Table quantity_table(const RunResults& run, Owner owner, const std::vector<QuantityPlace>& places) {
   std::vector<double> elevations;
-  for (const Place& at : places) {
+  for (const QuantityPlace& at : places) {
     elevations.push_back(owner == Owner::point ? run.problem.points[at.item].elevation
                                                : run.problem.buildings[at.item].model.elevations[at.floor]);
   }

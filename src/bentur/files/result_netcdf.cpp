@@ -27,11 +27,11 @@ std::span<const double> by_columns(const Eigen::PlainObjectBase<Matrix>& matrix)
 /// Every quantity of `owner`, at the places along a dimension or at one place. Names and descriptions are followed by
 /// what they are of: "_1", " of building \"A\"".
 void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
-                      const std::vector<Dimension>& dimensions, const std::vector<Place>& places,
+                      const std::vector<Dimension>& dimensions, const std::vector<QuantityPlace>& places,
                       const std::string& prefix, const std::string& suffix, const std::string& of) {
   for (const Quantity* quantity : quantities_of(owner)) {
     std::vector<double> values;
-    for (const Place& at : places) values.push_back(value_of(*quantity, run, at));
+    for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, run, at));
     const Variable variable = file.write(prefix + std::string(quantity->key) + suffix, dimensions, values,
                                          udunits(quantity->units, run.units), std::string(quantity->long_name) + of);
     if (!quantity->symbol.empty()) file.attribute(variable, "symbol", std::string(quantity->symbol));
@@ -39,8 +39,8 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
 }
 
 /// The first `count` places.
-std::vector<Place> first_places(std::size_t count) {
-  std::vector<Place> places;
+std::vector<QuantityPlace> first_places(std::size_t count) {
+  std::vector<QuantityPlace> places;
   for (std::size_t i = 0; i < count; ++i) places.push_back({i, 0});
   return places;
 }
@@ -76,7 +76,7 @@ void write_building(const NetcdfWriter& file, Dimension time, std::size_t b, con
   file.write("base_shear" + number, {time}, by_columns(base_shear), force, "shear of the lowest storey of " + owner);
   const double base = building.model.elevations.front() - building.model.storey_heights.front();
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
-  std::vector<Place> places = floors_from_top(run.problem, b);
+  std::vector<QuantityPlace> places = floors_from_top(run.problem, b);
   std::reverse(places.begin(), places.end());
   write_quantities(file, Owner::floor, run, {floors}, places, "", number, " of the floors of " + owner);
   write_quantities(file, Owner::building, run, {}, {{b, 0}}, "", number, " of " + owner);

@@ -19,48 +19,50 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // What is computed, not kept in a response.
 
-Proportions proportions_of(const RunView& r, const Place& at) {
+Proportions proportions_of(const RunView& r, const QuantityPlace& at) {
   return proportions(r.problem.buildings[at.item], r.units, &r.response.buildings[at.item]);
 }
-double weight(const RunView& r, const Place& at) { return proportions_of(r, at).weight; }
-double base_shear_coefficient(const RunView& r, const Place& at) {
+double weight(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).weight; }
+double base_shear_coefficient(const RunView& r, const QuantityPlace& at) {
   return proportions_of(r, at).base_shear_coefficient.value_or(none);
 }
-double first_period(const RunView& r, const Place& at) {
+double first_period(const RunView& r, const QuantityPlace& at) {
   const double omega = r.problem.buildings[at.item].modes.omega(0);
   return omega > 0 ? 2 * std::numbers::pi / omega : none;
 }
-double period_per_storey(const RunView& r, const Place& at) { return proportions_of(r, at).period_per_storey; }
-double amplification(const RunView& r, const Place& at) {
+double period_per_storey(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).period_per_storey; }
+double amplification(const RunView& r, const QuantityPlace& at) {
   const BuildingPeaks& peaks = r.response.buildings[at.item];
   const auto i = static_cast<Eigen::Index>(at.floor);
   const double without = peaks.displacement_no_contact(i);
   return without > 0 ? peaks.displacement(i) / without : none;
 }
-double point_width(const RunView& r, const Place& at) { return r.problem.points[at.item].width; }
-double smallest_restitution(const RunView& r, const Place& at) {
+double point_width(const RunView& r, const QuantityPlace& at) { return r.problem.points[at.item].width; }
+double smallest_restitution(const RunView& r, const QuantityPlace& at) {
   return r.restitutions[at.item].smallest.value_or(none);
 }
-double largest_restitution(const RunView& r, const Place& at) { return r.restitutions[at.item].largest.value_or(none); }
-double gap_of_points(const RunView& r, const Place& at) {
+double largest_restitution(const RunView& r, const QuantityPlace& at) {
+  return r.restitutions[at.item].largest.value_or(none);
+}
+double gap_of_points(const RunView& r, const QuantityPlace& at) {
   const Gap between = gap_at(r.problem, at.item);
   double needed = 0;
   for (const std::size_t i : between.points) needed = std::max(needed, r.response.points[i].minimum_gap_no_contact);
   return needed;
 }
-double whole_gap(const RunView& r, const Place& at) { return gap_needed(r.problem, r.response, at.item); }
-long floors_met(const RunView& r, const Place& at) {
+double whole_gap(const RunView& r, const QuantityPlace& at) { return gap_needed(r.problem, r.response, at.item); }
+long floors_met(const RunView& r, const QuantityPlace& at) {
   return static_cast<long>(unmodelled_contacts(r.problem, r.response, at.item).size());
 }
-double ground_acceleration(const RunView& r, const Place&) { return peak_acceleration(r.problem.motion); }
-long events(const RunView& r, const Place&) { return r.response.events; }
-double energy_residual(const RunView& r, const Place&) {
+double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
+long events(const RunView& r, const QuantityPlace&) { return r.response.events; }
+double energy_residual(const RunView& r, const QuantityPlace&) {
   return r.response.energy ? r.response.energy->relative_residual() : none;
 }
-double impact_restitution(const RunView& r, const Place& at) {
+double impact_restitution(const RunView& r, const QuantityPlace& at) {
   return r.response.impacts[at.item].restitution().value_or(none);
 }
-double impact_duration(const RunView& r, const Place& at) {
+double impact_duration(const RunView& r, const QuantityPlace& at) {
   return r.response.impacts[at.item].end - r.response.impacts[at.item].start;
 }
 
@@ -166,7 +168,7 @@ std::size_t place_count(Owner owner, const Problem& problem, const Response& res
   return 1;
 }
 
-double value_of(const Quantity& quantity, const RunView& r, const Place& at) {
+double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
   const auto floor_of = static_cast<Eigen::Index>(at.floor);
   const Response& response = r.response;
   return std::visit(
@@ -176,8 +178,8 @@ double value_of(const Quantity& quantity, const RunView& r, const Place& at) {
               },
               [&](double Impact::*member) { return response.impacts[at.item].*member; },
               [&](bool Impact::*member) { return response.impacts[at.item].*member ? 1.0 : 0.0; },
-              [&](double (*compute)(const RunView&, const Place&)) { return compute(r, at); },
-              [&](long (*count)(const RunView&, const Place&)) { return static_cast<double>(count(r, at)); },
+              [&](double (*compute)(const RunView&, const QuantityPlace&)) { return compute(r, at); },
+              [&](long (*count)(const RunView&, const QuantityPlace&)) { return static_cast<double>(count(r, at)); },
               [&](auto PointSummary::*member) { return static_cast<double>(response.points[at.item].*member); }},
       quantity.source);
 }
@@ -185,15 +187,15 @@ double value_of(const Quantity& quantity, const RunView& r, const Place& at) {
 bool is_whole(const Quantity& quantity) {
   return std::holds_alternative<int PointSummary::*>(quantity.source) ||
          std::holds_alternative<bool Impact::*>(quantity.source) ||
-         std::holds_alternative<long (*)(const RunView&, const Place&)>(quantity.source);
+         std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
 }
 
 bool is_kept(const Quantity& quantity) {
-  return !std::holds_alternative<double (*)(const RunView&, const Place&)>(quantity.source) &&
-         !std::holds_alternative<long (*)(const RunView&, const Place&)>(quantity.source);
+  return !std::holds_alternative<double (*)(const RunView&, const QuantityPlace&)>(quantity.source) &&
+         !std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
 }
 
-void put_value(const Quantity& quantity, double value, const Place& at, Response& response) {
+void put_value(const Quantity& quantity, double value, const QuantityPlace& at, Response& response) {
   std::visit(Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
                        Eigen::VectorXd& values = response.buildings.at(at.item).*member;
                        const auto size = static_cast<Eigen::Index>(at.floor) + 1;
@@ -205,7 +207,8 @@ void put_value(const Quantity& quantity, double value, const Place& at, Response
                      },
                      [&](double Impact::*member) { response.impacts.at(at.item).*member = value; },
                      [&](bool Impact::*member) { response.impacts.at(at.item).*member = value != 0; },
-                     [](double (*)(const RunView&, const Place&)) {}, [](long (*)(const RunView&, const Place&)) {},
+                     [](double (*)(const RunView&, const QuantityPlace&)) {},
+                     [](long (*)(const RunView&, const QuantityPlace&)) {},
                      [&](double PointSummary::*member) { response.points.at(at.item).*member = value; },
                      [&](int PointSummary::*member) { response.points.at(at.item).*member = static_cast<int>(value); }},
              quantity.source);
@@ -235,13 +238,13 @@ std::string unit_text(std::string_view form, const Units& units) {
   return text;
 }
 
-std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<Place>& places,
+std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
                                        std::size_t language) {
   std::vector<TableColumn> columns;
   for (const Quantity* quantity : quantities_of(owner)) {
     if (quantity->label[language].empty()) continue;
     std::vector<double> values;
-    for (const Place& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
+    for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
     std::vector<std::string> cells = column(values);
     if (quantity->decimals) {
       for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -255,14 +258,14 @@ std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std:
   return columns;
 }
 
-std::vector<Place> floors_from_top(const Problem& problem, std::size_t b) {
-  std::vector<Place> places;
+std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t b) {
+  std::vector<QuantityPlace> places;
   for (std::size_t i = problem.buildings[b].model.elevations.size(); i-- > 0;) places.push_back({b, i});
   return places;
 }
 
-std::vector<Place> places_of(const std::vector<std::size_t>& items) {
-  std::vector<Place> places;
+std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items) {
+  std::vector<QuantityPlace> places;
   for (const std::size_t item : items) places.push_back({item, 0});
   return places;
 }

@@ -29,15 +29,16 @@ struct RunView {
 };
 
 /// Where a value is: number of the building, point, gap or impact, and of the floor.
-struct Place {
+struct QuantityPlace {
   std::size_t item = 0;
   std::size_t floor = 0;
 };
 
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
-using QuantitySource = std::variant<Eigen::VectorXd BuildingPeaks::*, double PointSummary::*, int PointSummary::*,
-                                    std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
-                                    double (*)(const RunView&, const Place&), long (*)(const RunView&, const Place&)>;
+using QuantitySource =
+    std::variant<Eigen::VectorXd BuildingPeaks::*, double PointSummary::*, int PointSummary::*,
+                 std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
+                 double (*)(const RunView&, const QuantityPlace&), long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
 /// are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
@@ -68,13 +69,13 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] std::size_t place_count(Owner owner, const Problem& problem, const Response& response);
 
 /// Its value at a place; NaN where there is none.
-[[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const Place& place = {});
+[[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
 /// Whether it is a count, or yes (1) or no.
 [[nodiscard]] bool is_whole(const Quantity& quantity);
 /// Whether a response holds it; else it is computed.
 [[nodiscard]] bool is_kept(const Quantity& quantity);
 /// Puts a value read from a file where it stands in a response; does nothing for one that is computed.
-void put_value(const Quantity& quantity, double value, const Place& place, Response& response);
+void put_value(const Quantity& quantity, double value, const QuantityPlace& place, Response& response);
 
 /// "kgf s-1", as UDUNITS reads it, of "F s-1".
 [[nodiscard]] std::string udunits(std::string_view form, const Units& units);
@@ -90,11 +91,12 @@ struct TableColumn {
 };
 /// A column for each quantity of this owner that has a label, with a cell for each place.
 /// @param language 0 English, 1 Indonesian
-[[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run, const std::vector<Place>& places,
+[[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
+                                                     const std::vector<QuantityPlace>& places,
                                                      std::size_t language = 0);
 /// The floors of a building from the top down, as it stands.
-[[nodiscard]] std::vector<Place> floors_from_top(const Problem& problem, std::size_t building);
+[[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t building);
 /// Those items as places.
-[[nodiscard]] std::vector<Place> places_of(const std::vector<std::size_t>& items);
+[[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items);
 
 }  // namespace bentur

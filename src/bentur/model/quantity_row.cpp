@@ -58,7 +58,7 @@ void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<d
   for (const RowPart& part : parts) {
     for (std::size_t i = 0; i < part.count; ++i) {
       const bool of_building = part.owner == Owner::floor || part.owner == Owner::building;
-      const Place at = of_building ? Place{part.building, i} : Place{i, 0};
+      const QuantityPlace at = of_building ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
       row[part.first + i] = value_of(*part.quantity, run, at);
     }
   }

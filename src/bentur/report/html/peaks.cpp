@@ -21,7 +21,7 @@ std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap) {
   return {between.points.rbegin(), between.points.rend()};
 }
 
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<Place>& places) {
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
   const auto languages = report_languages();
   const auto language = std::find(languages.begin(), languages.end(), story.say.language()) - languages.begin();
   for (TableColumn& column : table_columns(owner, story.run, places, static_cast<std::size_t>(language))) {

@@ -55,7 +55,7 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
 /// Every quantity of an owner that is for tables, at these places, behind the columns that say where they are.
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<Place>& places);
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
 /// A heading and what belongs to it.
