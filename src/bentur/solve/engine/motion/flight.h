@@ -43,7 +43,7 @@ class Flight {
 using Flights = std::vector<Flight>;
 
 /// The flights of every segment length of the grid down to a part short enough for one power series: by measurement
-/// (docs/performance.md), no further. Empty where a damping matrix is full.
+/// (bench/tuning.md), no further. Empty where a damping matrix is full.
 using FlightTable = std::vector<Flights>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 /// The same of one length [s].
