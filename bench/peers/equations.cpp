@@ -71,9 +71,9 @@ Equations::Equations(const Problem& problem, double length)
     step = breakpoints_[j + 1] - begin;
     bool jump = false;
     for (std::size_t b = 0; b < buildings_; ++b) {  // from within, as a_g may jump at the ends
-      const double since = begin - delay_of(problem, b);
-      const double early = acceleration_at(problem.motion, since + 0.25 * step);
-      const double late = acceleration_at(problem.motion, since + 0.75 * step);
+      const double delay = delay_of(problem, b);
+      const double early = acceleration_at(problem.motion, begin + 0.25 * step - delay);
+      const double late = acceleration_at(problem.motion, begin + 0.75 * step - delay);
       inputs_.push_back({early - 0.5 * (late - early), 2 * (late - early) / step});
       if (j == 0) continue;
       const Input& last = inputs_[inputs_.size() - 1 - buildings_];

@@ -67,6 +67,8 @@ using LawParameters = std::vector<std::pair<std::string_view, double>>;
 /// points, each with its own ContactState.
 class ContactLaw {
  public:
+  static constexpr int apart = 0;  ///< ContactState::branch
+
   virtual ~ContactLaw() = default;
 
   /// The name a case gives it by, e.g. "linear".
@@ -79,9 +81,10 @@ class ContactLaw {
   [[nodiscard]] virtual Branch branch(const ContactState& state) const noexcept = 0;
 
   /// The state after guard number `guard` of its branch has come down to zero at `time` [s], at the given δ and δ̇.
-  /// A law sets `branch`, `since`, and what it wants to remember; `closing_speed` where a contact begins.
+  /// A law sets `branch`, `since`, and what it wants to remember; `closing_speed` where a contact begins. As most laws
+  /// have it: a contact begins in branch 1, ends by guard 0, and changes between branches 1 and 2 by any other guard.
   [[nodiscard]] virtual ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                          double closing_speed) const noexcept = 0;
+                                          double closing_speed) const noexcept;
 
   /// F [force] at penetration δ [length] and closing speed δ̇ [length/s] in the branch of `state`. Pure; NaN in gives
   /// NaN out. A linear branch needs no formula of its own.

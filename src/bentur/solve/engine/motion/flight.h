@@ -26,7 +26,7 @@ class Flight {
   /// One building; only its coordinates are looked at and written.
   ///   rise               how far q can leave its chord: |q̈| length²/8,
   ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
-  void advance(std::size_t block, const GroundInput& input, const kernels::Leg& leg) const;
+  void advance(std::size_t block, const GroundInput& input, const kernels::FlightArrays& arrays) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
   [[nodiscard]] const kernels::FlightMap& map() const { return map_; }

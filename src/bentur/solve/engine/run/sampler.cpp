@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/sampler.h"
+#include "bentur/solve/engine/run/sampler.h"
 
 #include <algorithm>
 #include <cmath>

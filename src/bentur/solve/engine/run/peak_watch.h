@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bentur/solve/engine/motion/trail.h"
-#include "bentur/solve/engine/walk/watched_rows.h"
+#include "bentur/solve/engine/motion/step_buffer.h"
+#include "bentur/solve/engine/run/bounded_outputs.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {
@@ -31,11 +31,11 @@ class PeakWatch {
   /// Reaches in an interval of which nothing is known.
   [[nodiscard]] const double* unknown() const { return unknown_.data(); }
 
-  /// Takes all instants of a trail in.
-  void raise(std::size_t block, const Trail& trail);
-  /// The first leg of that trail, from `leg` on, that may exceed a peak (T-4); as many as there are where none does.
-  /// `before` becomes zero for quantities that do not in that leg, unknown for others.
-  [[nodiscard]] Eigen::Index next_open(std::size_t block, Eigen::Index leg, double* before) const;
+  /// Takes in all instants of a buffer.
+  void raise(std::size_t block, const StepBuffer& buffer);
+  /// The first step of that buffer, from `step` on, that may exceed a peak (T-4); as many as there are where none does.
+  /// `before` becomes zero for quantities that do not in that step, unknown for others.
+  [[nodiscard]] Eigen::Index next_unsettled(std::size_t block, Eigen::Index step, double* before) const;
 
   /// One building between two instants, an entry per coordinate of it.
   struct Interval {
@@ -53,7 +53,7 @@ class PeakWatch {
                                         double* reach);
 
   /// Number of quantities whose reach does not stay below their peaks so far.
-  [[nodiscard]] Eigen::Index open(std::size_t block, const double* reach) const;
+  [[nodiscard]] Eigen::Index count_unsettled(std::size_t block, const double* reach) const;
 
   /// Searches a whole step for what its reach leaves open.
   void scan(std::size_t block, const Curves& step, const double* reach);
@@ -63,9 +63,9 @@ class PeakWatch {
 
  private:
   const ModalSystem* system_;
-  std::vector<WatchedRows> positions_, accelerations_;  ///< per building
+  std::vector<BoundedOutputs> positions_, accelerations_;  ///< per building
   std::vector<double> unknown_;
-  Eigen::VectorXd samples_, seconds_, rise_, second_rise_;  ///< room
+  Eigen::VectorXd samples_, seconds_, rise_, second_rise_;  ///< scratch
 };
 
 }  // namespace bentur::engine

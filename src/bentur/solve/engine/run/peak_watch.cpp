@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/peak_watch.h"
+#include "bentur/solve/engine/run/peak_watch.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,9 +13,9 @@ PeakWatch::PeakWatch(const ModalSystem& system) : system_(&system) {
   Index most = 0;
   Index most_quantities = 0;
   for (const auto& block : system.blocks) {
-    positions_.emplace_back(block.outputs, block.room, kernels::Peaks::of_sizes);
-    accelerations_.emplace_back(block.acceleration, block.room, kernels::Peaks::of_sizes);
-    most = std::max(most, block.room);
+    positions_.emplace_back(block.outputs, block.padded_size, kernels::Peaks::of_abs);
+    accelerations_.emplace_back(block.acceleration, block.padded_size, kernels::Peaks::of_abs);
+    most = std::max(most, block.padded_size);
     most_quantities = std::max(most_quantities, quantities(positions_.size() - 1));
   }
   samples_.resize(most * (most_parts + 1));
@@ -33,7 +33,7 @@ VectorXd PeakWatch::peaks() const {
   VectorXd all(size);
   Index at = 0;
   for (std::size_t b = 0; b < positions_.size(); ++b) {
-    for (const WatchedRows* rows : {&positions_[b], &accelerations_[b]}) {
+    for (const BoundedOutputs* rows : {&positions_[b], &accelerations_[b]}) {
       all.segment(at, rows->size()) = rows->peak;
       at += rows->size();
     }
@@ -44,28 +44,28 @@ VectorXd PeakWatch::peaks() const {
 void PeakWatch::resume(const VectorXd& peaks) {
   Index at = 0;
   for (std::size_t b = 0; b < positions_.size(); ++b) {
-    for (WatchedRows* rows : {&positions_[b], &accelerations_[b]}) {
+    for (BoundedOutputs* rows : {&positions_[b], &accelerations_[b]}) {
       rows->peak = peaks.segment(at, rows->size());
       at += rows->size();
     }
   }
 }
 
-void PeakWatch::raise(std::size_t b, const Trail& trail) {
+void PeakWatch::raise(std::size_t b, const StepBuffer& buffer) {
   const Index begin = system_->blocks[b].begin;
-  const Index legs = trail.legs();
-  positions_[b].raise(legs, trail.q(0) + begin, trail.rise(0) + begin, system_->size);
-  accelerations_[b].raise(legs, trail.acceleration(0) + begin, trail.acceleration_rise(0) + begin, system_->size);
+  const Index steps = buffer.size();
+  positions_[b].raise(steps, buffer.q(0) + begin, buffer.rise(0) + begin, system_->size);
+  accelerations_[b].raise(steps, buffer.acceleration(0) + begin, buffer.acceleration_rise(0) + begin, system_->size);
 }
 
-Index PeakWatch::next_open(std::size_t b, Index leg, double* before) const {
-  const WatchedRows& positions = positions_[b];
-  const WatchedRows& accelerations = accelerations_[b];
-  while (leg < positions.legs() && !positions.open(leg) && !accelerations.open(leg)) ++leg;
-  if (leg == positions.legs()) return leg;
-  positions.open_fours(leg, before);
-  accelerations.open_fours(leg, before + positions.size());
-  return leg;
+Index PeakWatch::next_unsettled(std::size_t b, Index step, double* before) const {
+  const BoundedOutputs& positions = positions_[b];
+  const BoundedOutputs& accelerations = accelerations_[b];
+  while (step < positions.steps() && !positions.unsettled(step) && !accelerations.unsettled(step)) ++step;
+  if (step == positions.steps()) return step;
+  positions.mark_unsettled(step, before);
+  accelerations.mark_unsettled(step, before + positions.size());
+  return step;
 }
 
 bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, const double* before, double* reach) {
@@ -77,12 +77,12 @@ bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, const double
 }
 
 bool PeakWatch::settled_by_samples(std::size_t b, const Curves& step, int parts, const double* before, double* reach) {
-  const Index n = system_->blocks[b].room;
+  const Index n = system_->blocks[b].padded_size;
   const double rate = 1.0 / (step.h * step.h);
   const double chord = step.end * step.end / (8.0 * parts * parts);
   kernels::sample(n, step.c, step.stride, step.degree, {parts, step.end, rate}, samples_.data(), seconds_.data());
   kernels::bound(n, step.c, step.stride, step.degree, step.end, chord, chord * rate, rise_.data(), second_rise_.data());
-  const auto look = [&](WatchedRows& rows, const VectorXd& samples, const VectorXd& rise, const double* rows_before,
+  const auto look = [&](BoundedOutputs& rows, const VectorXd& samples, const VectorXd& rise, const double* rows_before,
                         double* rows_reach) {
     return kernels::reach_of_samples(rows.weights(), parts + 1, samples.data(), rise.data(), rows.peak.data(),
                                      rows_before, rows_reach);
@@ -93,7 +93,7 @@ bool PeakWatch::settled_by_samples(std::size_t b, const Curves& step, int parts,
   return positions && accelerations;
 }
 
-Index PeakWatch::open(std::size_t b, const double* reach) const {
+Index PeakWatch::count_unsettled(std::size_t b, const double* reach) const {
   const VectorXd& peak = positions_[b].peak;
   const VectorXd& acceleration_peak = accelerations_[b].peak;
   return kernels::count_above(peak.size(), reach, peak.data()) +
@@ -102,17 +102,17 @@ Index PeakWatch::open(std::size_t b, const double* reach) const {
 
 void PeakWatch::scan(std::size_t b, const Curves& step, const double* reach) {
   Polynomial row;
-  const auto combine = [&](const WatchedRows& rows, Index r) {
+  const auto combine = [&](const BoundedOutputs& rows, Index r) {
     row.degree = step.degree;
     kernels::combine(rows.weights(), r, step.c, step.stride, row.degree, rise_.data(), row.coefficients.data());
   };
-  WatchedRows& positions = positions_[b];
+  BoundedOutputs& positions = positions_[b];
   for (Index r = 0; r < positions.size(); ++r) {
     if (!(reach[r] > positions.peak(r))) continue;
     combine(positions, r);
     raise_to_largest(row, step.end, positions.peak(r));
   }
-  WatchedRows& accelerations = accelerations_[b];
+  BoundedOutputs& accelerations = accelerations_[b];
   const double rate = 1.0 / (step.h * step.h);
   for (Index f = 0; f < accelerations.size(); ++f) {
     if (!(reach[positions.size() + f] > accelerations.peak(f))) continue;

@@ -26,39 +26,40 @@ struct FlightPlan {
   }
 };
 
-/// Where a run has been: the state and acceleration of every coordinate at instants one after the other, and how far
-/// coordinates can have left the chords in between. For those who look at many instants at a time. Leg n goes from
-/// instant n to instant n + 1; it is a flight or a step of a power series, or nothing but a jump.
-class Trail {
+/// The last steps of a run: the state and acceleration of every coordinate at successive instants, and how far
+/// coordinates can have left the chords in between; peaks and gaps are looked for in many steps at a time. Step n goes
+/// from instant n to instant n + 1. It is a flight, a step of a power series, or a jump, which takes no time.
+class StepBuffer {
  public:
-  static constexpr Eigen::Index most = 128;  ///< legs
+  static constexpr Eigen::Index most = 128;  ///< number of steps
 
-  /// How a leg was taken, so that it can be gone over again.
-  struct Leg {
+  /// How a step was taken, so that it can be taken again.
+  struct Step {
     long segment = 0;
-    const Flights* flights = nullptr;  ///< a flight by flights[halvings]; none: a step
+    const Flights* flights = nullptr;  ///< a flight by flights[halvings]; none: a power series
     std::size_t halvings = 0;
     double length = 0;  ///< [s]; 0: a jump
     double offset = 0;  ///< of its start, from that of the segment [s]
-    // Of a step, and where its coefficients are kept:
+    // Of a power series, and where its coefficients are kept:
     double h = 0, end = 0;
     int degree = 0;
     Eigen::Index kept = 0;
   };
 
-  Trail(const ModalSystem& system, const FlightPlan& plan);
+  StepBuffer(const ModalSystem& system, const FlightPlan& plan);
 
-  /// Legs for which there is room; a leg that does not start where the last one ended takes up two.
-  [[nodiscard]] Eigen::Index room() const { return most - legs(); }
+  /// How many more steps it can hold; one that does not start where the last one ended counts twice.
+  [[nodiscard]] Eigen::Index space() const { return most - size(); }
   void clear();
 
-  /// The next leg does not start with the state and acceleration with which the last one ended.
+  /// The next step does not start with the state and acceleration with which the last one ended.
   void break_off() { joined_ = false; }
-  /// Where the next flight starts, unless that is where the last leg ended.
+  /// Where the next flight starts, unless that is where the last step ended.
   void begin(const State& state, const std::vector<GroundInput>& inputs);
 
-  // Flights; they are no legs before they are accepted, but instants and rises after the last leg are theirs.
-  /// Over `count` whole segments from `segment` on; there must be room.
+  // Flights. They become steps when they are accepted; until then the instants and rises after the last step are
+  // theirs.
+  /// Over `count` whole segments from `segment` on; there must be space for them.
   void fly_on(long segment, Eigen::Index count);
   void accept(long segment, Eigen::Index count);
   /// By flights[halvings].
@@ -66,32 +67,32 @@ class Trail {
   void accept(long segment, double offset, const Flights& flights, std::size_t halvings,
               const std::vector<GroundInput>& inputs);
 
-  /// A step.
-  struct Step {
-    const Expansion& motion;  ///< a power series, last evaluated at `cut`
+  /// A step of a power series.
+  struct SeriesStep {
+    const Expansion& motion;  ///< last evaluated at `cut`
     double cut;               ///< where it ends
     const State &from, &to;
     const std::vector<GroundInput>& inputs;  ///< at its start
   };
-  void add(long segment, double offset, const Step& step);
+  void add(long segment, double offset, const SeriesStep& taken);
 
-  [[nodiscard]] Eigen::Index legs() const { return std::max<Eigen::Index>(last_, 0); }
-  [[nodiscard]] const Leg& leg(Eigen::Index n) const { return legs_[static_cast<std::size_t>(n)]; }
-  /// Of every building at the start of a leg.
-  [[nodiscard]] const GroundInput* inputs(Eigen::Index leg) const {
-    return inputs_.data() + static_cast<std::size_t>(leg) * system_->blocks.size();
+  [[nodiscard]] Eigen::Index size() const { return std::max<Eigen::Index>(last_, 0); }
+  [[nodiscard]] const Step& step(Eigen::Index n) const { return steps_[static_cast<std::size_t>(n)]; }
+  /// Of every building at the start of a step.
+  [[nodiscard]] const GroundInput* inputs(Eigen::Index step) const {
+    return inputs_.data() + static_cast<std::size_t>(step) * system_->blocks.size();
   }
-  /// Of a step.
+  /// Of a power series.
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, Eigen::Index n) const {
-    const Leg& step = leg(n);
-    return {kept_.data() + step.kept + block.begin, system_->size, step.degree, step.h, step.end};
+    const Step& at = step(n);
+    return {kept_.data() + at.kept + block.begin, system_->size, at.degree, at.h, at.end};
   }
-  // Columns of all coordinates, of instants and of legs, each `size` of the system after the one before.
+  // Columns of all coordinates, of instants and of steps; their stride is the `size` of the system.
   [[nodiscard]] const double* q(Eigen::Index n) const { return q_.col(n).data(); }
   [[nodiscard]] const double* v(Eigen::Index n) const { return v_.col(n).data(); }
   [[nodiscard]] const double* acceleration(Eigen::Index n) const { return acceleration_.col(n).data(); }
-  [[nodiscard]] const double* rise(Eigen::Index leg) const { return rise_.col(leg).data(); }
-  [[nodiscard]] const double* acceleration_rise(Eigen::Index leg) const { return acceleration_rise_.col(leg).data(); }
+  [[nodiscard]] const double* rise(Eigen::Index step) const { return rise_.col(step).data(); }
+  [[nodiscard]] const double* acceleration_rise(Eigen::Index step) const { return acceleration_rise_.col(step).data(); }
 
  private:
   [[nodiscard]] bool next_instant();
@@ -99,16 +100,16 @@ class Trail {
 
   const ModalSystem* system_;
   const FlightPlan* plan_;
-  std::vector<kernels::Room> rooms_;             ///< of the buildings
-  std::vector<const kernels::FlightMap*> maps_;  ///< of the kinds, twice over
-  Eigen::Index last_ = -1;                       ///< instant
+  std::vector<kernels::CoordinateRange> ranges_;  ///< of the buildings
+  std::vector<const kernels::FlightMap*> maps_;   ///< of the kinds, twice over
+  Eigen::Index last_ = -1;                        ///< instant
   bool joined_ = false;
-  std::vector<Leg> legs_;
+  std::vector<Step> steps_;
   std::vector<GroundInput> inputs_;
-  Eigen::VectorXd kept_;  ///< coefficients of steps
+  Eigen::VectorXd kept_;  ///< coefficients of power series
   Eigen::Index kept_count_ = 0;
   Eigen::MatrixXd q_, v_, acceleration_, rise_, acceleration_rise_;
-  Eigen::VectorXd no_forces_, start_acceleration_;  ///< room
+  Eigen::VectorXd no_forces_, start_acceleration_;  ///< scratch
 };
 
 }  // namespace bentur::engine

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/energy_account.h"
+#include "bentur/solve/engine/run/energy_account.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>

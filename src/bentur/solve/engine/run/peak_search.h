@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/series.h"
-#include "bentur/solve/engine/motion/trail.h"
-#include "bentur/solve/engine/walk/peak_watch.h"
+#include "bentur/solve/engine/motion/step_buffer.h"
+#include "bentur/solve/engine/run/peak_watch.h"
 
 namespace bentur::engine {
 
@@ -17,7 +17,7 @@ class PeakSearch {
   explicit PeakSearch(const ModalSystem& system);
 
   /// Takes in where a run has been.
-  void take(const Trail& trail);
+  void take(const StepBuffer& buffer);
 
   /// A step whose expansion is an approximation.
   struct Approximate {
@@ -29,7 +29,7 @@ class PeakSearch {
   void take(const Approximate& step);
 
   /// Whether it is time for settle(): it bounds the memory of a long run.
-  [[nodiscard]] bool much_is_open() const;
+  [[nodiscard]] bool much_is_unsettled() const;
   /// Is told how many steps the search takes next; false: it ends there.
   using GoOn = std::function<bool(long)>;
   /// Looks into all that is open.
@@ -41,7 +41,7 @@ class PeakSearch {
  private:
   /// A flight in which a building may have exceeded its peaks. kept_ has, from `at` on, its reach and q, v and q̈ of the
   /// building at its start.
-  struct OpenFlight {
+  struct UnsettledFlight {
     std::size_t block = 0;
     const Flights* flights = nullptr;
     std::size_t halvings = 0;
@@ -50,7 +50,7 @@ class PeakSearch {
   };
   /// A step in which a building may have exceeded its peaks. kept_ has, from `at` on, its reach and the coefficients of
   /// its coordinates.
-  struct OpenStep {
+  struct UnsettledStep {
     std::size_t block = 0;
     double h = 0, end = 0;
     int degree = 0;
@@ -60,7 +60,7 @@ class PeakSearch {
   struct Place {
     Eigen::VectorXd q, v, acceleration;
   };
-  /// Room of one halving: the instants at the middle and the end, reach of a half.
+  /// Scratch of one halving: the instants at the middle and the end, reach of a half.
   struct Halving {
     Place middle, end;
     Eigen::VectorXd reach;
@@ -68,9 +68,9 @@ class PeakSearch {
 
   [[nodiscard]] Eigen::Index claim(Eigen::Index count);
   void keep(const double* x, Eigen::Index count);
-  void keep_flight(const OpenFlight& flight, const double* q, const double* v, const double* acceleration,
-                   std::vector<OpenFlight>& flights);
-  void keep_step(std::size_t block, const Trail& trail, Eigen::Index leg, Eigen::Index at);
+  void keep_flight(const UnsettledFlight& flight, const double* q, const double* v, const double* acceleration,
+                   std::vector<UnsettledFlight>& flights);
+  void keep_step(std::size_t block, const StepBuffer& buffer, Eigen::Index step, Eigen::Index at);
   /// What a search works with.
   struct Tools {
     Series& series;
@@ -78,24 +78,24 @@ class PeakSearch {
     const GoOn& go_on;
     Eigen::Index mark;  ///< in kept_: from there on stands what belongs to parts_
   };
-  void halve_whole(const OpenFlight& flight, Tools& tools);
-  void halve(const OpenFlight& flight, const Place& from, const double* before, Tools& tools);
-  template <class Open, class CurvesOf>
-  void look_into(std::vector<Open>& open, const CurvesOf& curves_of, bool search);
+  void halve_whole(const UnsettledFlight& flight, Tools& tools);
+  void halve(const UnsettledFlight& flight, const Place& from, const double* before, Tools& tools);
+  template <class Unsettled, class CurvesOf>
+  void look_into(std::vector<Unsettled>& intervals, const CurvesOf& curves_of, bool search);
   void look_into_parts(Tools& tools, bool search);
-  [[nodiscard]] Curves curves(const OpenFlight& flight, Series& series, Expansion& motion);
-  [[nodiscard]] Curves curves(const OpenStep& step) const;
+  [[nodiscard]] Curves curves(const UnsettledFlight& flight, Series& series, Expansion& motion);
+  [[nodiscard]] Curves curves(const UnsettledStep& step) const;
 
   const ModalSystem* system_;
   PeakWatch watch_;
-  std::vector<OpenFlight> flights_, parts_;  ///< whole ones, and parts that bounds cannot settle
-  std::vector<OpenStep> steps_;
+  std::vector<UnsettledFlight> flights_, parts_;  ///< whole ones, and parts that bounds cannot settle
+  std::vector<UnsettledStep> steps_;
   Eigen::VectorXd kept_;
   Eigen::Index kept_count_ = 0;
-  std::vector<Halving> halvings_;             ///< room
-  State state_;                               ///< room
-  Eigen::VectorXd before_;                    ///< room
-  Eigen::VectorXd rise_, acceleration_rise_;  ///< room
+  std::vector<Halving> halvings_;             ///< scratch
+  State state_;                               ///< scratch
+  Eigen::VectorXd before_;                    ///< scratch
+  Eigen::VectorXd rise_, acceleration_rise_;  ///< scratch
 };
 
 }  // namespace bentur::engine

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/peak_search.h"
+#include "bentur/solve/engine/run/peak_search.h"
 
 #include <algorithm>
 
@@ -23,7 +23,7 @@ PeakSearch::PeakSearch(const ModalSystem& system)
       rise_(zeros(system.size)),
       acceleration_rise_(zeros(system.size)) {}
 
-/// Makes room for so many numbers in kept_; returns where.
+/// Reserves `count` numbers in kept_; returns where they begin.
 Index PeakSearch::claim(Index count) {
   const Index at = kept_count_;
   kept_count_ += count;
@@ -36,49 +36,49 @@ void PeakSearch::keep(const double* x, Index count) {
   std::copy_n(x, count, kept_.data() + at);
 }
 
-void PeakSearch::take(const Trail& trail) {
-  if (trail.legs() == 0) return;
+void PeakSearch::take(const StepBuffer& buffer) {
+  if (buffer.size() == 0) return;
   for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
     const Index begin = system_->blocks[b].begin;
-    watch_.raise(b, trail);
+    watch_.raise(b, buffer);
     before_.resize(watch_.quantities(b));
-    for (Index n = watch_.next_open(b, 0, before_.data()); n < trail.legs();
-         n = watch_.next_open(b, n + 1, before_.data())) {
+    for (Index n = watch_.next_unsettled(b, 0, before_.data()); n < buffer.size();
+         n = watch_.next_unsettled(b, n + 1, before_.data())) {
       const Index at = claim(watch_.quantities(b));
-      const PeakWatch::Interval interval{trail.q(n) + begin,
-                                         trail.q(n + 1) + begin,
-                                         trail.acceleration(n) + begin,
-                                         trail.acceleration(n + 1) + begin,
-                                         trail.rise(n) + begin,
-                                         trail.acceleration_rise(n) + begin};
+      const PeakWatch::Interval interval{buffer.q(n) + begin,
+                                         buffer.q(n + 1) + begin,
+                                         buffer.acceleration(n) + begin,
+                                         buffer.acceleration(n + 1) + begin,
+                                         buffer.rise(n) + begin,
+                                         buffer.acceleration_rise(n) + begin};
       if (watch_.settled_by_bound(b, interval, before_.data(), kept_.data() + at)) {
         kept_count_ = at;
-      } else if (const Trail::Leg& leg = trail.leg(n); leg.flights != nullptr) {
-        keep_flight({b, leg.flights, leg.halvings, trail.inputs(n)[b], at}, trail.q(n), trail.v(n),
-                    trail.acceleration(n), flights_);
+      } else if (const StepBuffer::Step& step = buffer.step(n); step.flights != nullptr) {
+        keep_flight({b, step.flights, step.halvings, buffer.inputs(n)[b], at}, buffer.q(n), buffer.v(n),
+                    buffer.acceleration(n), flights_);
       } else {
-        keep_step(b, trail, n, at);
+        keep_step(b, buffer, n, at);
       }
     }
   }
 }
 
 /// Whose reach has been kept.
-void PeakSearch::keep_flight(const OpenFlight& flight, const double* q, const double* v, const double* acceleration,
-                             std::vector<OpenFlight>& flights) {
+void PeakSearch::keep_flight(const UnsettledFlight& flight, const double* q, const double* v,
+                             const double* acceleration, std::vector<UnsettledFlight>& flights) {
   const auto& block = system_->blocks[flight.block];
-  for (const double* x : {q, v, acceleration}) keep(x + block.begin, block.room);
+  for (const double* x : {q, v, acceleration}) keep(x + block.begin, block.padded_size);
   flights.push_back(flight);
 }
 
-void PeakSearch::keep_step(std::size_t b, const Trail& trail, Index n, Index at) {
+void PeakSearch::keep_step(std::size_t b, const StepBuffer& buffer, Index n, Index at) {
   const auto& block = system_->blocks[b];
-  const Curves curves = trail.curves(block, n);
-  const Index kept = claim((curves.degree + 1) * block.room);
+  const Curves curves = buffer.curves(block, n);
+  const Index kept = claim((curves.degree + 1) * block.padded_size);
   double* to = kept_.data() + kept;
-  for (int k = 0; k <= curves.degree; ++k, to += block.room) {
+  for (int k = 0; k <= curves.degree; ++k, to += block.padded_size) {
     const double* from = curves.c + k * curves.stride;
-    for (Index j = 0; j < block.room; ++j) to[j] = from[j];
+    for (Index j = 0; j < block.padded_size; ++j) to[j] = from[j];
   }
   steps_.push_back({b, curves.h, curves.end, curves.degree, at});
 }
@@ -97,16 +97,16 @@ void PeakSearch::take(const Approximate& step) {
   }
 }
 
-bool PeakSearch::much_is_open() const { return kept_count_ >= most_kept; }
+bool PeakSearch::much_is_unsettled() const { return kept_count_ >= most_kept; }
 
 /// Halves a flight, whose reach is known, until bounds settle its parts, or it cannot be halved any more.
-void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double* before, Tools& tools) {
+void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const double* before, Tools& tools) {
   const std::size_t n = flight.halvings + 1;
   const std::size_t b = flight.block;
   const Index begin = system_->blocks[b].begin;
   const Flight& half = (*flight.flights)[n];
   Halving& at = halvings_[n];
-  OpenFlight part{b, flight.flights, n, flight.input, 0};
+  UnsettledFlight part{b, flight.flights, n, flight.input, 0};
   const Place* start = &from;
   for (Place* end : {&at.middle, &at.end}) {
     if (!tools.go_on(1)) return;
@@ -136,7 +136,7 @@ void PeakSearch::halve(const OpenFlight& flight, const Place& from, const double
 }
 
 /// Where a flight cannot be halved, it is kept as it is.
-void PeakSearch::halve_whole(const OpenFlight& flight, Tools& tools) {
+void PeakSearch::halve_whole(const UnsettledFlight& flight, Tools& tools) {
   if (flight.halvings + 1 >= flight.flights->size()) {
     parts_.push_back(flight);
     return;
@@ -154,36 +154,36 @@ void PeakSearch::halve_whole(const OpenFlight& flight, Tools& tools) {
   std::copy_n(kept, quantities, whole.reach.data());
   kept += quantities;
   for (VectorXd* x : {&whole.end.q, &whole.end.v, &whole.end.acceleration}) {
-    std::copy_n(kept, block.room, x->data() + block.begin);
-    kept += block.room;
+    std::copy_n(kept, block.padded_size, x->data() + block.begin);
+    kept += block.padded_size;
   }
   halve(flight, whole.end, whole.reach.data(), tools);
 }
 
-Curves PeakSearch::curves(const OpenFlight& flight, Series& series, Expansion& motion) {
+Curves PeakSearch::curves(const UnsettledFlight& flight, Series& series, Expansion& motion) {
   const auto& block = system_->blocks[flight.block];
   const double* kept = kept_.data() + flight.at + watch_.quantities(flight.block);
-  std::copy_n(kept, block.room, state_.q.data() + block.begin);
-  std::copy_n(kept + block.room, block.room, state_.v.data() + block.begin);
+  std::copy_n(kept, block.padded_size, state_.q.data() + block.begin);
+  std::copy_n(kept + block.padded_size, block.padded_size, state_.v.data() + block.begin);
   series.expand_block(flight.block, state_, flight.input, (*flight.flights)[flight.halvings].length(), motion);
   return motion.curves(block);
 }
 
-Curves PeakSearch::curves(const OpenStep& step) const {
-  return {kept_.data() + step.at + watch_.quantities(step.block), system_->blocks[step.block].room, step.degree, step.h,
-          step.end};
+Curves PeakSearch::curves(const UnsettledStep& step) const {
+  return {kept_.data() + step.at + watch_.quantities(step.block), system_->blocks[step.block].padded_size, step.degree,
+          step.h, step.end};
 }
 
 /// By samples, which raise all peaks nearly to where they belong, or by a search of what is then still open.
-template <class Open, class CurvesOf>
-void PeakSearch::look_into(std::vector<Open>& open, const CurvesOf& curves_of, bool search) {
-  std::erase_if(open, [&](const auto& interval) {
+template <class Unsettled, class CurvesOf>
+void PeakSearch::look_into(std::vector<Unsettled>& intervals, const CurvesOf& curves_of, bool search) {
+  std::erase_if(intervals, [&](const auto& interval) {
     const std::size_t b = interval.block;
     double* reach = kept_.data() + interval.at;
-    const Index open_quantities = watch_.open(b, reach);
-    if (open_quantities == 0) return true;
+    const Index unsettled = watch_.count_unsettled(b, reach);
+    if (unsettled == 0) return true;
     const Curves step = curves_of(interval);
-    if (!search && open_quantities > few_quantities) {
+    if (!search && unsettled > few_quantities) {
       return watch_.settled_by_samples(b, step, parts_of_step, reach, reach);
     }
     watch_.scan(b, step, reach);
@@ -193,15 +193,15 @@ void PeakSearch::look_into(std::vector<Open>& open, const CurvesOf& curves_of, b
 
 void PeakSearch::look_into_parts(Tools& tools, bool search) {
   look_into(
-      parts_, [&](const OpenFlight& part) { return curves(part, tools.series, tools.motion); }, search);
+      parts_, [&](const UnsettledFlight& part) { return curves(part, tools.series, tools.motion); }, search);
 }
 
 void PeakSearch::settle(Series& series, Expansion& motion, const GoOn& go_on) {
-  const auto step_curves = [&](const OpenStep& step) { return curves(step); };
+  const auto step_curves = [&](const UnsettledStep& step) { return curves(step); };
   Tools tools{series, motion, go_on, kept_count_};
   look_into(steps_, step_curves, false);
-  for (const OpenFlight& flight : flights_) {
-    if (watch_.open(flight.block, kept_.data() + flight.at) > 0) halve_whole(flight, tools);
+  for (const UnsettledFlight& flight : flights_) {
+    if (watch_.count_unsettled(flight.block, kept_.data() + flight.at) > 0) halve_whole(flight, tools);
   }
   look_into_parts(tools, false);
   look_into(steps_, step_curves, true);

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/floors/floor_watch.h"
+#include "bentur/solve/engine/run/floors/floor_watch.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t most_open = 4096;  // flights kept at a time
+constexpr std::size_t most_unsettled_flights = 4096;  // flights kept at a time
 
 }  // namespace
 
@@ -48,45 +48,45 @@ void FloorWatch::note_ends(const Gaps& gaps, const double* start, const double* 
   }
 }
 
-void FloorWatch::take(const Trail& trail) {
-  const Index legs = trail.legs();
-  if (legs == 0) return;
-  const auto start = [&](Index leg) { return grid_->start(trail.leg(leg).segment) + trail.leg(leg).offset; };
+void FloorWatch::take(const StepBuffer& buffer) {
+  const Index steps = buffer.size();
+  if (steps == 0) return;
+  const auto start = [&](Index step) { return grid_->start(buffer.step(step).segment) + buffer.step(step).offset; };
   for (std::size_t g = 0; g < gaps_.size(); ++g) {
     Gaps& gaps = gaps_[g];
-    gaps.closing.raise(legs, trail.q(0) + gaps.begin, trail.rise(0) + gaps.begin, system_->size);
+    gaps.closing.raise(steps, buffer.q(0) + gaps.begin, buffer.rise(0) + gaps.begin, system_->size);
     for (std::size_t n = 0; n < gaps.count; ++n) {
       const auto row = static_cast<Index>(n);
       const double peak = gaps.closing.peak(row);
       if (!(peak > nearest_[gaps.first + n].reach)) continue;
-      Index leg = 0;
-      while (leg + 1 < legs && gaps.closing.larger_value(row, leg) < peak) ++leg;
+      Index step = 0;
+      while (step + 1 < steps && gaps.closing.larger_value(row, step) < peak) ++step;
       const ModalSystem::Point& floor = system_->watched[gaps.first + n];
-      const bool at_start = floor.sense(trail.q(leg)) < floor.sense(trail.q(leg + 1));
-      note(gaps, n, start(leg) + (at_start ? 0.0 : trail.leg(leg).length));
+      const bool at_start = floor.sense(buffer.q(step)) < floor.sense(buffer.q(step + 1));
+      note(gaps, n, start(step) + (at_start ? 0.0 : buffer.step(step).length));
     }
-    for (Index leg = 0; leg < legs; ++leg) {
-      if (!gaps.closing.open(leg) || gaps.look(trail.q(leg), trail.q(leg + 1), trail.rise(leg))) continue;
-      const Trail::Leg& at = trail.leg(leg);
+    for (Index step = 0; step < steps; ++step) {
+      if (!gaps.closing.unsettled(step) || gaps.look(buffer.q(step), buffer.q(step + 1), buffer.rise(step))) continue;
+      const StepBuffer::Step& at = buffer.step(step);
       if (at.flights == nullptr) {
         const auto& first = system_->watched[gaps.first];
         const auto block = [&](Index begin) -> const ModalSystem::Block& {
           return *std::find_if(system_->blocks.begin(), system_->blocks.end(),
                                [&](const ModalSystem::Block& one) { return one.begin == begin; });
         };
-        search(gaps, trail.curves(block(first.left_begin), leg), trail.curves(block(first.right_begin), leg),
-               start(leg));
+        search(gaps, buffer.curves(block(first.left_begin), step), buffer.curves(block(first.right_begin), step),
+               start(step));
         continue;
       }
       const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_->size); };
-      open_.push_back({at.flights,
-                       at.halvings,
-                       start(leg),
-                       at.length,
-                       {all(trail.q(leg)), all(trail.v(leg))},
-                       {trail.inputs(leg), trail.inputs(leg) + system_->blocks.size()},
-                       g,
-                       gaps.reach});
+      unsettled_.push_back({at.flights,
+                            at.halvings,
+                            start(step),
+                            at.length,
+                            {all(buffer.q(step)), all(buffer.v(step))},
+                            {buffer.inputs(step), buffer.inputs(step) + system_->blocks.size()},
+                            g,
+                            gaps.reach});
     }
   }
 }
@@ -113,25 +113,25 @@ void FloorWatch::search(Gaps& gaps, const Curves& left, const Curves& right, dou
     const ModalSystem::Point& floor = system_->watched[gaps.first + n];
     Polynomial opening;
     opening.degree = left.degree;
-    kernels::open({floor.right_size, floor.sense_right.data(), right.c},
-                  {floor.left_size, floor.sense_left.data(), left.c}, left.stride, left.degree,
-                  opening.coefficients.data());
+    kernels::opening_series({floor.right_size, floor.sense_right.data(), right.c},
+                            {floor.left_size, floor.sense_left.data(), left.c}, left.stride, left.degree,
+                            opening.coefficients.data());
     double where = 0.0;
     if (raise_to_maximum(-opening, left.end, gaps.closing.peak(row), where)) note(gaps, n, time + where * left.h);
   }
 }
 
-bool FloorWatch::much_is_open() const { return open_.size() >= most_open; }
+bool FloorWatch::much_is_unsettled() const { return unsettled_.size() >= most_unsettled_flights; }
 
-std::vector<FloorWatch::Open> FloorWatch::take_open() { return std::exchange(open_, {}); }
+std::vector<FloorWatch::Unsettled> FloorWatch::take_unsettled() { return std::exchange(unsettled_, {}); }
 
 bool FloorWatch::may_come_nearer(const State& from, const State& to, const Eigen::VectorXd& rise) {
-  bool open = false;
-  for (Gaps& gaps : gaps_) open = !gaps.look(from.q.data(), to.q.data(), rise.data()) || open;
-  return open;
+  bool unsettled = false;
+  for (Gaps& gaps : gaps_) unsettled = !gaps.look(from.q.data(), to.q.data(), rise.data()) || unsettled;
+  return unsettled;
 }
 
-bool FloorWatch::settled(const Open& flight) const {
+bool FloorWatch::settled(const Unsettled& flight) const {
   const Gaps& gaps = gaps_[flight.gaps];
   for (std::size_t n = 0; n < gaps.count; ++n) {
     if (flight.reach(static_cast<Index>(n)) > gaps.closing.peak(static_cast<Index>(n))) return false;

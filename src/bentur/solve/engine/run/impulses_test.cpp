@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/impulses.h"
+#include "bentur/solve/engine/run/impulses.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/openings.h"
+#include "bentur/solve/engine/run/gap_monitor.h"
 
 #include <limits>
 #include <utility>
@@ -23,14 +23,14 @@ std::vector<Gaps> gaps_between(const std::vector<ModalSystem::Point>& points) {
       const auto& point = points[i];
       closing.row(static_cast<Index>(i - first)) << -point.sense_left.transpose(), -point.sense_right.transpose();
     }
-    WatchedRows rows(closing, closing.cols(), kernels::Peaks::of_values);
+    BoundedOutputs rows(closing, closing.cols(), kernels::Peaks::of_values);
     const VectorXd reach = VectorXd::Zero(rows.size());
     all.push_back({first, end - first, of.left_begin, std::move(rows), reach});
   }
   return all;
 }
 
-Openings::Openings(const ModalSystem& system, std::vector<double> widths)
+GapMonitor::GapMonitor(const ModalSystem& system, std::vector<double> widths)
     : widths_(std::move(widths)),
       gaps_(gaps_between(system.points)),
       stride_(system.size),
@@ -42,21 +42,21 @@ Openings::Openings(const ModalSystem& system, std::vector<double> widths)
   }
 }
 
-Index Openings::stay_open(const Trail& trail, Index count) {
-  const Index first = trail.legs();
-  if (count == 1) return look(trail.q(first), trail.q(first + 1), trail.rise(first)) ? 1 : 0;
+Index GapMonitor::stay_open(const StepBuffer& buffer, Index count) {
+  const Index first = buffer.size();
+  if (count == 1) return look(buffer.q(first), buffer.q(first + 1), buffer.rise(first)) ? 1 : 0;
   for (Gaps& gaps : gaps_) {
-    gaps.closing.compare(count, trail.q(first) + gaps.begin, trail.rise(first) + gaps.begin, stride_);
+    gaps.closing.compare(count, buffer.q(first) + gaps.begin, buffer.rise(first) + gaps.begin, stride_);
   }
   for (Index n = 0; n < count; ++n) {
     bool open = true;
     for (const Gaps& gaps : gaps_) open = open && gaps.closing.share(n) < 1.0;
-    if (!open && !look(trail.q(first + n), trail.q(first + n + 1), trail.rise(first + n))) return n;
+    if (!open && !look(buffer.q(first + n), buffer.q(first + n + 1), buffer.rise(first + n))) return n;
   }
   return count;
 }
 
-bool Openings::look(const double* q, const double* q_end, const double* rise) {
+bool GapMonitor::look(const double* q, const double* q_end, const double* rise) {
   bool all_open = true;
   for (Gaps& gaps : gaps_) {
     (void)gaps.look(q, q_end, rise);

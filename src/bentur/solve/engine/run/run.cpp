@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/walk.h"
+#include "bentur/solve/engine/run/run.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double end_slack = 1e-9;                 // of a segment: a remainder shorter than this is not run
 constexpr double instant = 0x1p-46;                // of the duration: what is over so soon has not been
-constexpr long events_per_walk_limit = 100000;     // more than this in one record step cannot be a pounding problem
+constexpr long events_per_step_limit = 100000;     // more than this in one record step cannot be a pounding problem
 constexpr long events_by_bisection_limit = 10000;  // where each takes fifty steps
 constexpr long stalled_steps_limit = 1000;         // that are too short to tell one time from the next
 constexpr long segments_between_reports = 256;
@@ -20,23 +20,23 @@ constexpr const char* not_finite = "the response is no longer a finite number";
 
 }  // namespace
 
-Walk::Walk(const Ground& ground)
-    : system_(ground.system),
-      problem_(ground.problem),
-      stepper_(ground.system, ground.problem, ground.solver),
-      motion_(ground.system, gap_widths(ground.problem)),
+Run::Run(const Setup& setup)
+    : system_(setup.system),
+      problem_(setup.problem),
+      stepper_(setup.system, setup.problem, setup.solver),
+      motion_(setup.system, gap_widths(setup.problem)),
       state_{system_.initial_q, system_.initial_v},
       next_(state_),
       inputs_(system_.blocks.size()),
-      trail_(system_, ground.plan),
+      buffer_(system_, setup.plan),
       search_(system_),
-      floors_(system_, ground.grid),
-      grid_(ground.grid),
-      plan_(ground.plan),
+      floors_(system_, setup.grid),
+      grid_(setup.grid),
+      plan_(setup.plan),
       largest_ground_(system_.blocks.size(), 0.0),
-      most_steps_(ground.most_steps) {}
+      most_steps_(setup.most_steps) {}
 
-void Walk::resume(const Checkpoint& checkpoint) {
+void Run::resume(const Checkpoint& checkpoint) {
   segment_ = checkpoint.segment;
   steps_ = checkpoint.steps;
   state_ = checkpoint.state;
@@ -44,7 +44,7 @@ void Walk::resume(const Checkpoint& checkpoint) {
   floors_.resume(checkpoint.nearest);
 }
 
-Status Walk::run(const std::function<bool(double)>& progress) {
+Status Run::to_end(const std::function<bool(double)>& progress) {
   progress_ = &progress;
   for (long reported = segment_ - segments_between_reports;;) {
     const double start = grid_.start(segment_);
@@ -52,11 +52,11 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     const double left = problem_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
-    if (plan_.may_jump(segment_)) trail_.break_off();
+    if (plan_.may_jump(segment_)) buffer_.break_off();
     if (segment_ >= plan_.segments) {
       grid_.input(segment_, inputs_);
       if (plan_.rest.empty()) {
-        walk(start, left >= length * (1.0 - end_slack) ? length : left);
+        take_steps(start, left >= length * (1.0 - end_slack) ? length : left);
       } else {
         advance(plan_.rest, 0, start, left);
       }
@@ -68,24 +68,24 @@ Status Walk::run(const std::function<bool(double)>& progress) {
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
     if (status() != Status::done) return status();
-    if (search_.much_is_open()) settle_peaks();
-    if (floors_.much_is_open()) settle_floors();
+    if (search_.much_is_unsettled()) settle_peaks();
+    if (floors_.much_is_unsettled()) settle_floors();
     if (progress && segment_ - reported >= segments_between_reports) {
       reported = segment_;
       if (!progress(start / problem_.duration)) return Status::stopped;
     }
   }
-  end_trail();
+  flush_buffer();
   settle_peaks();
   settle_floors();
   settle();
   return status();
 }
 
-Status Walk::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
+Status Run::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
 
 /// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
-bool Walk::go_on(long steps) {
+bool Run::go_on(long steps) {
   const long before = taken_;
   taken_ += steps;
   if (most_steps_ > 0 && taken_ > most_steps_ && trouble_.empty()) {
@@ -97,51 +97,51 @@ bool Walk::go_on(long steps) {
   return status() == Status::done;
 }
 
-void Walk::end_trail() {
-  take_trail(trail_);
-  trail_.clear();
+void Run::flush_buffer() {
+  take_buffer(buffer_);
+  buffer_.clear();
 }
 
-/// For a leg that starts at a state of its own.
-void Walk::make_room() {
-  if (trail_.room() < 2) end_trail();
+/// For a step that starts at a state of its own.
+void Run::ensure_space() {
+  if (buffer_.space() < 2) flush_buffer();
 }
 
 /// Flies over whole segments as long as nothing can happen; returns whether it came any further.
-bool Walk::cruise() {
-  make_room();
+bool Run::cruise() {
+  ensure_space();
   grid_.input(segment_, inputs_);
-  trail_.begin(state_, inputs_);
-  const Eigen::Index first = trail_.legs();
-  long last = std::min<long>(plan_.segments, segment_ + trail_.room());
+  buffer_.begin(state_, inputs_);
+  const Eigen::Index first = buffer_.size();
+  long last = std::min<long>(plan_.segments, segment_ + buffer_.space());
   const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), segment_);
   if (jump != plan_.jumps.end()) last = std::min(last, *jump);
   for (Eigen::Index ahead = first_ahead; segment_ < last; ahead *= 2) {
     const Eigen::Index count = std::min<Eigen::Index>(ahead, last - segment_);
-    trail_.fly_on(segment_, count);
+    buffer_.fly_on(segment_, count);
     const Eigen::Index passed = quiet(count);
-    trail_.accept(segment_, passed);
+    buffer_.accept(segment_, passed);
     segment_ += passed;
     if (passed < count) break;
   }
-  const Eigen::Index legs = trail_.legs();
-  if (legs == first) return false;
+  const Eigen::Index steps = buffer_.size();
+  if (steps == first) return false;
   const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
-  const auto finite = [&](Eigen::Index n) { return all(trail_.q(n)).allFinite() && all(trail_.v(n)).allFinite(); };
-  if (!finite(legs)) {
+  const auto finite = [&](Eigen::Index n) { return all(buffer_.q(n)).allFinite() && all(buffer_.v(n)).allFinite(); };
+  if (!finite(steps)) {
     Eigen::Index n = first;
     while (finite(n + 1)) ++n;
-    fail(not_finite, grid_.start(trail_.leg(n).segment));
+    fail(not_finite, grid_.start(buffer_.step(n).segment));
     return true;
   }
-  if (notes_flights()) pass_legs(first);
-  for (Eigen::Index n = first + 1; n <= legs; ++n) note_ground(trail_.q(n));
-  state_.q = all(trail_.q(legs));
-  state_.v = all(trail_.v(legs));
-  steps_ += legs - first;
-  (void)go_on(legs - first);
-  if (trail_.room() == 0) {
-    end_trail();
+  if (notes_flights()) pass_flights(first);
+  for (Eigen::Index n = first + 1; n <= steps; ++n) note_ground(buffer_.q(n));
+  state_.q = all(buffer_.q(steps));
+  state_.v = all(buffer_.v(steps));
+  steps_ += steps - first;
+  (void)go_on(steps - first);
+  if (buffer_.space() == 0) {
+    flush_buffer();
     if (settle_before(segment_)) {
       settle_peaks();
       settle_floors();
@@ -152,25 +152,25 @@ bool Walk::cruise() {
 }
 
 /// Tells of whole segments.
-void Walk::pass_legs(Eigen::Index first) {
-  for (Eigen::Index n = first; n < trail_.legs(); ++n) {
-    std::copy_n(trail_.q(n), system_.size, state_.q.data());
-    std::copy_n(trail_.v(n), system_.size, state_.v.data());
-    inputs_.assign(trail_.inputs(n), trail_.inputs(n) + system_.blocks.size());
-    pass(grid_.start(trail_.leg(n).segment), *trail_.leg(n).flights, 0);
+void Run::pass_flights(Eigen::Index first) {
+  for (Eigen::Index n = first; n < buffer_.size(); ++n) {
+    std::copy_n(buffer_.q(n), system_.size, state_.q.data());
+    std::copy_n(buffer_.v(n), system_.size, state_.v.data());
+    inputs_.assign(buffer_.inputs(n), buffer_.inputs(n) + system_.blocks.size());
+    pass(grid_.start(buffer_.step(n).segment), *buffer_.step(n).flights, 0);
   }
 }
 
 /// Part of a segment, after so many halvings.
-void Walk::advance(const Flights& flights, std::size_t halvings, double start, double length) {
+void Run::advance(const Flights& flights, std::size_t halvings, double start, double length) {
   if (!go_on()) return;
   if (may_fly() && fly(flights, halvings, start, length)) return;
   halve(flights, halvings, start, length);
 }
 
-void Walk::halve(const Flights& flights, std::size_t halvings, double start, double length) {
+void Run::halve(const Flights& flights, std::size_t halvings, double start, double length) {
   if (halvings + 1 >= flights.size()) {
-    walk(start, length);
+    take_steps(start, length);
     return;
   }
   const double half = 0.5 * length;
@@ -179,16 +179,16 @@ void Walk::halve(const Flights& flights, std::size_t halvings, double start, dou
 }
 
 /// False, and nothing has changed, when something may happen.
-bool Walk::fly(const Flights& flights, std::size_t halvings, double start, double length) {
-  make_room();
-  trail_.begin(state_, inputs_);
-  const Eigen::Index n = trail_.legs();
-  trail_.fly(flights, halvings, inputs_);
+bool Run::fly(const Flights& flights, std::size_t halvings, double start, double length) {
+  ensure_space();
+  buffer_.begin(state_, inputs_);
+  const Eigen::Index n = buffer_.size();
+  buffer_.fly(flights, halvings, inputs_);
   if (quiet(1) == 0) return false;
-  trail_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
+  buffer_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
   pass(start, flights, halvings);
-  std::copy_n(trail_.q(n + 1), system_.size, next_.q.data());
-  std::copy_n(trail_.v(n + 1), system_.size, next_.v.data());
+  std::copy_n(buffer_.q(n + 1), system_.size, next_.q.data());
+  std::copy_n(buffer_.v(n + 1), system_.size, next_.v.data());
   end_inputs_ = inputs_;
   system_.advance(end_inputs_, length);
   arrive();
@@ -196,13 +196,13 @@ bool Walk::fly(const Flights& flights, std::size_t halvings, double start, doubl
 }
 
 /// By steps, cut at events.
-void Walk::walk(double start, double length) {
+void Run::take_steps(double start, double length) {
   double elapsed = 0.0;
   long cuts = 0;
   long stalled = 0;
   while (elapsed < length && go_on()) {
-    if (search_.much_is_open()) settle_peaks();
-    if (floors_.much_is_open()) settle_floors();
+    if (search_.much_is_unsettled()) settle_peaks();
+    if (floors_.much_is_unsettled()) settle_floors();
     const double left = length - elapsed;
     const double time = start + elapsed;
     if (!step(time, left)) return;
@@ -215,7 +215,7 @@ void Walk::walk(double start, double length) {
     if (lasts(cut * h)) {
       watch_step(time, cut);
     } else {
-      trail_.break_off();
+      buffer_.break_off();
     }
     const bool at_end = whole == left && h == whole && cut == 1.0;
     const bool event = cut < 1.0 || h != whole;
@@ -233,14 +233,14 @@ void Walk::walk(double start, double length) {
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
     arrived(start + elapsed);
-    const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_walk_limit;
+    const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     if (event && ++cuts > limit) {
       fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion", limit), time);
     }
   }
 }
 
-bool Walk::step(double time, double longest) {
+bool Run::step(double time, double longest) {
   if (!stepper_.advance(here(), longest, !may_fly(), motion_, next_)) {
     fail("no step is short enough to follow the contact force", time);
     return false;
@@ -254,13 +254,13 @@ bool Walk::step(double time, double longest) {
 
 /// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes
 /// and the other does not, is none of the motion.
-bool Walk::lasts(double length) const { return length > instant * problem_.duration; }
+bool Run::lasts(double length) const { return length > instant * problem_.duration; }
 
 /// Takes [0, cut] of the expanded step into the peaks.
-void Walk::watch_step(double time, double cut) {
+void Run::watch_step(double time, double cut) {
   if (stepper_.is_series()) {
-    make_room();
-    trail_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
+    ensure_space();
+    buffer_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
     return;
   }
   force_at()(state_, inputs_, forces_);
@@ -269,10 +269,10 @@ void Walk::watch_step(double time, double cut) {
   system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
   search_.take({motion_, cut, state_, next_, start_acceleration_, end_acceleration_});
   floors_.take(motion_, cut, state_, next_, time);
-  trail_.break_off();
+  buffer_.break_off();
 }
 
-void Walk::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
+void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
   if (!go_on()) return;
   if (stretch.flights == nullptr || stretch.halvings + 1 >= stretch.flights->size()) {
     replayed_.q.resize(system_.size);
@@ -307,12 +307,12 @@ void Walk::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& 
 }
 
 /// Looks into what bounds left open, so that what is nearest so far is known.
-void Walk::settle_peaks() {
+void Run::settle_peaks() {
   search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
 }
 
-void Walk::settle_floors() {
-  for (const FloorWatch::Open& flight : floors_.take_open()) {
+void Run::settle_floors() {
+  for (const FloorWatch::Unsettled& flight : floors_.take_unsettled()) {
     if (floors_.settled(flight)) continue;
     replay(
         {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
@@ -325,7 +325,7 @@ void Walk::settle_floors() {
 }
 
 /// next_ becomes state_.
-void Walk::arrive() {
+void Run::arrive() {
   ++steps_;
   inputs_.swap(end_inputs_);
   state_.q.swap(next_.q);
@@ -333,7 +333,7 @@ void Walk::arrive() {
   note_ground(state_.q.data());
 }
 
-void Walk::note_ground(const double* q) {
+void Run::note_ground(const double* q) {
   if (problem_.kinematics != Kinematics::absolute) return;
   for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
     const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
@@ -341,6 +341,6 @@ void Walk::note_ground(const double* q) {
   }
 }
 
-void Walk::fail(const std::string& reason, double time) { trouble_ = fmt::format("{} at t = {:.6g} s", reason, time); }
+void Run::fail(const std::string& reason, double time) { trouble_ = fmt::format("{} at t = {:.6g} s", reason, time); }
 
 }  // namespace bentur::engine

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/engine/walk/contacts.h"
+#include "bentur/solve/engine/run/contacts.h"
 
 namespace bentur::engine {
 

@@ -1,9 +1,9 @@
-#include "bentur/solve/engine/walk/contacts.h"
+#include "bentur/solve/engine/run/contacts.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/solve/engine/walk/impulses.h"
+#include "bentur/solve/engine/run/impulses.h"
 
 namespace bentur::engine {
 namespace {
@@ -90,9 +90,9 @@ Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial
   return p;
 }
 
-void Contacts::gauge(const State& from, const State& to, const Openings& openings) {
+void Contacts::gauge(const State& from, const State& to, const GapMonitor& monitor) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].branch == 0 && openings.stays_open(i)) continue;
+    if (states_[i].branch == 0 && monitor.stays_open(i)) continue;
     const auto& point = system_->points[i];
     const double size = problem_->points[i].width + std::max(point.sense_abs(from.q), point.sense_abs(to.q));
     tolerances_[i] = std::max(tolerances_[i], round_off_band * size);
@@ -100,7 +100,7 @@ void Contacts::gauge(const State& from, const State& to, const Openings& opening
 }
 
 std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, const State& from,
-                                                    const Openings& openings, double time) {
+                                                    const GapMonitor& monitor, double time) {
   std::optional<Event> first;
   const auto take = [&first](std::size_t point, std::size_t guard, const std::optional<double>& s) {
     if (s && (!first || *s < first->s)) first = Event{point, guard, *s};
@@ -114,7 +114,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       take(i, 0, first_negative(force));
       continue;
     }
-    if (states_[i].branch == 0 && openings.stays_open(i)) continue;
+    if (states_[i].branch == 0 && monitor.stays_open(i)) continue;
     const Polynomial& opening = motion.opening(i);
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
@@ -195,11 +195,11 @@ void Contacts::accumulate(const Expansion& motion, double time, double end) {
   }
 }
 
-void Contacts::note_touches(const Expansion& motion, const Openings& openings, double time, double end,
+void Contacts::note_touches(const Expansion& motion, const GapMonitor& monitor, double time, double end,
                             const State& state) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i].branch != 0) continue;
-    if (openings.stays_open(i) || penetration(i, state) < 0.0) {
+    if (monitor.stays_open(i) || penetration(i, state) < 0.0) {
       touches_[i] = {};
       continue;
     }

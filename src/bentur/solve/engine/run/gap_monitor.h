@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "bentur/solve/engine/motion/trail.h"
-#include "bentur/solve/engine/walk/watched_rows.h"
+#include "bentur/solve/engine/motion/step_buffer.h"
+#include "bentur/solve/engine/run/bounded_outputs.h"
 
 namespace bentur::engine {
 
@@ -11,7 +11,7 @@ namespace bentur::engine {
 struct Gaps {
   std::size_t first = 0, count = 0;  ///< points
   Eigen::Index begin = 0;            ///< first coordinate of the left building; those of the right one follow
-  WatchedRows closing;               ///< −(sense_i q)
+  BoundedOutputs closing;            ///< −(sense_i q)
   Eigen::VectorXd reach;             ///< of these, in the interval last looked at
 
   /// Looks at an interval whose coordinates leave the chords between q and q_end by `rise` at most, lists of all
@@ -23,13 +23,13 @@ struct Gaps {
 
 /// Proves that gaps stay open: of many flights by one sum for all points between two buildings (T-4), or point by
 /// point.
-class Openings {
+class GapMonitor {
  public:
   /// `widths`: of the gap at each point [length].
-  Openings(const ModalSystem& system, std::vector<double> widths);
+  GapMonitor(const ModalSystem& system, std::vector<double> widths);
 
-  /// How many of `count` flights after the last leg of a trail come before the first in which a gap may close.
-  [[nodiscard]] Eigen::Index stay_open(const Trail& trail, Eigen::Index count);
+  /// How many of `count` flights after the last step of a buffer come before the first in which a gap may close.
+  [[nodiscard]] Eigen::Index stay_open(const StepBuffer& buffer, Eigen::Index count);
 
   /// Looks at every point over such an interval. Whether all gaps stay open.
   bool look(const double* q, const double* q_end, const double* rise);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
-#include "bentur/solve/engine/walk/impact_log.h"
-#include "bentur/solve/engine/walk/openings.h"
+#include "bentur/solve/engine/run/gap_monitor.h"
+#include "bentur/solve/engine/run/impact_log.h"
 
 namespace bentur::engine {
 
@@ -44,12 +44,12 @@ class Contacts {
   /// No contact remembers anything, so that a free flight need only watch openings.
   [[nodiscard]] bool all_apart() const { return all_apart_; }
 
-  /// Takes in how large the displacements are in a step between two states, at the points that `openings` could not
+  /// Takes in how large the displacements are in a step between two states, at the points that `monitor` could not
   /// prove open. To be called before events are looked for in it.
-  void gauge(const State& from, const State& to, const Openings& openings);
+  void gauge(const State& from, const State& to, const GapMonitor& monitor);
 
-  /// The first change in the expanded step, which began at `time` with the state `from`; `openings` has looked at it.
-  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Openings& openings,
+  /// The first change in the expanded step, which began at `time` with the state `from`; `monitor` has looked at it.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const GapMonitor& monitor,
                                                 double time);
 
   /// A change that is due at a state, looking at nothing before it.
@@ -64,8 +64,8 @@ class Contacts {
   void accumulate(const Expansion& motion, double time, double end);
 
   /// Notes when the openings of open points last were zero, up to `end` of the expanded step, which began at `time` and
-  /// at which `openings` has looked; `state` is that at `end`. To be called after every step, before change().
-  void note_touches(const Expansion& motion, const Openings& openings, double time, double end, const State& state);
+  /// at which `monitor` has looked; `state` is that at `end`. To be called after every step, before change().
+  void note_touches(const Expansion& motion, const GapMonitor& monitor, double time, double end, const State& state);
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, State& state);

@@ -3,19 +3,19 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/engine/walk/contacts.h"
-#include "bentur/solve/engine/walk/energy_account.h"
-#include "bentur/solve/engine/walk/openings.h"
-#include "bentur/solve/engine/walk/sampler.h"
-#include "bentur/solve/engine/walk/walk.h"
+#include "bentur/solve/engine/run/contacts.h"
+#include "bentur/solve/engine/run/energy_account.h"
+#include "bentur/solve/engine/run/gap_monitor.h"
+#include "bentur/solve/engine/run/run.h"
+#include "bentur/solve/engine/run/sampler.h"
 
 namespace bentur::engine {
 
 /// The response with contact.
-class PoundingWalk final : public Walk {
+class PoundingRun final : public Run {
  public:
   /// No gap closes before the segment `first_contact`.
-  PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact, const SolveOptions& options);
+  PoundingRun(const Setup& setup, const Contacts::Scales& scales, long first_contact, const SolveOptions& options);
 
   Contacts& contacts() { return contacts_; }
   Sampler& sampler() { return sampler_; }
@@ -35,7 +35,7 @@ class PoundingWalk final : public Walk {
   void pass(double start, const Flights& flights, std::size_t halvings) override;
 
   long first_contact_;
-  Openings openings_;
+  GapMonitor monitor_;
   Contacts contacts_;
   const ForceFunction force_at_;
   Sampler sampler_;

@@ -9,36 +9,36 @@ namespace bentur::engine {
 
 /// Quantities linear in some coordinates (or in their accelerations), and their largest values so far: of their sizes,
 /// or of themselves. Quantities come in fours; rows of zeros fill the last four up.
-class WatchedRows {
+class BoundedOutputs {
  public:
   /// `weights`: quantities × coordinates, filled up with zeros to `columns`.
-  WatchedRows(const Eigen::MatrixXd& weights, Eigen::Index columns, kernels::Peaks of);
+  BoundedOutputs(const Eigen::MatrixXd& weights, Eigen::Index columns, kernels::Peaks of);
 
   [[nodiscard]] Eigen::Index size() const { return peak.size(); }
   [[nodiscard]] const kernels::PackedRows& weights() const { return weights_; }
 
-  /// Takes in the coordinates at the ends of `legs` legs, Trail::most at most, and how far they leave their chords
-  /// in between; each list `apart` after the one before. What follows is then told of limits, which raise() makes the
-  /// peaks and compare() leaves as they are.
-  void raise(Eigen::Index legs, const double* x, const double* rise, Eigen::Index apart);
-  void compare(Eigen::Index legs, const double* x, const double* rise, Eigen::Index apart);
+  /// Takes in the coordinates at the ends of `steps` steps, StepBuffer::most at most, and how far they leave their
+  /// chords in between; each list `stride` after the one before. What follows is then told of limits, which raise()
+  /// makes the peaks and compare() leaves as they are.
+  void raise(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);
+  void compare(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);
   void limit(const Eigen::VectorXd& limits);
 
-  [[nodiscard]] Eigen::Index legs() const { return ends_ - 1; }
+  [[nodiscard]] Eigen::Index steps() const { return ends_ - 1; }
   // Of these:
   /// No quantity goes further than by this part of its limit beyond its values at the ends.
-  [[nodiscard]] double between(Eigen::Index leg) const { return betweens_(leg); }
+  [[nodiscard]] double between(Eigen::Index step) const { return betweens_(step); }
   /// No quantity goes further than to this part of its limit (T-4).
-  [[nodiscard]] double share(Eigen::Index leg) const {
-    return std::max(shares_(leg), shares_(leg + 1)) + betweens_(leg);
+  [[nodiscard]] double share(Eigen::Index step) const {
+    return std::max(shares_(step), shares_(step + 1)) + betweens_(step);
   }
   /// Whether that does not prove that no limit is exceeded.
-  [[nodiscard]] bool open(Eigen::Index leg) const { return !(share(leg) <= 1.0); }
+  [[nodiscard]] bool unsettled(Eigen::Index step) const { return !(share(step) <= 1.0); }
   /// `before` becomes zero for the fours that stay below their peaks, infinite for others.
-  void open_fours(Eigen::Index leg, double* before) const;
+  void mark_unsettled(Eigen::Index step, double* before) const;
   /// The larger of both values of a quantity (of their sizes).
-  [[nodiscard]] double larger_value(Eigen::Index quantity, Eigen::Index leg) const {
-    const double* at = values_.data() + quantity / 4 * 4 * ends_ + 4 * leg + quantity % 4;
+  [[nodiscard]] double larger_value(Eigen::Index quantity, Eigen::Index step) const {
+    const double* at = values_.data() + quantity / 4 * 4 * ends_ + 4 * step + quantity % 4;
     return std::max(at[0], at[4]);
   }
 
@@ -52,8 +52,8 @@ class WatchedRows {
   Eigen::VectorXd peak;
 
  private:
-  void take_ends(Eigen::Index legs, const double* x, Eigen::Index apart);
-  void measure(Eigen::Index legs, const double* rise, Eigen::Index apart);
+  void take_ends(Eigen::Index steps, const double* x, Eigen::Index stride);
+  void measure(Eigen::Index steps, const double* rise, Eigen::Index stride);
 
   kernels::Peaks of_;
   kernels::PackedRows weights_;

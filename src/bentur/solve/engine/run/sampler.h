@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bentur/solve/engine/motion/expansion.h"
-#include "bentur/solve/engine/walk/contacts.h"
+#include "bentur/solve/engine/run/contacts.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {
@@ -19,7 +19,7 @@ class Sampler {
             const Contacts& contacts);
 
   [[nodiscard]] Histories& histories() { return histories_; }
-  /// Cuts the room kept for samples that were not taken.
+  /// Drops the columns of samples that were not taken.
   void finish();
 
  private:

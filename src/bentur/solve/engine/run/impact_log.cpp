@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/walk/impact_log.h"
+#include "bentur/solve/engine/run/impact_log.h"
 
 #include <algorithm>
 #include <array>

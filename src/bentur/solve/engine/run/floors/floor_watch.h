@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bentur/solve/engine/walk/openings.h"
+#include "bentur/solve/engine/run/gap_monitor.h"
 
 namespace bentur::engine {
 
@@ -24,12 +24,12 @@ class FloorWatch {
   void resume(const std::vector<Nearest>& nearest);
 
   /// Takes in where a run has been.
-  void take(const Trail& trail);
+  void take(const StepBuffer& buffer);
   /// Takes in [0, end] of an expanded step from one state to another, which began at `time` [s].
   void take(const Expansion& motion, double end, const State& from, const State& to, double time);
 
   /// A flight in which a floor may have come nearer.
-  struct Open {
+  struct Unsettled {
     const Flights* flights = nullptr;
     std::size_t halvings = 0;
     double time = 0, length = 0;  ///< [s]
@@ -39,13 +39,13 @@ class FloorWatch {
     Eigen::VectorXd reach;  ///< of each of their floors
   };
   /// Whether it is time to look into what is open: it bounds the memory of a long run.
-  [[nodiscard]] bool much_is_open() const;
+  [[nodiscard]] bool much_is_unsettled() const;
   /// All that is open, to be expanded again and taken in step by step.
-  [[nodiscard]] std::vector<Open> take_open();
+  [[nodiscard]] std::vector<Unsettled> take_unsettled();
   /// Whether one may come nearer between two states, from whose chord coordinates stray by `rise` at most.
   [[nodiscard]] bool may_come_nearer(const State& from, const State& to, const Eigen::VectorXd& rise);
   /// Whether by now it is known that none has.
-  [[nodiscard]] bool settled(const Open& flight) const;
+  [[nodiscard]] bool settled(const Unsettled& flight) const;
 
  private:
   void note(const Gaps& gaps, std::size_t n, double time);
@@ -56,7 +56,7 @@ class FloorWatch {
   const TimeGrid* grid_;
   std::vector<Gaps> gaps_;  ///< peaks are the reaches so far
   std::vector<Nearest> nearest_;
-  std::vector<Open> open_;
+  std::vector<Unsettled> unsettled_;
 };
 
 }  // namespace bentur::engine

@@ -1,14 +1,14 @@
-#include "bentur/solve/engine/walk/pounding_walk.h"
+#include "bentur/solve/engine/run/pounding_run.h"
 
 #include <algorithm>
 
 namespace bentur::engine {
 
-PoundingWalk::PoundingWalk(const Ground& ground, const Contacts::Scales& scales, long first_contact,
-                           const SolveOptions& options)
-    : Walk(ground),
+PoundingRun::PoundingRun(const Setup& setup, const Contacts::Scales& scales, long first_contact,
+                         const SolveOptions& options)
+    : Run(setup),
       first_contact_(first_contact),
-      openings_(system_, gap_widths(problem_)),
+      monitor_(system_, gap_widths(problem_)),
       contacts_(system_, problem_, scales, stepper_.accuracy()),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         contacts_.forces_at(state, inputs, forces);
@@ -17,31 +17,31 @@ PoundingWalk::PoundingWalk(const Ground& ground, const Contacts::Scales& scales,
   if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step);
 }
 
-Eigen::Index PoundingWalk::quiet(Eigen::Index count) {
+Eigen::Index PoundingRun::quiet(Eigen::Index count) {
   if (segment() + count <= first_contact_) return count;
   const Eigen::Index before = std::max<Eigen::Index>(first_contact_ - segment(), 0);
-  return std::max(before, openings_.stay_open(trail_, count));
+  return std::max(before, monitor_.stay_open(buffer_, count));
 }
 
 /// Takes the step again, but only `length` [s] of it.
-void PoundingWalk::retake(double length) {
+void PoundingRun::retake(double length) {
   stepper_.retake(here(), length, motion_, next_);
   (void)motion_.find_rises();
-  (void)openings_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
+  (void)monitor_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
 }
 
 /// The first event of the step, which ends there if it is no power series.
-void PoundingWalk::find_event(double time) {
-  contacts_.gauge(state_, next_, openings_);
+void PoundingRun::find_event(double time) {
+  contacts_.gauge(state_, next_, monitor_);
   if (!stepper_.is_fixed()) {
-    event_ = contacts_.next_event(motion_, state_, openings_, time);
+    event_ = contacts_.next_event(motion_, state_, monitor_, time);
     if (stepper_.is_series()) return;
     constexpr int attempts = 20;
     // A step by approximation is taken again up to its event, and ends a little elsewhere than the longer one was at
     // that place: where it has then gone through an event at another point, that one is the first.
     for (int attempt = 0; attempt < attempts && event_ && event_->s > 0.0 && event_->s < 1.0; ++attempt) {
       retake(event_->s * motion_.h());
-      const auto again = contacts_.next_event(motion_, state_, openings_, time);
+      const auto again = contacts_.next_event(motion_, state_, monitor_, time);
       if (again && again->point != event_->point) {
         event_ = again;
       } else {
@@ -76,9 +76,9 @@ void PoundingWalk::find_event(double time) {
   retake(after * whole);
 }
 
-double PoundingWalk::look(double time) {
+double PoundingRun::look(double time) {
   time_ = time;
-  (void)openings_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
+  (void)monitor_.look(state_.q.data(), next_.q.data(), motion_.rise().data());
   find_event(time);
   const double cut = event_ ? event_->s : 1.0;
   if (lasts(cut * motion_.h())) contacts_.accumulate(motion_, time, cut);
@@ -87,19 +87,19 @@ double PoundingWalk::look(double time) {
   return cut;
 }
 
-void PoundingWalk::arrived(double time) {
-  contacts_.note_touches(motion_, openings_, time_, event_ ? event_->s : 1.0, state_);
+void PoundingRun::arrived(double time) {
+  contacts_.note_touches(motion_, monitor_, time_, event_ ? event_->s : 1.0, state_);
   if (!event_) return;
-  trail_.break_off();
+  buffer_.break_off();
   contacts_.change(*event_, time, state_);
   if (contacts_.failed()) return fail("no impulses part the points that collide", time);
   if (energy_) energy_->take_jumps(contacts_, state_);
   if (contacts_.began()) stepper_.contact_begins();
 }
 
-bool PoundingWalk::notes_flights() const { return sampler_.due(problem_.duration) || energy_; }
+bool PoundingRun::notes_flights() const { return sampler_.due(problem_.duration) || energy_; }
 
-void PoundingWalk::pass(double start, const Flights& flights, std::size_t halvings) {
+void PoundingRun::pass(double start, const Flights& flights, std::size_t halvings) {
   const double length = flights[halvings].length();
   if (!sampler_.due(start + length) && !energy_) return;
   replay(

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/stepper.h"
-#include "bentur/solve/engine/motion/trail.h"
-#include "bentur/solve/engine/walk/floors/floor_watch.h"
-#include "bentur/solve/engine/walk/peak_search.h"
+#include "bentur/solve/engine/run/floors/floor_watch.h"
+#include "bentur/solve/engine/run/peak_search.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {
 
-/// What the free response and the response with contact have in common: walking the time grid. A segment is flown over
-/// where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be halved
-/// any more, or all of it where there are no flights, are taken by the solver's own steps.
-class Walk {
+/// What the free response and the response with contact have in common: the way along the time grid. A segment is one
+/// flight where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be
+/// halved any more, or all of it where there are no flights, are taken by the solver's own steps.
+class Run {
  public:
-  /// What all walks of one problem share.
-  struct Ground {
+  /// What all runs of one problem share.
+  struct Setup {
     const ModalSystem& system;
     const Problem& problem;
     const Solver& solver;
@@ -26,10 +26,10 @@ class Walk {
     const FlightPlan& plan;
     long most_steps = 0;  ///< more are a failure; 0: no limit
   };
-  explicit Walk(const Ground& ground);
-  virtual ~Walk() = default;
-  Walk(const Walk&) = delete;
-  Walk& operator=(const Walk&) = delete;
+  explicit Run(const Setup& setup);
+  virtual ~Run() = default;
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   /// What there is to go on with from the start of a segment; no contact is under way.
   struct Checkpoint {
@@ -38,11 +38,11 @@ class Walk {
     Eigen::VectorXd peaks;                     ///< so far
     std::vector<FloorWatch::Nearest> nearest;  ///< so far
   };
-  /// Goes on from there, before run().
+  /// Goes on from there, before to_end().
   void resume(const Checkpoint& checkpoint);
 
   /// Runs to the end of the analysis. `progress(fraction)`, where given, returning false stops.
-  Status run(const std::function<bool(double)>& progress);
+  Status to_end(const std::function<bool(double)>& progress);
 
   [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
   [[nodiscard]] const std::vector<FloorWatch::Nearest>& nearest() const { return floors_.nearest(); }
@@ -57,17 +57,17 @@ class Walk {
   [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
   /// Whether no contact is under way or remembered, so that every building is free.
   [[nodiscard]] virtual bool may_fly() const = 0;
-  /// In how many of `count` flights from segment() on, which follow the last leg of trail_, what the walk looks for
+  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, what the run looks for
   /// cannot have happened.
   [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) = 0;
-  /// Takes in where the run has been; trail_ begins anew after that.
-  virtual void take_trail(const Trail& trail) {
-    search_.take(trail);
-    floors_.take(trail);
+  /// Takes in the steps of the buffer, which is emptied after that.
+  virtual void take_buffer(const StepBuffer& buffer) {
+    search_.take(buffer);
+    floors_.take(buffer);
   }
-  /// Whether all peaks so far are to be found before a segment, before which there have been nothing but flights.
+  /// Whether to find all peaks so far where a segment begins that only flights have come before.
   [[nodiscard]] virtual bool settle_before(long segment) = 0;
-  /// After that.
+  /// Called when they have been found.
   virtual void settled_before(long /*segment*/) {}
   /// Whether pass() is to be told of every flight.
   [[nodiscard]] virtual bool notes_flights() const { return false; }
@@ -119,27 +119,27 @@ class Walk {
   Expansion motion_;
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
-  Trail trail_;
+  StepBuffer buffer_;
 
  private:
-  void make_room();
-  void end_trail();
+  void ensure_space();
+  void flush_buffer();
   [[nodiscard]] bool cruise();
   void advance(const Flights& flights, std::size_t halvings, double start, double length);
   void halve(const Flights& flights, std::size_t halvings, double start, double length);
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
-  void walk(double start, double length);
+  void take_steps(double start, double length);
   [[nodiscard]] bool step(double time, double longest);
   void watch_step(double time, double cut);
   void settle_peaks();
   void settle_floors();
   void arrive();
   void note_ground(const double* q);
-  void pass_legs(Eigen::Index first);
+  void pass_flights(Eigen::Index first);
   [[nodiscard]] bool go_on(long steps = 1);
   [[nodiscard]] Status status() const;
 
-  /// Room to replay one halving: the instants at the middle and the end.
+  /// Scratch of one halving: the instants at the middle and the end.
   struct Halving {
     State middle, end;
     std::vector<GroundInput> inputs;
@@ -150,7 +150,7 @@ class Walk {
   FloorWatch floors_;
   const TimeGrid& grid_;
   const FlightPlan& plan_;
-  Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< room
+  Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< scratch
   std::vector<GroundInput> end_inputs_;                             ///< at next_
   std::vector<double> largest_ground_;
   std::string trouble_;
@@ -159,8 +159,8 @@ class Walk {
   long taken_ = 0, most_steps_;  ///< steps, those gone over again included
   bool stopped_ = false;
   const std::function<bool(double)>* progress_ = nullptr;
-  std::vector<Halving> halvings_;  ///< room
-  State replayed_;                 ///< room
+  std::vector<Halving> halvings_;  ///< scratch
+  State replayed_;                 ///< scratch
 };
 
 }  // namespace bentur::engine
