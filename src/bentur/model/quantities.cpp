@@ -70,8 +70,8 @@ constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::flo
                 gap = Owner::gap, impact = Owner::impact;
 
 // clang-format off
-std::vector<Quantity>& list() {
-  static std::vector<Quantity> all = {
+std::deque<Quantity>& list() {
+  static std::deque<Quantity> all = {
       // Buildings.
       {"weight", building, "F", "W", "weight of the floors' lumped masses", {}, weight},
       {"base_shear_coefficient", building, "1", "V₁/W", "largest shear of the lowest storey over the weight", {}, base_shear_coefficient},
@@ -139,7 +139,7 @@ Visitor(Functions...) -> Visitor<Functions...>;
 RunView::RunView(const Problem& p, const Response& r, const Units& u)
     : problem(p), response(r), units(u), restitutions(bentur::restitutions(p, r)) {}
 
-std::span<const Quantity> quantities() { return list(); }
+const std::deque<Quantity>& quantities() { return list(); }
 
 std::vector<const Quantity*> quantities_of(Owner owner) {
   std::vector<const Quantity*> result;

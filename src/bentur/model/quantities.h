@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -59,7 +59,7 @@ struct Quantity {
 };
 
 /// All of them, in the order in which files and tables have them.
-[[nodiscard]] std::span<const Quantity> quantities();
+[[nodiscard]] const std::deque<Quantity>& quantities();
 /// Those of one kind of owner.
 [[nodiscard]] std::vector<const Quantity*> quantities_of(Owner owner);
 /// Adds one, for a program that tells of something of its own. Not while others read the list.
