@@ -117,7 +117,7 @@ std::string codes_note(const CodeSpec& code) {
 /// The floors that face a column, or a floor that no contact point is at.
 std::string watched_text(const Problem& problem, const Response& response, std::size_t gap,
                          const GoverningLevel& governing, const std::string& length) {
-  const std::vector<std::size_t> watched = watched_of(problem, gap);
+  const std::vector<std::size_t> watched = gap_at(problem, gap).watched;
   std::vector<double> elevations, widths, simulated;
   std::vector<std::string> owners, faces, marks;
   for (auto i = watched.rbegin(); i != watched.rend(); ++i) {
@@ -139,23 +139,18 @@ std::string watched_text(const Problem& problem, const Response& response, std::
   return "\nFloors that face their neighbour where no contact is modelled\n\n" + table.text();
 }
 
-std::string gap_text(const Loaded& loaded, const Response& response, int gap, const std::vector<PointSeparation>& all) {
-  const Problem& problem = loaded.problem;
-  const std::string& length = loaded.c.units.length;
-  std::vector<PointSeparation> points;
-  for (const PointSeparation& separation : all) {
-    if (problem.points[static_cast<std::size_t>(separation.point)].left == gap) {
-      points.push_back(separation);
-    }
-  }
-  std::reverse(points.begin(), points.end());  // as the buildings stand: highest first
+std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<PointSeparation>& all) {
+  const Problem& problem = run.problem;
+  const std::string& length = run.c.units.length;
+  std::vector<PointSeparation> points;  // as the buildings stand: highest first
+  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) points.push_back(all[*i]);
   const auto point_of = [&](const PointSeparation& s) -> const ContactPoint& {
     return problem.points[static_cast<std::size_t>(s.point)];
   };
-  const GoverningLevel governing = governing_level(problem, response, static_cast<std::size_t>(gap));
+  const GoverningLevel governing = governing_level(problem, run.response, gap.left);
   const bool too_close = governing.needed > governing.width;
   std::string text =
-      fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap),
+      fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap.left),
                   too_close ? "too close" : "wide enough", number(governing.needed), length,
                   number(governing.elevation), length, number(governing.width), length,
                   too_close ? fmt::format(": {} {} short", number(governing.needed - governing.width), length) : "");
@@ -184,9 +179,7 @@ std::string gap_text(const Loaded& loaded, const Response& response, int gap, co
   table.add("DDC", length, ddc);
   table.add("", "", marks);
   if (!points.empty()) text += "\n" + table.text();
-  if (!watched_of(problem, static_cast<std::size_t>(gap)).empty()) {
-    text += watched_text(problem, response, static_cast<std::size_t>(gap), governing, length);
-  }
+  if (!gap.watched.empty()) text += watched_text(problem, run.response, gap.left, governing, length);
   if (points.empty())
     return text + "  No floors meet here: the rules, which compare floors that do, have nothing to say.\n";
   if (!points.front().codes.empty()) text += "\n" + codes_text(problem, points, length);
@@ -215,17 +208,16 @@ void run(const GapArguments& arguments) {
   if (is_study(arguments.file)) return run_study(arguments);
   if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
   const Loaded loaded = load(arguments.file);
-  const Response response = simulate(loaded, 0, true);
-  const std::vector<PointSeparation> needed = separations(loaded.problem, response, loaded.c.code, loaded.c.units);
+  const RunResults results = simulate(loaded, 0, true);
+  const std::vector<PointSeparation> needed =
+      separations(results.problem, results.response, results.c.code, results.c.units);
   if (arguments.json) {
-    print(gap_json(loaded.c, loaded.problem, response, needed, BENTUR_VERSION));
+    print(gap_json(results, needed, BENTUR_VERSION));
     return;
   }
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
   text += excitation_line(loaded.c) + "\n";
-  for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
-    text += "\n" + gap_text(loaded, response, static_cast<int>(gap), needed);
-  }
+  for (const Gap& gap : gaps_of(results.problem)) text += "\n" + gap_text(results, gap, needed);
   text +=
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"
       "combination of their peak displacements at that elevation.\n";

@@ -9,7 +9,7 @@
 
 #include "arguments.h"
 #include "bentur/core/errors.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
@@ -29,8 +29,7 @@ std::string from_results(const std::filesystem::path& folder, ReportOptions opti
   try {
     const RunResults results = read_results(folder);
     options.figures = report_figures(NetcdfReader(folder / "histories.nc"), options.language);
-    options.remarks = results.remarks;
-    return report_html(results.c, results.problem, results.response, options);
+    return report_html(results, options);
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
   }
@@ -51,9 +50,9 @@ std::string from_netcdf(const std::filesystem::path& file, ReportOptions options
 }
 
 std::string from_case(const Loaded& loaded, ReportOptions options) {
-  const Response response = simulate(loaded, report_output_step(loaded.problem), true);
-  options.figures = report_figures(loaded.c, loaded.problem, response, options.language);
-  return report_html(loaded.c, loaded.problem, response, options);
+  const RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
+  options.figures = report_figures(results, options.language);
+  return report_html(results, options);
 }
 
 /// The result files that a report is made from.

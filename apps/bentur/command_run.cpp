@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -12,7 +11,6 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/restitution.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
@@ -34,34 +32,34 @@ struct RunArguments {
   bool force = false;
 };
 
-/// Floors top to bottom, as the building stands.
-std::vector<double> from_top(const Eigen::VectorXd& values) {
-  std::vector<double> reversed(values.begin(), values.end());
-  std::reverse(reversed.begin(), reversed.end());
-  return reversed;
+/// Every quantity of contact points or floors that is for tables, behind the elevations of the places.
+Table quantity_table(const RunResults& run, Owner owner, const std::vector<QuantityPlace>& places) {
+  std::vector<double> elevations;
+  for (const QuantityPlace& at : places) {
+    elevations.push_back(owner == Owner::point ? run.problem.points[at.item].elevation
+                                               : run.problem.buildings[at.item].model.elevations[at.floor]);
+  }
+  Table table;
+  table.add("Level", run.c.units.length, elevations);
+  for (TableColumn& column : table_columns(owner, run.view(), places)) {
+    table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
+  }
+  return table;
 }
 
-/// Indices of the contact points of one gap, highest first.
-std::vector<std::size_t> points_of(const Problem& problem, int gap) {
-  std::vector<std::size_t> points;
-  for (std::size_t i = problem.points.size(); i-- > 0;) {
-    if (problem.points[i].left == gap) {
-      points.push_back(i);
-    }
-  }
-  return points;
-}
+/// The contact points of a gap from the top down.
+std::vector<std::size_t> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
 
 /// What to do about floors that met something where no contact is modelled; empty where none did.
-std::string unmodelled_text(const Loaded& loaded, const Response& response, const std::vector<std::size_t>& floors) {
-  const Problem& problem = loaded.problem;
-  const std::string& length = loaded.c.units.length;
+std::string unmodelled_text(const RunResults& run, const std::vector<std::size_t>& floors) {
+  const Problem& problem = run.problem;
+  const std::string& length = run.c.units.length;
   constexpr std::size_t most = 3;  // told one by one
   std::string text;
   for (std::size_t n = 0; n < std::min(most, floors.size()); ++n) {
     const std::size_t i = floors[n];
     const WatchedFloor& floor = problem.watched[i];
-    const WatchedSummary& summary = response.watched[i];
+    const WatchedSummary& summary = run.response.watched[i];
     const std::string met = fmt::format(
         "{} at elevation {} {} goes {} {} into {}, t = {} s", floor_text(problem, floor), number(floor.elevation),
         length, number(-summary.least_opening), length, faced_text(problem, floor), number(summary.least_time));
@@ -80,34 +78,26 @@ std::string unmodelled_text(const Loaded& loaded, const Response& response, cons
 }
 
 /// Does it pound, where, how often, how hard; and how wide the gap would have to be.
-std::string verdict(const Loaded& loaded, const Response& response, int gap) {
-  const Problem& problem = loaded.problem;
-  const std::string& length = loaded.c.units.length;
-  const std::vector<std::size_t> points = points_of(problem, gap);
-  const std::vector<std::size_t> unmodelled = unmodelled_contacts(problem, response, static_cast<std::size_t>(gap));
-  int impacts = 0;
-  int touched = 0;
-  std::optional<std::size_t> hardest;
-  for (const std::size_t i : points) {
-    impacts += response.points[i].impacts;
-    touched += response.points[i].impacts > 0 ? 1 : 0;
-    if (!hardest || response.points[i].peak_force > response.points[*hardest].peak_force) hardest = i;
-  }
-  std::string text = gap_name(problem, gap) + ": " + unmodelled_text(loaded, response, unmodelled);
-  if (!unmodelled.empty()) text += "  ";
-  if (impacts == 0) {
-    if (unmodelled.empty()) text += "NO POUNDING. ";
+std::string verdict(const RunResults& run, std::size_t gap) {
+  const Problem& problem = run.problem;
+  const std::string& length = run.c.units.length;
+  const GapOutcome found = gap_outcome(problem, run.response, gap);
+  const std::size_t points = found.gap.points.size();
+  std::string text = gap_name(problem, gap) + ": " + unmodelled_text(run, found.unmodelled);
+  if (!found.unmodelled.empty()) text += "  ";
+  if (found.impacts == 0) {
+    if (found.unmodelled.empty()) text += "NO POUNDING. ";
   } else {
-    const PointSummary& worst = response.points[*hardest];
-    text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", impacts, impacts == 1 ? "" : "s",
-                        touched, points.size(), points.size() == 1 ? "" : "s");
+    const PointSummary& worst = run.response.points[*found.hardest];
+    text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", found.impacts,
+                        found.impacts == 1 ? "" : "s", found.touched, points, points == 1 ? "" : "s");
     if (worst.peak_force_time) {  // an impact without duration has no force
-      text += fmt::format("Hardest: {} {} at elevation {} {}, t = {} s.\n  ", number(worst.peak_force),
-                          loaded.c.units.force, number(problem.points[*hardest].elevation), length,
-                          number(*worst.peak_force_time));
+      text +=
+          fmt::format("Hardest: {} {} at elevation {} {}, t = {} s.\n  ", number(worst.peak_force), run.c.units.force,
+                      number(problem.points[*found.hardest].elevation), length, number(*worst.peak_force_time));
     }
   }
-  const GoverningLevel level = governing_level(problem, response, static_cast<std::size_t>(gap));
+  const GoverningLevel& level = found.governing;
   text += fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n", number(level.elevation),
                       length, number(level.width), length, number(level.needed), length);
   if (level.watched) {
@@ -115,37 +105,6 @@ std::string verdict(const Loaded& loaded, const Response& response, int gap) {
     text += fmt::format("  There {} faces {}.\n", floor_text(problem, floor), faced_text(problem, floor));
   }
   return text;
-}
-
-Table contact_table(const Loaded& loaded, const Response& response, int gap) {
-  const Units& units = loaded.c.units;
-  std::vector<double> elevation, width, needed, duration, force, time, speed, penetration, impulse;
-  std::vector<std::string> impacts;
-  for (const std::size_t i : points_of(loaded.problem, gap)) {
-    const PointSummary& point = response.points[i];
-    elevation.push_back(loaded.problem.points[i].elevation);
-    width.push_back(loaded.problem.points[i].width);
-    needed.push_back(point.minimum_gap_no_contact);
-    impacts.push_back(std::to_string(point.impacts));
-    duration.push_back(point.contact_duration);
-    force.push_back(point.peak_force);
-    time.push_back(point.peak_force_time.value_or(std::numeric_limits<double>::quiet_NaN()));
-    penetration.push_back(point.peak_penetration);
-    speed.push_back(point.peak_closing_speed);
-    impulse.push_back(point.impulse);
-  }
-  Table table;
-  table.add("elevation", units.length, elevation);
-  table.add("gap", units.length, width);
-  table.add("needed", units.length, needed);
-  table.add("impacts", "", impacts);
-  table.add("in contact", "s", duration);
-  table.add("force", units.force, force);
-  table.add("at", "s", time);
-  table.add("depth", units.length, penetration);
-  table.add("speed", units.length + "/s", speed);
-  table.add("impulse", units.force + "·s", impulse);
-  return table;
 }
 
 /// What decides the law beside its stiffness and the restitution asked for: "damping_ratio 0.1359".
@@ -170,12 +129,12 @@ std::string range_text(const PointRestitution& restitution) {
 
 /// The law of every contact point, the restitution it was asked for and the range its impacts had; empty where all are
 /// linear springs, of which there is nothing to say.
-std::string law_text(const Loaded& loaded, const Response& response) {
-  const std::vector<GapSpec>& gaps = loaded.c.gaps;
+std::string law_text(const RunResults& run) {
+  const std::vector<GapSpec>& gaps = run.c.gaps;
   if (std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.contact.law == "linear"; })) {
     return "";
   }
-  const std::vector<PointRestitution> restitution = restitutions(loaded.problem, response);
+  const std::vector<PointRestitution> restitution = restitutions(run.problem, run.response);
   const bool single_points =
       std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() <= 1; });
   std::vector<std::string> between, law, choices, parameter, asked, obtained;
@@ -185,12 +144,12 @@ std::string law_text(const Loaded& loaded, const Response& response) {
     for (const auto& [name, word] : gaps[gap].contact.choices()) {
       made += (made.empty() ? "" : ", ") + word;
     }
-    for (const std::size_t i : points_of(loaded.problem, static_cast<int>(gap))) {
-      between.push_back(gap_name(loaded.problem, gap));
-      elevation.push_back(loaded.problem.points[i].elevation);
+    for (const std::size_t i : points_from_top(gap_at(run.problem, gap))) {
+      between.push_back(gap_name(run.problem, gap));
+      elevation.push_back(run.problem.points[i].elevation);
       law.push_back(gaps[gap].contact.law);
       choices.push_back(made);
-      parameter.push_back(parameter_text(*loaded.problem.points[i].law));
+      parameter.push_back(parameter_text(*run.problem.points[i].law));
       asked.push_back(restitution[i].asked ? number(*restitution[i].asked) : "–");
       obtained.push_back(range_text(restitution[i]));
     }
@@ -200,7 +159,7 @@ std::string law_text(const Loaded& loaded, const Response& response) {
     table.add("gap", "", between);
   }
   if (!single_points) {
-    table.add("elevation", loaded.c.units.length, elevation);
+    table.add("elevation", run.c.units.length, elevation);
   }
   table.add("law", "", law);
   table.add("choices", "", choices);
@@ -210,58 +169,37 @@ std::string law_text(const Loaded& loaded, const Response& response) {
   return "\nContact laws, restitution asked and obtained\n\n" + table.text();
 }
 
-Table building_table(const Loaded& loaded, const Building& building, const BuildingPeaks& peaks) {
-  const Units& units = loaded.c.units;
-  std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
-  std::vector<std::string> amplification;
-  for (Eigen::Index i = peaks.displacement.size() - 1; i >= 0; --i) {
-    const double free = peaks.displacement_no_contact(i);
-    amplification.push_back(free > 0 ? fmt::format("{:.3f}", peaks.displacement(i) / free) : "–");
+std::string summary_text(const RunResults& run) {
+  const Problem& problem = run.problem;
+  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
+  text += excitation_line(run.c) + "\n\n";
+  const std::vector<Gap> gaps = gaps_of(problem);
+  for (const Gap& gap : gaps) text += verdict(run, gap.left);
+  for (const Gap& gap : gaps) {
+    if (gap.points.empty()) continue;
+    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap.left),
+                        quantity_table(run, Owner::point, places_of(points_from_top(gap))).text());
   }
-  Table table;
-  table.add("elevation", units.length, elevations);
-  table.add("displacement", units.length, from_top(peaks.displacement));
-  table.add("no contact", units.length, from_top(peaks.displacement_no_contact));
-  table.add("amplification", "", amplification);
-  table.add("drift", "%", from_top(100 * peaks.drift_ratio));
-  table.add("acceleration", units.length + "/s²", from_top(peaks.acceleration));
-  table.add("storey shear", units.force, from_top(peaks.storey_shear));
-  return table;
-}
-
-std::string summary_text(const Loaded& loaded, const Response& response) {
-  const Problem& problem = loaded.problem;
-  std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
-  text += excitation_line(loaded.c) + "\n\n";
-  const int gaps = static_cast<int>(problem.buildings.size()) - 1;
-  for (int gap = 0; gap < gaps; ++gap) {
-    text += verdict(loaded, response, gap);
-  }
-  for (int gap = 0; gap < gaps; ++gap) {
-    if (points_of(problem, gap).empty()) continue;
-    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap),
-                        contact_table(loaded, response, gap).text());
-  }
-  text += law_text(loaded, response);
+  text += law_text(run);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    const Proportions found = proportions(building, loaded.c.units, &response.buildings[b]);
+    const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
     text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
-                        building_table(loaded, building, response.buildings[b]).text());
+                        quantity_table(run, Owner::floor, floors_from_top(problem, b)).text());
     text += fmt::format("  Base shear {} of the weight; {}\n",
                         found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
-                        proportions_text(building, found, loaded.c.units));
+                        proportions_text(building, found, run.c.units));
   }
-  const std::string unusual = remarks_text(remarks(loaded.c, problem, response));
+  const std::string unusual = remarks_text(run.remarks);
   text += "\n" + unusual + wrapped(model_text()) + "\n";
-  if (response.energy) {
+  if (run.response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
-                        number(response.energy->peak_input), loaded.c.units.force, loaded.c.units.length,
-                        response.energy->relative_residual());
+                        number(run.response.energy->peak_input), run.c.units.force, run.c.units.length,
+                        run.response.energy->relative_residual());
   }
   return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} contacts closed or opened\n",
-                            solver_name(loaded.c.analysis.solver), number(problem.duration),
-                            number(1e3 * response.wall_time), response.steps, response.events);
+                            solver_name(run.c.analysis.solver), number(problem.duration),
+                            number(1e3 * run.response.wall_time), run.response.steps, run.response.events);
 }
 
 /// The result files of a run in one folder.
@@ -283,13 +221,11 @@ class RunOutput {
     }
   }
 
-  void write(const Loaded& loaded, const Response& response, const std::string& summary) {
-    const bool figures = !arguments_.figures.empty();
-    const FigureData data = figures ? figure_data(loaded.problem, response, loaded.c.analysis.solver) : FigureData{};
-    histories_ = histories_netcdf(loaded.c, loaded.problem, response, BENTUR_VERSION, figures ? &data : nullptr);
-    if (loaded.c.source->copied) files_.add("case.toml", loaded.c.source->text, ResultKind::case_copy);
+  void write(const RunResults& run, const std::string& summary) {
+    histories_ = histories_netcdf(run, BENTUR_VERSION);
+    if (run.c.source->copied) files_.add("case.toml", run.c.source->text, ResultKind::case_copy);
     files_.add("summary.json", summary, ResultKind::summary);
-    files_.add("impacts.csv", impacts_csv(loaded.c.units, loaded.problem, response), ResultKind::impacts);
+    files_.add("impacts.csv", impacts_csv(run.view()), ResultKind::impacts);
     files_.add("histories.nc", histories_, ResultKind::histories);
     remove_run_figures(folder() / "figures", rules_);  // never figures of one run beside the results of another
     files_.commit();
@@ -318,7 +254,7 @@ class RunOutput {
   std::string histories_;
 };
 
-void run(const RunArguments& arguments) {
+void execute(const RunArguments& arguments) {
   if (!arguments.figures.empty() && arguments.directory.empty()) {
     throw Failure(exit_bad_input, "bentur run: --figures needs --output, the folder for them");
   }
@@ -338,13 +274,14 @@ void run(const RunArguments& arguments) {
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file);
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
-  const Response response = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
-  const std::string summary = summary_json(loaded.c, loaded.problem, response, BENTUR_VERSION);
-  if (output) output->write(loaded, response, summary);
+  RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
+  if (!arguments.figures.empty()) run.figures = figure_data(run.problem, run.response, run.c.analysis.solver);
+  const std::string summary = summary_json(run, BENTUR_VERSION);
+  if (output) output->write(run, summary);
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
-    print(summary_text(loaded, response));
+    print(summary_text(run));
   }
   if (output && !arguments.quiet) {
     message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",
@@ -374,7 +311,7 @@ void add_run_command(CLI::App& app) {
   command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
   add_force(*command, arguments->force);
   command->footer("Example: bentur run case.toml -o results --figures svg,pdf");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { execute(*arguments); });
 }
 
 }  // namespace bentur::cli

@@ -100,7 +100,7 @@ Loaded load_example(const std::string& name) {
   throw Failure(exit_bad_input, "no example \"" + name + "\"; there are:" + known);
 }
 
-Response simulate(const Loaded& loaded, double output_step, bool progress) {
+RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
@@ -131,7 +131,7 @@ Response simulate(const Loaded& loaded, double output_step, bool progress) {
   if (response.status != Status::done) {
     throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
   }
-  return response;
+  return run_results(loaded.c, loaded.problem, std::move(response));
 }
 
 std::string solver_name(const Solver& solver) {

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/model/case.h"
-#include "bentur/model/remarks.h"
-#include "bentur/solve/response.h"
+#include "bentur/model/run_results.h"
 
 namespace bentur::cli {
 
@@ -79,7 +77,7 @@ class StopOnSignal {
 /// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
 /// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
 /// (exit_numbers_failed) and when it is stopped (exit_other).
-[[nodiscard]] Response simulate(const Loaded& loaded, double output_step, bool progress);
+[[nodiscard]] RunResults simulate(const Loaded& loaded, double output_step, bool progress);
 
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".
 [[nodiscard]] std::string solver_name(const Solver& solver);

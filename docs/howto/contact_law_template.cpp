@@ -21,25 +21,19 @@ LawEntry HardeningSpring::entry() {
 LawParameters HardeningSpring::parameters() const { return {{"stiffness", stiffness_}, {"hardening", hardening_}}; }
 
 Branch HardeningSpring::branch(const ContactState& state) const noexcept {
-  if (state.branch == 0) return Branch::apart();
+  if (state.branch == apart) return Branch::apart();
   return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}});
 }
 
-ContactState HardeningSpring::next(const ContactState& state, std::size_t /*guard*/, double time,
-                                   double /*penetration*/, double closing_speed) const noexcept {
-  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
-  return {.since = time};
-}
-
 double HardeningSpring::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
-  if (state.branch == 0) return ContactLaw::force(state, penetration, closing_speed);
+  if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
   const double spring = (stiffness_ + hardening_ * penetration * penetration) * penetration;
   return spring + 0 * closing_speed;  // NaN in, NaN out
 }
 
 double HardeningSpring::stored_energy(const ContactState& state, double penetration) const noexcept {
   const double square = penetration * penetration;
-  return state.branch == 0 ? 0.0 : (0.5 * stiffness_ + 0.25 * hardening_ * square) * square;
+  return state.branch == apart ? 0.0 : (0.5 * stiffness_ + 0.25 * hardening_ * square) * square;
 }
 
 }  // namespace bentur

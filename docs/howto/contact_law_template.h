@@ -22,8 +22,6 @@ class HardeningSpring final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "hardening-spring"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   // Only where a branch is nonlinear:
   [[nodiscard]] double force(const ContactState& state, double penetration,
                              double closing_speed) const noexcept override;

@@ -60,7 +60,7 @@ class Reference : public testing::TestWithParam<const char*> {
     const auto file = [&](const std::string& kind) {
       return fs::path(BENTUR_BINARY_DIR) / ("reference-" + name_ + "-" + solver + kind + ".json");
     };
-    std::ofstream(file("")) << summary_json(*case_, problem_, response, "test");
+    std::ofstream(file("")) << summary_json(run_results(*case_, problem_, response), "test");
     run(BENTUR_SOURCE_DIR "/tests/reference/loosen.py", {(shared / "reference" / (name_ + ".expected.json")).string(),
                                                          std::to_string(factor), file("-expected").string()});
     run((shared / "tools/compare.py").string(), {file("-expected").string(), file("").string()});

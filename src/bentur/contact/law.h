@@ -18,11 +18,16 @@ struct ContactState {
 };
 
 /// A branch lasts while  constant + penetration δ + speed δ̇ + decaying exp(−rate (t − since)) ≥ 0.
+///
+/// Zero belongs to the branch: it ends where the sum becomes negative, and a sum that only touches zero ends nothing.
+/// A solver lets it go below zero by round-off: 2⁻⁴⁶ of the displacements and speeds that δ and δ̇ are differences of,
+/// each times its factor, and of `constant`. The guard δ ≥ 0 alone of a touching branch has no such tolerance.
+/// All terms have one dimension [X], which the law chooses, but it is [length] where a term decays.
 struct Guard {
-  double constant = 0;
-  double penetration = 0;  ///< factor of δ
-  double speed = 0;        ///< factor of δ̇
-  double decaying = 0;     ///< amplitude of a term that dies away …
+  double constant = 0;     ///< [X]
+  double penetration = 0;  ///< factor of δ [X/length]
+  double speed = 0;        ///< factor of δ̇ [X·s/length]
+  double decaying = 0;     ///< amplitude [length] of a term that dies away …
   double rate = 0;         ///< … at this rate [1/s] ≥ 0
 };
 
@@ -62,6 +67,8 @@ using LawParameters = std::vector<std::pair<std::string_view, double>>;
 /// points, each with its own ContactState.
 class ContactLaw {
  public:
+  static constexpr int apart = 0;  ///< ContactState::branch
+
   virtual ~ContactLaw() = default;
 
   /// The name a case gives it by, e.g. "linear".
@@ -74,9 +81,10 @@ class ContactLaw {
   [[nodiscard]] virtual Branch branch(const ContactState& state) const noexcept = 0;
 
   /// The state after guard number `guard` of its branch has come down to zero at `time` [s], at the given δ and δ̇.
-  /// A law sets `branch`, `since`, and what it wants to remember; `closing_speed` where a contact begins.
+  /// A law sets `branch`, `since`, and what it wants to remember; `closing_speed` where a contact begins. As most laws
+  /// have it: a contact begins in branch 1, ends by guard 0, and changes between branches 1 and 2 by any other guard.
   [[nodiscard]] virtual ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                          double closing_speed) const noexcept = 0;
+                                          double closing_speed) const noexcept;
 
   /// F [force] at penetration δ [length] and closing speed δ̇ [length/s] in the branch of `state`. Pure; NaN in gives
   /// NaN out. A linear branch needs no formula of its own.

@@ -17,6 +17,11 @@
 
 namespace bentur {
 
+const LawChoice& exact_or_published() {
+  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
+  return choice;
+}
+
 const std::vector<LawEntry>& contact_laws() {
   static const std::vector<LawEntry> laws = {
       Linear::entry(),    KelvinVoigt::entry(), KelvinVoigtApproach::entry(),

@@ -35,6 +35,9 @@ struct LawChoice {
   std::string_view with;  ///< the key it goes with, e.g. calibration with restitution; empty: always allowed
 };
 
+/// calibration = "exact" or "published", for laws that take a restitution.
+[[nodiscard]] const LawChoice& exact_or_published();
+
 /// What a case did say, for one contact point.
 struct LawInput {
   std::map<std::string, double, std::less<>> numbers;

@@ -136,10 +136,5 @@ double ye_damping_factor(double e) {
   return 8 * (1 - e) / (5 * e);
 }
 
-double hunt_crossley_damping_factor(double e) {
-  require_restitution(e);
-  return 1.5 * (1 - e);
-}
-
 }  // namespace published
 }  // namespace bentur

@@ -41,8 +41,6 @@ namespace published {
 [[nodiscard]] double muthukumar_desroches_damping_factor(double restitution);
 /// d = 8 (1 − e)/(5 e)  [YeLiZhu2009].                                                                         (C-20)
 [[nodiscard]] double ye_damping_factor(double restitution);
-/// d = 3/2 (1 − e)  [HuntCrossley1975]; for comparison, no law offers it.                                      (C-21)
-[[nodiscard]] double hunt_crossley_damping_factor(double restitution);
 
 }  // namespace published
 }  // namespace bentur

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {

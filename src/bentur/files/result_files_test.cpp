@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
-#include <netcdf.h>
-#include <netcdf_mem.h>
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -88,6 +87,8 @@ struct Fixture {
     }
   }
 
+  [[nodiscard]] RunResults results() const { return run_results(c, problem, response); }
+
   Case c;
   Problem problem;
   Response response;
@@ -95,7 +96,7 @@ struct Fixture {
 
 TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
   Fixture f;
-  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1.2.3"));
+  const Json json = Json::parse(summary_json(f.results(), "1.2.3"));
   EXPECT_EQ(json["title"], "A \"title\"");
   EXPECT_EQ(json["units"], (Json{{"length", "m"}, {"force", "tf"}}));
   EXPECT_EQ(json["version"], "1.2.3");
@@ -153,11 +154,11 @@ TEST(SummaryJson, RestitutionOfTheImpactsThatHaveEnded) {
     return Impact{.open_ended = open_ended, .closing_speed = closing, .separation_speed = separation};
   };
   f.response.impacts = {impact(2, 1, false), impact(4, 3, false), impact(4, 1, true), impact(0, 1, false)};
-  const Json point = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  const Json point = Json::parse(summary_json(f.results(), "1"))["gaps"][0]["points"][0];
   EXPECT_EQ(point["restitution"], (Json{{"asked", 0.65}, {"smallest", 0.5}, {"largest", 0.75}}));
   f.c.gaps[0].contact = {.law = "linear", .numbers = {{"stiffness", {1e6}}}};
   f.problem = make_problem(f.c);
-  const Json linear = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["gaps"][0]["points"][0];
+  const Json linear = Json::parse(summary_json(f.results(), "1"))["gaps"][0]["points"][0];
   EXPECT_EQ(linear["contact"], (Json{{"law", "linear"}, {"stiffness", 1e6}}));
   EXPECT_EQ(linear["restitution"], (Json{{"asked", nullptr}, {"smallest", 0.5}, {"largest", 0.75}}));
 }
@@ -166,13 +167,13 @@ TEST(SummaryJson, EachSolverWithItsNumberAndTheAudit) {
   Fixture f;
   f.add_energy();
   f.c.analysis.solver = AdaptiveSolver{.tolerance = 1e-7};
-  Json solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  Json solver = Json::parse(summary_json(f.results(), "1"))["solver"];
   EXPECT_EQ(solver["name"], "adaptive");
   EXPECT_EQ(solver["tolerance"], 1e-7);
   EXPECT_EQ(solver["energy_residual"], 0.25);
   EXPECT_EQ(solver["peak_input_energy"], 8.0);
   f.c.analysis.solver = RungeKuttaSolver{.step = 0.002};
-  solver = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["solver"];
+  solver = Json::parse(summary_json(f.results(), "1"))["solver"];
   EXPECT_EQ(solver["name"], "runge-kutta");
   EXPECT_EQ(solver["step"], 0.002);
 }
@@ -190,7 +191,7 @@ TEST(SummaryJson, EchoesTheRecord) {
                                      .duration = 0.04,
                                      .pga_read = 0.3,
                                      .pga = 2.9};
-  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1"))["excitation"];
+  const Json json = Json::parse(summary_json(f.results(), "1"))["excitation"];
   EXPECT_EQ(json["kind"], "record");
   EXPECT_EQ(json["file"], "a.csv");
   EXPECT_EQ(json["count"], 3);
@@ -205,7 +206,7 @@ TEST(SummaryJson, NumbersSurviveToTheLastBit) {
   Fixture f;
   f.response.points[0].peak_force = 0.1 + 0.2;
   f.response.points[0].impulse = std::numeric_limits<double>::denorm_min();
-  const Json json = Json::parse(summary_json(f.c, f.problem, f.response, "1"));
+  const Json json = Json::parse(summary_json(f.results(), "1"));
   EXPECT_EQ(json["gaps"][0]["points"][0]["peak_force"].get<double>(), 0.1 + 0.2);
   EXPECT_EQ(json["gaps"][0]["points"][0]["impulse"].get<double>(), std::numeric_limits<double>::denorm_min());
 }
@@ -233,7 +234,7 @@ TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
                                                {.point = 1, .simulated = 2, .abs = 7, .srss = 4, .ddc = 1}};
   f.response.points.assign(2, {});
   for (const std::size_t i : {0U, 1U}) f.response.points[i].minimum_gap_no_contact = points[i].simulated;
-  const Json gap = Json::parse(gap_json(f.c, f.problem, f.response, points, "1"))["gaps"][0];
+  const Json gap = Json::parse(gap_json(f.results(), points, "1"))["gaps"][0];
   EXPECT_EQ(gap["simulated"], 2.0);
   EXPECT_EQ(gap["abs"], 8.0);
   EXPECT_EQ(gap["srss"], 4.0);
@@ -264,7 +265,7 @@ TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
   f.response.impacts = {impact};
   impact.open_ended = false;
   f.response.impacts.push_back(impact);
-  EXPECT_EQ(impacts_csv(f.c.units, f.problem, f.response),
+  EXPECT_EQ(impacts_csv({f.problem, f.response, f.c.units}),
             "left,right,elevation [m],start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
             "restitution,peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m],"
             "peak_tension [tf]\n"
@@ -273,44 +274,16 @@ TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
 }
 
 /// Reads one variable back.
-std::vector<double> values(int file, const char* name, std::vector<std::size_t> expected_shape) {
-  int variable = 0, rank = 0;
-  EXPECT_EQ(nc_inq_varid(file, name, &variable), NC_NOERR) << name;
-  EXPECT_EQ(nc_inq_varndims(file, variable, &rank), NC_NOERR);
-  std::vector<int> dimensions(static_cast<std::size_t>(rank));
-  nc_inq_vardimid(file, variable, dimensions.data());
-  std::vector<std::size_t> shape;
-  std::size_t size = 1;
-  for (const int dimension : dimensions) {
-    std::size_t length = 0;
-    nc_inq_dimlen(file, dimension, &length);
-    shape.push_back(length);
-    size *= length;
-  }
-  EXPECT_EQ(shape, expected_shape) << name;
-  std::vector<double> result(size);
-  EXPECT_EQ(nc_get_var_double(file, variable, result.data()), NC_NOERR);
-  return result;
-}
-
-std::string attribute(int file, const char* variable_name, const char* name) {
-  int variable = NC_GLOBAL;
-  if (variable_name != nullptr) {
-    EXPECT_EQ(nc_inq_varid(file, variable_name, &variable), NC_NOERR);
-  }
-  std::size_t length = 0;
-  EXPECT_EQ(nc_inq_attlen(file, variable, name, &length), NC_NOERR) << name;
-  std::string text(length, ' ');
-  nc_get_att_text(file, variable, name, text.data());
-  return text;
+std::vector<double> values(const NetcdfReader& file, const std::string& name,
+                           const std::vector<std::size_t>& expected_shape) {
+  EXPECT_EQ(file.at(name).shape, expected_shape) << name;
+  return file.numbers(name);
 }
 
 TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   Fixture f;
   f.add_histories();
-  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1.2.3");
-  int file = 0;
-  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  const NetcdfReader file(histories_netcdf(f.results(), "1.2.3"), "histories.nc");
   EXPECT_EQ(values(file, "time", {3}), (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(values(file, "ground_acceleration", {3}), (std::vector<double>{0, -1, 1}));
   EXPECT_EQ(values(file, "elevation_1", {2}), (std::vector<double>{3, 6}));
@@ -320,54 +293,44 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   EXPECT_EQ(values(file, "drift_ratio_1", {3, 2}), (std::vector<double>{0, 40, 4, 44, 8, 48}));
   EXPECT_EQ(values(file, "storey_shear_1", {3, 2}), (std::vector<double>{0, 50, 5, 55, 10, 60}));
   EXPECT_EQ(values(file, "base_shear_1", {3}), (std::vector<double>{0, 5, 10}));
-  EXPECT_EQ(attribute(file, "drift_ratio_1", "units"), "1");
-  EXPECT_EQ(attribute(file, "base_shear_2", "units"), "1000 kgf");
+  EXPECT_EQ(file.attribute("drift_ratio_1", "units"), "1");
+  EXPECT_EQ(file.attribute("base_shear_2", "units"), "1000 kgf");
   EXPECT_EQ(values(file, "opening", {3, 1}), (std::vector<double>{0.1, 0, -0.1}));
   EXPECT_EQ(values(file, "force", {3, 1}), (std::vector<double>{0, 0, 1e5}));
   EXPECT_EQ(values(file, "point_width", {1}), (std::vector<double>{0.1}));
   EXPECT_EQ(values(file, "building_delay", {2}), (std::vector<double>{0, 0.25}));
-  EXPECT_EQ(attribute(file, nullptr, "Conventions"), "CF-1.8");
-  EXPECT_EQ(attribute(file, nullptr, "title"), "A \"title\"");
-  EXPECT_EQ(attribute(file, nullptr, "history"), "written by bentur 1.2.3");
-  EXPECT_EQ(attribute(file, "time", "units"), "s");
-  EXPECT_EQ(attribute(file, "acceleration_1", "units"), "m s-2");
-  EXPECT_EQ(attribute(file, "force", "units"), "1000 kgf");  // tf, as UDUNITS knows it
-  EXPECT_NE(attribute(file, "displacement_1", "long_name").find("Left, old"), std::string::npos);
-  int count = 0;
-  nc_inq_nvars(file, &count);
-  for (int variable = 0; variable < count; ++variable) {
-    std::size_t length = 0;
-    EXPECT_EQ(nc_inq_attlen(file, variable, "long_name", &length), NC_NOERR) << variable;
-    nc_type type = NC_NAT;
-    nc_inq_vartype(file, variable, &type);
-    EXPECT_EQ(nc_inq_attlen(file, variable, "units", &length) == NC_NOERR, type == NC_DOUBLE) << variable;
+  EXPECT_EQ(file.attribute("Conventions"), "CF-1.8");
+  EXPECT_EQ(file.attribute("title"), "A \"title\"");
+  EXPECT_EQ(file.attribute("history"), "written by bentur 1.2.3");
+  EXPECT_EQ(file.attribute("time", "units"), "s");
+  EXPECT_EQ(file.attribute("acceleration_1", "units"), "m s-2");
+  EXPECT_EQ(file.attribute("force", "units"), "1000 kgf");  // tf, as UDUNITS knows it
+  EXPECT_NE(file.attribute("displacement_1", "long_name").find("Left, old"), std::string::npos);
+  for (const NetcdfVariable& variable : file.variables()) {
+    EXPECT_NE(variable.long_name, "") << variable.name;
+    EXPECT_EQ(variable.units.empty(), variable.text) << variable.name;
   }
-  nc_close(file);
 }
 
 TEST(HistoriesNetcdf, EnergyCurvesWithAnAuditOnly) {
   Fixture f;
   f.add_histories();
   const std::vector<std::string> parts = {"input", "kinetic", "strain", "damping", "contact_stored", "contact_lost"};
-  int variable = 0;
   for (const bool audited : {false, true}) {
     if (audited) f.add_energy();
-    std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
-    int file = 0;
-    ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+    const NetcdfReader file(histories_netcdf(f.results(), "1"), "histories.nc");
     double first = 0;
     for (const std::string& part : parts) {
       const std::string name = "energy_" + part;
       if (!audited) {
-        EXPECT_NE(nc_inq_varid(file, name.c_str(), &variable), NC_NOERR) << name;
+        EXPECT_EQ(file.find(name), nullptr) << name;
         continue;
       }
-      EXPECT_EQ(values(file, name.c_str(), {3}), (std::vector<double>{first, first + 1, first + 2}));
-      EXPECT_EQ(attribute(file, name.c_str(), "units"), "1000 kgf m");
-      EXPECT_NE(attribute(file, name.c_str(), "long_name"), "");
+      EXPECT_EQ(values(file, name, {3}), (std::vector<double>{first, first + 1, first + 2}));
+      EXPECT_EQ(file.at(name).units, "1000 kgf m");
+      EXPECT_NE(file.at(name).long_name, "");
       first += 10;
     }
-    nc_close(file);
   }
 }
 
@@ -376,9 +339,7 @@ TEST(HistoriesNetcdf, ImpactsPeaksAndModes) {
   f.add_histories();
   f.response.impacts = {{.point = 0, .start = 1, .end = 2, .peak_force = 3}, {.point = 0, .start = 4, .peak_force = 5}};
   const std::size_t count = f.response.impacts.size();
-  std::string bytes = histories_netcdf(f.c, f.problem, f.response, "1");
-  int file = 0;
-  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
+  const NetcdfReader file(histories_netcdf(f.results(), "1"), "histories.nc");
   const auto start = values(file, "impact_start", {count});
   const auto force = values(file, "impact_peak_force", {count});
   const auto point = values(file, "impact_point", {count});
@@ -397,19 +358,15 @@ TEST(HistoriesNetcdf, ImpactsPeaksAndModes) {
   EXPECT_NEAR(shapes[1], 1, 1e-12);
   EXPECT_NEAR(std::abs(shapes[2]), 1, 1e-12);
   EXPECT_NEAR(shapes[3] / shapes[2], -1 / std::numbers::phi, 1e-12);
-  nc_close(file);
   f.response.impacts.clear();  // then there is no such dimension
-  bytes = histories_netcdf(f.c, f.problem, f.response, "1");
-  ASSERT_EQ(nc_open_mem("histories.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file), NC_NOERR);
-  int variable = 0;
-  EXPECT_NE(nc_inq_varid(file, "impact_start", &variable), NC_NOERR);
-  nc_close(file);
+  const NetcdfReader without(histories_netcdf(f.results(), "1"), "histories.nc");
+  EXPECT_EQ(without.find("impact_start"), nullptr);
 }
 
 TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {
   Fixture f;
   f.add_histories();
-  EXPECT_EQ(histories_netcdf(f.c, f.problem, f.response, "1"), histories_netcdf(f.c, f.problem, f.response, "1"));
+  EXPECT_EQ(histories_netcdf(f.results(), "1"), histories_netcdf(f.results(), "1"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/file_identity.h"
 
 namespace bentur {
@@ -50,7 +50,7 @@ bool is_untouched_copy(const fs::path& file) {
 bool is_netcdf(const fs::path& file, ResultKind kind) {
   try {
     const NetcdfReader results(file);
-    if (!results.attribute("history").starts_with("written by bentur")) return false;
+    if (!results.attribute("history").starts_with(netcdf_history)) return false;
     if (kind == ResultKind::histories) return results.find("displacement_1") != nullptr;
     return results.find("status") != nullptr && (results.find("intensity") != nullptr) == (kind == ResultKind::ida);
   } catch (const NetcdfError&) {

@@ -1,28 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "bentur/model/case.h"
-#include "bentur/model/close_up.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
-#include "bentur/solve/spectrum/response_spectrum.h"
+#include "bentur/model/run_results.h"
 
 namespace bentur {
-
-/// What figures show beyond the histories; kept with them so that the figures can be drawn again.
-struct FigureData {
-  std::optional<CloseUp> close_up;
-  double spectrum_damping = 0.05;         ///< ζ [-]
-  std::vector<double> spectrum_periods;   ///< T [s]; empty: no spectrum
-  std::vector<OscillatorPeaks> spectrum;  ///< one per period
-};
-
-/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
-[[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
 
 /// `histories.nc` as bytes: NetCDF-4, CF conventions, opens in xarray. Dimensions `time`, `elevation_N` for building N
 /// (1 the leftmost) with the floors' elevations as coordinate, `point` for the contact points. Variables
@@ -33,7 +16,6 @@ struct FigureData {
 /// `impact_start` and the rest of impacts.csv that figures need; with `figures` its contents as `close_up_*` and
 /// `spectrum_*`. Each with units and long_name. The same histories give the same bytes.
 /// @throws std::runtime_error with the library's reason.
-[[nodiscard]] std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response,
-                                           std::string_view version, const FigureData* figures = nullptr);
+[[nodiscard]] std::string histories_netcdf(const RunResults& results, std::string_view version);
 
 }  // namespace bentur

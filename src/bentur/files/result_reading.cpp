@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -15,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
@@ -77,12 +78,17 @@ Solver solver(const UnorderedJson& json) {
   return ExactSolver{};
 }
 
-BuildingPeaks peaks(const UnorderedJson& json) {
-  return {.displacement = vector(json.at("peak_displacement")),
-          .displacement_no_contact = vector(json.at("peak_displacement_no_contact")),
-          .drift_ratio = vector(json.at("peak_drift_ratio")),
-          .acceleration = vector(json.at("peak_acceleration")),
-          .storey_shear = vector(json.at("peak_storey_shear"))};
+/// Every quantity that a response keeps, from the object that stands for its owner.
+void take_quantities(const UnorderedJson& object, Owner owner, std::size_t item, Response& response) {
+  const auto number = [](const UnorderedJson& value) { return value.is_null() ? NAN : value.get<double>(); };
+  for (const Quantity* quantity : quantities_of(owner)) {
+    if (!is_kept(*quantity)) continue;
+    const UnorderedJson& value = object.at(std::string(quantity->key));
+    if (owner != Owner::floor) put_value(*quantity, number(value), {item, 0}, response);
+    for (std::size_t i = 0; owner == Owner::floor && i < value.size(); ++i) {
+      put_value(*quantity, number(value[i]), {item, i}, response);
+    }
+  }
 }
 
 /// Names, elevations and periods are in the summary, bases and shapes in the histories.
@@ -113,22 +119,6 @@ int floor_at(const Building& building, double elevation) {
   return static_cast<int>(near - floors.begin());
 }
 
-PointSummary point_summary(const UnorderedJson& json) {
-  PointSummary point;
-  point.minimum_gap_no_contact = json.at("minimum_gap_no_contact");
-  point.impacts = json.at("impacts");
-  point.slow_starts = json.at("slow_starts");
-  point.contact_duration = json.at("contact_duration");
-  point.peak_force = json.at("peak_force");
-  if (!json.at("peak_force_time").is_null()) point.peak_force_time = json.at("peak_force_time").get<double>();
-  point.peak_tension = json.at("peak_tension");
-  point.peak_penetration = json.at("peak_penetration");
-  point.peak_closing_speed = json.at("peak_closing_speed");
-  point.impulse = json.at("impulse");
-  point.energy_lost = json.at("energy_lost");
-  return point;
-}
-
 Remark remark(const UnorderedJson& json) {
   const auto side = [&](std::size_t i) {
     const UnorderedJson& value = json.at("usual").at(i);
@@ -149,7 +139,8 @@ void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
     point.left_floor = floor_at(left, point.elevation);
     point.right_floor = floor_at(right, point.elevation);
     results.problem.points.push_back(point);
-    results.response.points.push_back(point_summary(entry));
+    results.response.points.emplace_back();
+    take_quantities(entry, Owner::point, results.response.points.size() - 1, results.response);
     spec.elevations.push_back(point.elevation);
     spec.widths.push_back(point.width);
     for (const auto& [key, value] : entry.at("contact").items()) {
@@ -208,7 +199,8 @@ void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunR
   for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
   for (const UnorderedJson& entry : json.at("buildings")) {
     results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
-    results.response.buildings.push_back(peaks(entry));
+    results.response.buildings.emplace_back();
+    take_quantities(entry, Owner::floor, results.response.buildings.size() - 1, results.response);
   }
   for (const UnorderedJson& entry : json.at("gaps")) read_gap(entry, results.c.gaps.size(), results);
 }
@@ -235,41 +227,40 @@ std::vector<std::string> csv_line(const std::string& text, std::size_t& at) {
   return cells;
 }
 
-std::vector<Impact> read_impacts(const fs::path& file, const Problem& problem) {
+/// Impacts by the headings of their columns, which may have a unit: "peak_force [kgf]".
+void read_impacts(const fs::path& file, const Problem& problem, Response& response) {
   const std::string text = contents(file);
-  std::vector<Impact> impacts;
   std::size_t at = 0;
-  const std::size_t columns = csv_line(text, at).size();
+  std::map<std::string, std::size_t> columns;
+  for (const std::string& heading : csv_line(text, at))
+    columns.emplace(heading.substr(0, heading.find(" [")), columns.size());
   while (at < text.size()) {
     const std::vector<std::string> cells = csv_line(text, at);
-    if (columns != 15 || cells.size() != columns) fail(file, "is not a list of impacts");
-    const auto value = [&](std::size_t column) {
+    if (cells.size() != columns.size()) fail(file, "is not a list of impacts");
+    const auto cell = [&](std::string_view key) -> const std::string& {
+      const auto column = columns.find(std::string(key));
+      if (column == columns.end()) fail(file, "is not a list of impacts");
+      return cells[column->second];
+    };
+    const auto value = [&](std::string_view key) {
       double number = 0;
-      const std::string& cell = cells[column];
-      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-      if (error != std::errc() || end != cell.data() + cell.size()) fail(file, "\"" + cell + "\" is not a number");
+      const std::string& digits = cell(key);
+      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+      if (error != std::errc() || end != digits.data() + digits.size())
+        fail(file, "\"" + digits + "\" is not a number");
       return number;
     };
     const auto point = std::find_if(problem.points.begin(), problem.points.end(), [&](const ContactPoint& p) {
       const auto left = static_cast<std::size_t>(p.left);
-      return problem.buildings[left].name == cells[0] && problem.buildings[left + 1].name == cells[1] &&
-             p.elevation == value(2);
+      return problem.buildings[left].name == cell("left") && problem.buildings[left + 1].name == cell("right") &&
+             p.elevation == value("elevation");
     });
     if (point == problem.points.end()) fail(file, "is not of the same run as summary.json");
-    impacts.push_back({.point = static_cast<int>(point - problem.points.begin()),
-                       .start = value(3),
-                       .end = value(4),
-                       .open_ended = cells[5] == "1",
-                       .closing_speed = value(6),
-                       .separation_speed = value(7),
-                       .peak_force = value(9),
-                       .peak_force_time = value(10),
-                       .peak_penetration = value(11),
-                       .impulse = value(12),
-                       .peak_tension = value(14),
-                       .energy_lost = value(13)});
+    response.impacts.push_back({.point = static_cast<int>(point - problem.points.begin())});
+    for (const Quantity* quantity : quantities_of(Owner::impact)) {
+      if (is_kept(*quantity)) put_value(*quantity, value(quantity->key), {response.impacts.size() - 1, 0}, response);
+    }
   }
-  return impacts;
 }
 
 /// A table of histories, which the file holds with time as the slower dimension.
@@ -326,7 +317,7 @@ RunResults read_results(const fs::path& folder) {
   } catch (const UnorderedJson::exception& error) {
     fail(summary, std::string("is not a summary of bentur run: ") + error.what());
   }
-  results.response.impacts = read_impacts(folder / "impacts.csv", results.problem);
+  read_impacts(folder / "impacts.csv", results.problem, results.response);
   Histories& kept = results.response.histories;
   kept.time = histories.numbers("time");
   if (kept.time.empty()) fail(histories.name(), "holds no histories");

@@ -3,99 +3,221 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <string_view>
 
-#include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/restitution.h"
+#include "bentur/model/remarks.h"
 
 namespace bentur {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// One problem and, when values are wanted, its response; `fill` is called with the values of each quantity in turn.
-struct Reading {
-  const Problem& problem;
-  const Response& response;
-  std::vector<PointRestitution> restitutions;
-};
+// What is computed, not kept in a response.
 
-struct FloorQuantity {
-  const char* name;
-  const char* units;  // L length, F force
-  const char* what;
-  double (*value)(const BuildingPeaks& peaks, Eigen::Index floor);
-};
-
-double amplification(const BuildingPeaks& peaks, Eigen::Index floor) {
-  const double without = peaks.displacement_no_contact(floor);
-  return without > 0 ? peaks.displacement(floor) / without : none;
+Proportions proportions_of(const RunView& r, const QuantityPlace& at) {
+  return proportions(r.problem.buildings[at.item], r.units, &r.response.buildings[at.item]);
 }
-
-const FloorQuantity floor_quantities[] = {
-    {"peak_displacement", "L", "largest displacement relative to the own base",
-     [](const BuildingPeaks& p, Eigen::Index i) { return p.displacement(i); }},
-    {"peak_displacement_no_contact", "L", "largest displacement with contact switched off",
-     [](const BuildingPeaks& p, Eigen::Index i) { return p.displacement_no_contact(i); }},
-    {"amplification", "1", "largest displacement over that with contact switched off", amplification},
-    {"peak_drift_ratio", "1", "largest storey drift over storey height",
-     [](const BuildingPeaks& p, Eigen::Index i) { return p.drift_ratio(i); }},
-    {"peak_acceleration", "L s-2", "largest absolute acceleration",
-     [](const BuildingPeaks& p, Eigen::Index i) { return p.acceleration(i); }},
-    {"peak_storey_shear", "F", "largest elastic storey shear",
-     [](const BuildingPeaks& p, Eigen::Index i) { return p.storey_shear(i); }},
-};
-
-struct PointQuantity {
-  const char* name;
-  const char* units;
-  const char* what;
-  double (*value)(const Reading& reading, std::size_t point);
-};
-
-double or_none(const std::optional<double>& value) { return value.value_or(none); }
-
-const PointQuantity point_quantities[] = {
-    {"point_width", "L", "initial opening of the contact points",
-     [](const Reading& r, std::size_t i) { return r.problem.points[i].width; }},
-    {"minimum_gap_no_contact", "L", "gap that the free response needs",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].minimum_gap_no_contact; }},
-    {"impacts", "1", "number of impacts",
-     [](const Reading& r, std::size_t i) { return static_cast<double>(r.response.points[i].impacts); }},
-    {"contact_duration", "s", "total time in contact",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].contact_duration; }},
-    {"peak_force", "F", "largest contact force",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].peak_force; }},
-    {"peak_force_time", "s", "time of the largest contact force",
-     [](const Reading& r, std::size_t i) { return or_none(r.response.points[i].peak_force_time); }},
-    {"peak_penetration", "L", "largest penetration",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].peak_penetration; }},
-    {"peak_closing_speed", "L s-1", "largest closing speed at the start of an impact",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].peak_closing_speed; }},
-    {"impulse", "F s", "impulse of all impacts",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].impulse; }},
-    {"energy_lost", "F L", "energy that the contact dissipated",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].energy_lost; }},
-    {"peak_tension", "F", "largest pull of the contact",
-     [](const Reading& r, std::size_t i) { return r.response.points[i].peak_tension; }},
-    {"restitution_smallest", "1", "smallest coefficient of restitution of an impact",
-     [](const Reading& r, std::size_t i) { return or_none(r.restitutions[i].smallest); }},
-    {"restitution_largest", "1", "largest coefficient of restitution of an impact",
-     [](const Reading& r, std::size_t i) { return or_none(r.restitutions[i].largest); }},
-};
-
-double first_period(const Building& building) {
-  const double omega = building.modes.omega(0);
+double weight(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).weight; }
+double base_shear_coefficient(const RunView& r, const QuantityPlace& at) {
+  return proportions_of(r, at).base_shear_coefficient.value_or(none);
+}
+double first_period(const RunView& r, const QuantityPlace& at) {
+  const double omega = r.problem.buildings[at.item].modes.omega(0);
   return omega > 0 ? 2 * std::numbers::pi / omega : none;
 }
+double period_per_storey(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).period_per_storey; }
+double amplification(const RunView& r, const QuantityPlace& at) {
+  const BuildingPeaks& peaks = r.response.buildings[at.item];
+  const auto i = static_cast<Eigen::Index>(at.floor);
+  const double without = peaks.displacement_no_contact(i);
+  return without > 0 ? peaks.displacement(i) / without : none;
+}
+double point_width(const RunView& r, const QuantityPlace& at) { return r.problem.points[at.item].width; }
+double smallest_restitution(const RunView& r, const QuantityPlace& at) {
+  return r.restitutions[at.item].smallest.value_or(none);
+}
+double largest_restitution(const RunView& r, const QuantityPlace& at) {
+  return r.restitutions[at.item].largest.value_or(none);
+}
+double gap_of_points(const RunView& r, const QuantityPlace& at) {
+  const Gap between = gap_at(r.problem, at.item);
+  double needed = 0;
+  for (const std::size_t i : between.points) needed = std::max(needed, r.response.points[i].minimum_gap_no_contact);
+  return needed;
+}
+double whole_gap(const RunView& r, const QuantityPlace& at) { return gap_needed(r.problem, r.response, at.item); }
+long floors_met(const RunView& r, const QuantityPlace& at) {
+  return static_cast<long>(unmodelled_contacts(r.problem, r.response, at.item).size());
+}
+double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
+long events(const RunView& r, const QuantityPlace&) { return r.response.events; }
+double energy_residual(const RunView& r, const QuantityPlace&) {
+  return r.response.energy ? r.response.energy->relative_residual() : none;
+}
+double impact_restitution(const RunView& r, const QuantityPlace& at) {
+  return r.response.impacts[at.item].restitution().value_or(none);
+}
+double impact_duration(const RunView& r, const QuantityPlace& at) {
+  return r.response.impacts[at.item].end - r.response.impacts[at.item].start;
+}
 
-/// "F s" in the units of the case.
-std::string in_units(std::string_view form, const Units& units) {
+constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,
+                gap = Owner::gap, impact = Owner::impact;
+
+// clang-format off
+std::deque<Quantity>& list() {
+  static std::deque<Quantity> all = {
+      // Buildings.
+      {"weight", building, "F", "W", "weight of the floors' lumped masses", {}, weight},
+      {"base_shear_coefficient", building, "1", "V₁/W", "largest shear of the lowest storey over the weight", {}, base_shear_coefficient},
+      {"first_period", building, "s", "T₁", "first period", {}, first_period},
+      {"period_per_storey", building, "s", "T₁/n", "first period over the number of floors", {}, period_per_storey},
+      // Floors, and the storeys below them.
+      {"peak_displacement", floor, "L", "max |x|", "largest displacement relative to the own base", {"Displacement", "Perpindahan"}, &BuildingPeaks::displacement},
+      {"peak_displacement_no_contact", floor, "L", "max |x⁰|", "largest displacement with contact switched off", {"Without contact", "Tanpa kontak"}, &BuildingPeaks::displacement_no_contact},
+      {"amplification", floor, "1", "max |x| / max |x⁰|", "largest displacement over that with contact switched off", {"Amplification", "Amplifikasi"}, amplification, {}, {}, 1, 3},
+      {"peak_drift_ratio", floor, "1", "max |Δx|/h", "largest storey drift over storey height", {"Drift", "Simpangan antartingkat"}, &BuildingPeaks::drift_ratio, {}, "%", 100},
+      {"peak_acceleration", floor, "L s-2", "max |ẍ + a_g|", "largest absolute acceleration", {"Acceleration", "Percepatan"}, &BuildingPeaks::acceleration},
+      {"peak_storey_shear", floor, "F", "max |V|", "largest elastic storey shear", {"Storey shear", "Gaya geser tingkat"}, &BuildingPeaks::storey_shear},
+      // Contact points.
+      {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
+      {"minimum_gap_no_contact", point, "L", "w⁰", "gap that the free response needs", {"Needed", "Diperlukan"}, &PointSummary::minimum_gap_no_contact},
+      {"impacts", point, "1", "n", "number of impacts", {"Impacts", "Benturan"}, &PointSummary::impacts},
+      {"slow_starts", point, "1", "n_s", "impacts that began so slowly that the law took a larger closing speed", {}, &PointSummary::slow_starts},
+      {"contact_duration", point, "s", "Σ Δt", "total time in contact", {"In contact", "Lama kontak"}, &PointSummary::contact_duration, {}, "ms", 1e3},
+      {"peak_force", point, "F", "max F", "largest contact force", {"Peak force", "Gaya puncak"}, &PointSummary::peak_force},
+      {"peak_force_time", point, "s", "t(max F)", "time of the largest contact force", {"At", "Pada"}, &PointSummary::peak_force_time},
+      {"peak_penetration", point, "L", "max δ", "largest penetration", {"Penetration", "Penetrasi"}, &PointSummary::peak_penetration},
+      {"peak_closing_speed", point, "L s-1", "max v₀", "largest closing speed at the start of an impact", {"Closing speed", "Kecepatan tutup"}, &PointSummary::peak_closing_speed},
+      {"impulse", point, "F s", "Σ ∫F dt", "impulse of all impacts", {"Impulse", "Impuls"}, &PointSummary::impulse},
+      {"energy_lost", point, "F L", "Σ E", "energy that the contact dissipated", {"Energy lost", "Energi hilang"}, &PointSummary::energy_lost},
+      {"peak_tension", point, "F", "max −F", "largest pull of the contact", {}, &PointSummary::peak_tension},
+      {"restitution_smallest", point, "1", "min e", "smallest coefficient of restitution of an impact", {}, smallest_restitution, "/restitution/smallest"},
+      {"restitution_largest", point, "1", "max e", "largest coefficient of restitution of an impact", {}, largest_restitution, "/restitution/largest"},
+      // Gaps.
+      {"gap_minimum_no_contact", gap, "L", "max w⁰", "gap that the free response needs, the largest of its points", {}, gap_of_points, "/minimum_gap_no_contact"},
+      {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, whole_gap},
+      {"unmodelled_contacts", gap, "1", "n_u", "floors that met what they face where no contact is modelled", {}, floors_met},
+      // The run.
+      {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, ground_acceleration, "/excitation/pga"},
+      {"events", run, "1", "n_e", "contacts closed or opened", {}, events, "/solver/events"},
+      {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, energy_residual, "/solver/energy_residual", {}, 1, {}, true},
+      // Impacts, in the order of impacts.csv.
+      {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, &Impact::start, {}, {}, 1, 4},
+      {"end", impact, "s", "t₁", "end", {}, &Impact::end},
+      {"open_ended", impact, "1", "", "whether the analysis ended before it did", {}, &Impact::open_ended},
+      {"closing_speed", impact, "L s-1", "v₀", "speed at which the bodies met", {"Closing speed", "Kecepatan tutup"}, &Impact::closing_speed},
+      {"separation_speed", impact, "L s-1", "v₁", "speed at which they parted", {}, &Impact::separation_speed},
+      {"restitution", impact, "1", "e", "coefficient of restitution", {"Restitution", "Restitusi"}, impact_restitution, {}, {}, 1, 3},
+      {"peak_force", impact, "F", "max F", "largest force", {"Peak force", "Gaya puncak"}, &Impact::peak_force},
+      {"peak_force_time", impact, "s", "t(max F)", "time of the largest force", {}, &Impact::peak_force_time},
+      {"peak_penetration", impact, "L", "max δ", "largest penetration", {"Penetration", "Penetrasi"}, &Impact::peak_penetration},
+      {"impulse", impact, "F s", "∫F dt", "impulse", {"Impulse", "Impuls"}, &Impact::impulse},
+      {"energy_lost", impact, "F L", "E", "energy that it dissipated", {"Energy lost", "Energi hilang"}, &Impact::energy_lost},
+      {"peak_tension", impact, "F", "max −F", "largest pull", {}, &Impact::peak_tension},
+      {"duration", impact, "s", "Δt", "duration", {"In contact", "Lama kontak"}, impact_duration, {}, "ms", 1e3},
+  };
+  return all;
+}
+// clang-format on
+
+/// One function for each kind of source.
+template <typename... Functions>
+struct Visitor : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Visitor(Functions...) -> Visitor<Functions...>;
+
+}  // namespace
+
+RunView::RunView(const Problem& p, const Response& r, const Units& u)
+    : problem(p), response(r), units(u), restitutions(bentur::restitutions(p, r)) {}
+
+const std::deque<Quantity>& quantities() { return list(); }
+
+std::vector<const Quantity*> quantities_of(Owner owner) {
+  std::vector<const Quantity*> result;
+  for (const Quantity& quantity : list()) {
+    if (quantity.owner == owner) result.push_back(&quantity);
+  }
+  return result;
+}
+
+void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
+
+std::size_t place_count(Owner owner, const Problem& problem, const Response& response) {
+  switch (owner) {
+    case Owner::building:
+    case Owner::floor:
+      return problem.buildings.size();
+    case Owner::point:
+      return problem.points.size();
+    case Owner::gap:
+      return problem.buildings.size() - 1;
+    case Owner::impact:
+      return response.impacts.size();
+    case Owner::run:
+      break;
+  }
+  return 1;
+}
+
+double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
+  const auto floor_of = static_cast<Eigen::Index>(at.floor);
+  const Response& response = r.response;
+  return std::visit(
+      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) { return (response.buildings[at.item].*member)(floor_of); },
+              [&](std::optional<double> PointSummary::*member) {
+                return (response.points[at.item].*member).value_or(none);
+              },
+              [&](double Impact::*member) { return response.impacts[at.item].*member; },
+              [&](bool Impact::*member) { return response.impacts[at.item].*member ? 1.0 : 0.0; },
+              [&](double (*compute)(const RunView&, const QuantityPlace&)) { return compute(r, at); },
+              [&](long (*count)(const RunView&, const QuantityPlace&)) { return static_cast<double>(count(r, at)); },
+              [&](auto PointSummary::*member) { return static_cast<double>(response.points[at.item].*member); }},
+      quantity.source);
+}
+
+bool is_whole(const Quantity& quantity) {
+  return std::holds_alternative<int PointSummary::*>(quantity.source) ||
+         std::holds_alternative<bool Impact::*>(quantity.source) ||
+         std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
+}
+
+bool is_kept(const Quantity& quantity) {
+  return !std::holds_alternative<double (*)(const RunView&, const QuantityPlace&)>(quantity.source) &&
+         !std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
+}
+
+void put_value(const Quantity& quantity, double value, const QuantityPlace& at, Response& response) {
+  std::visit(Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
+                       Eigen::VectorXd& values = response.buildings.at(at.item).*member;
+                       const auto size = static_cast<Eigen::Index>(at.floor) + 1;
+                       if (values.size() < size) values.conservativeResize(size);
+                       values(size - 1) = value;
+                     },
+                     [&](std::optional<double> PointSummary::*member) {
+                       response.points.at(at.item).*member = std::isnan(value) ? std::nullopt : std::optional(value);
+                     },
+                     [&](double Impact::*member) { response.impacts.at(at.item).*member = value; },
+                     [&](bool Impact::*member) { response.impacts.at(at.item).*member = value != 0; },
+                     [](double (*)(const RunView&, const QuantityPlace&)) {},
+                     [](long (*)(const RunView&, const QuantityPlace&)) {},
+                     [&](double PointSummary::*member) { response.points.at(at.item).*member = value; },
+                     [&](int PointSummary::*member) { response.points.at(at.item).*member = static_cast<int>(value); }},
+             quantity.source);
+}
+
+// tf would be unknown to UDUNITS, since its ton_force is the short one.
+std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
+
+std::string udunits(std::string_view form, const Units& units) {
   std::string text;
   for (const char c : form) {
     text += c == 'L' ? udunit(units.length) : c == 'F' ? udunit(units.force) : std::string(1, c);
@@ -103,90 +225,49 @@ std::string in_units(std::string_view form, const Units& units) {
   return text;
 }
 
-std::size_t gap_count(const Problem& problem) { return problem.buildings.size() - 1; }
+std::string unit_text(std::string_view form, const Units& units) {
+  std::string text;
+  for (std::size_t at = 0; at < form.size() && form != "1";) {
+    const std::size_t end = std::min(form.find(' ', at), form.size());
+    const std::string_view part = form.substr(at, end - at);
+    const std::string unit = part[0] == 'L' ? units.length : part[0] == 'F' ? units.force : std::string(1, part[0]);
+    const bool below = part.size() > 1 && part[1] == '-';
+    text += (below ? "/" : text.empty() ? "" : "·") + unit + (part.ends_with('2') ? "²" : "");
+    at = end + 1;
+  }
+  return text;
+}
 
-}  // namespace
-
-// tf would be unknown to UDUNITS, since its ton_force is the short one.
-std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
-
-std::vector<Quantity> sweep_quantities(const Problem& problem, const Units& units, bool energy_audit) {
-  std::vector<Quantity> list;
-  std::size_t next = 0;
-  const auto add = [&](Quantity quantity) {
-    quantity.units = in_units(quantity.units, units);
-    quantity.first = next;
-    next += quantity.count;
-    list.push_back(std::move(quantity));
-  };
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const Building& building = problem.buildings[b];
-    const auto floors = static_cast<std::size_t>(building.model.floors());
-    for (const FloorQuantity& q : floor_quantities) {
-      add({fmt::format("{}_{}", q.name, b + 1), q.units, fmt::format("{}, building \"{}\"", q.what, building.name),
-           Owner::floors, b, floors});
+std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
+                                       std::size_t language) {
+  std::vector<TableColumn> columns;
+  for (const Quantity* quantity : quantities_of(owner)) {
+    if (quantity->label[language].empty()) continue;
+    std::vector<double> values;
+    for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
+    std::vector<std::string> cells = column(values);
+    if (quantity->decimals) {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i] = std::isnan(values[i]) ? "–" : fmt::format("{:.{}f}", values[i], *quantity->decimals);
+      }
     }
-    add({fmt::format("first_period_{}", b + 1), "s", fmt::format("first period, building \"{}\"", building.name)});
+    const std::string_view unit = quantity->shown_unit;
+    columns.push_back({std::string(quantity->label[language]),
+                       unit.empty() ? unit_text(quantity->units, r.units) : std::string(unit), std::move(cells)});
   }
-  for (const PointQuantity& q : point_quantities) {
-    add({q.name, q.units, q.what, Owner::points, 0, problem.points.size()});
-  }
-  add({"gap_minimum_no_contact", "L", "gap that the free response needs, the largest of its points", Owner::gaps, 0,
-       gap_count(problem)});
-  add({"gap_needed", "L", "gap that the free response needs, floors that face a column included", Owner::gaps, 0,
-       gap_count(problem)});
-  add({"unmodelled_contacts", "1", "floors that met what they face where no contact is modelled", Owner::gaps, 0,
-       gap_count(problem)});
-  add({"peak_ground_acceleration", "L s-2", "peak ground acceleration as applied"});
-  add({"events", "1", "contacts closed or opened"});
-  if (energy_audit) add({"energy_residual", "1", "largest energy not accounted for over the largest input"});
-  return list;
+  return columns;
 }
 
-std::size_t row_size(const std::vector<Quantity>& quantities) {
-  return quantities.empty() ? 0 : quantities.back().first + quantities.back().count;
+std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t b) {
+  std::vector<QuantityPlace> places;
+  for (std::size_t i = problem.buildings[b].model.elevations.size(); i-- > 0;) places.push_back({b, i});
+  return places;
 }
 
-bool same_places(const Problem& a, const Problem& b) {
-  const auto floors = [](const Building& x, const Building& y) { return x.model.floors() == y.model.floors(); };
-  const auto left = [](const ContactPoint& x, const ContactPoint& y) { return x.left == y.left; };
-  return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), floors) &&
-         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), left);
-}
-
-void fill_row(const Problem& problem, const Response& response, std::span<double> row) {
-  const Reading reading{problem, response, restitutions(problem, response)};
-  std::size_t next = 0;
-  const auto add = [&](double value) {
-    if (next < row.size()) row[next] = value;
-    ++next;
-  };
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const Eigen::Index floors = problem.buildings[b].model.floors();
-    for (const FloorQuantity& q : floor_quantities) {
-      for (Eigen::Index floor = 0; floor < floors; ++floor) add(q.value(response.buildings[b], floor));
-    }
-    add(first_period(problem.buildings[b]));
-  }
-  for (const PointQuantity& q : point_quantities) {
-    for (std::size_t i = 0; i < problem.points.size(); ++i) add(q.value(reading, i));
-  }
-  std::vector<double> gaps(gap_count(problem), 0.0);
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    double& needed = gaps[static_cast<std::size_t>(problem.points[i].left)];
-    needed = std::max(needed, response.points[i].minimum_gap_no_contact);
-  }
-  for (const double needed : gaps) add(needed);
-  for (std::size_t gap = 0; gap < gaps.size(); ++gap) add(gap_needed(problem, response, gap));
-  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
-    add(static_cast<double>(unmodelled_contacts(problem, response, gap).size()));
-  }
-  add(peak_acceleration(problem.motion));
-  add(static_cast<double>(response.events));
-  if (response.energy) add(response.energy->relative_residual());
-  if (next != row.size()) {
-    throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", next));
-  }
+std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items) {
+  std::vector<QuantityPlace> places;
+  for (const std::size_t item : items) places.push_back({item, 0});
+  return places;
 }
 
 }  // namespace bentur

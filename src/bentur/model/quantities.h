@@ -1,45 +1,102 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <optional>
+#include <deque>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "bentur/core/units.h"
+#include "bentur/model/restitution.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
 
 namespace bentur {
 
-/// What the values of a quantity belong to.
-enum class Owner { run, floors, points, gaps };
+/// What the values of a quantity belong to: one value for the run, or one each.
+enum class Owner { run, building, floor, point, gap, impact };
 
-/// One quantity that a study keeps of each run.
-struct Quantity {
-  std::string name;          ///< "peak_force"; of floors with the building's number, "peak_displacement_1"
-  std::string units;         ///< as UDUNITS reads it; "1" where there is none
-  std::string long_name;     ///< for a legend
-  Owner owner = Owner::run;  ///< one value for the run, or one each
-  std::size_t building = 0;  ///< of floors
-  std::size_t count = 1;     ///< how many values
-  std::size_t first = 0;     ///< place of the first one in a row
+/// A run as quantities are read from it.
+struct RunView {
+  RunView(const Problem& p, const Response& r, const Units& u);
+
+  const Problem& problem;
+  const Response& response;
+  const Units& units;
+  std::vector<PointRestitution> restitutions;  ///< per contact point
 };
 
-/// Everything of `bentur run --json` that is a number, in the order of a row. The numbers of floors, points and gaps
-/// are those of the problem; every problem of a study must have the same.
-[[nodiscard]] std::vector<Quantity> sweep_quantities(const Problem& problem, const Units& units, bool energy_audit);
+/// Where a value is: number of the building, point, gap or impact, and of the floor.
+struct QuantityPlace {
+  std::size_t item = 0;
+  std::size_t floor = 0;
+};
 
-/// Values of a row: the sum of all counts.
-[[nodiscard]] std::size_t row_size(const std::vector<Quantity>& quantities);
+/// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
+using QuantitySource =
+    std::variant<Eigen::VectorXd BuildingPeaks::*, double PointSummary::*, int PointSummary::*,
+                 std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
+                 double (*)(const RunView&, const QuantityPlace&), long (*)(const RunView&, const QuantityPlace&)>;
 
-/// Whether the floors, points and gaps of two problems are as many, so that their rows are alike.
-[[nodiscard]] bool same_places(const Problem& a, const Problem& b);
+/// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
+/// are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
+struct Quantity {
+  std::string_view key;        ///< its name in every file and in studies
+  Owner owner = Owner::run;    ///< what it is one of
+  std::string_view units;      ///< as UDUNITS reads them, L for length and F for force: "L s-2"; "1" for none
+  std::string_view symbol;     ///< in formulas
+  std::string_view long_name;  ///< in words, of one of its owners
+  /// Heads its column in tables, English and Indonesian; empty: it is in none.
+  std::string_view label[2];
+  QuantitySource source;             ///< NaN where there is no such value
+  std::string_view pointer = {};     ///< JSON pointer in the summary, from its owner's object; empty: the key
+  std::string_view shown_unit = {};  ///< in tables, where another one reads better: "ms", "%"
+  double shown_factor = 1;           ///< what the value is multiplied by for that
+  std::optional<int> decimals = {};  ///< in tables; nothing: as many as its column needs
+  bool audit_only = false;           ///< known with an energy audit alone
+};
 
-/// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.
-/// @throws InvalidParameter unless the row is as long as these quantities need.
-void fill_row(const Problem& problem, const Response& response, std::span<double> row);
+/// All of them, in the order in which files and tables have them.
+[[nodiscard]] const std::deque<Quantity>& quantities();
+/// Those of one kind of owner.
+[[nodiscard]] std::vector<const Quantity*> quantities_of(Owner owner);
+/// Adds one, for a program that tells of something of its own. Not while others read the list.
+void add_quantity(const Quantity& quantity);
 
+/// How many places a quantity of this owner has in a run, but for floors, which are counted building by building.
+[[nodiscard]] std::size_t place_count(Owner owner, const Problem& problem, const Response& response);
+
+/// Its value at a place; NaN where there is none.
+[[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
+/// Whether it is a count, or yes (1) or no.
+[[nodiscard]] bool is_whole(const Quantity& quantity);
+/// Whether a response holds it; else it is computed.
+[[nodiscard]] bool is_kept(const Quantity& quantity);
+/// Puts a value read from a file where it stands in a response; does nothing for one that is computed.
+void put_value(const Quantity& quantity, double value, const QuantityPlace& place, Response& response);
+
+/// "kgf s-1", as UDUNITS reads it, of "F s-1".
+[[nodiscard]] std::string udunits(std::string_view form, const Units& units);
 /// A length or force unit as UDUNITS reads it.
 [[nodiscard]] std::string udunit(const std::string& unit);
+/// "kgf/s", as people read it; empty for "1".
+[[nodiscard]] std::string unit_text(std::string_view form, const Units& units);
+
+/// A column of a table for people.
+struct TableColumn {
+  std::string label, unit;
+  std::vector<std::string> cells;
+};
+/// A column for each quantity of this owner that has a label, with a cell for each place.
+/// @param language 0 English, 1 Indonesian
+[[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
+                                                     const std::vector<QuantityPlace>& places,
+                                                     std::size_t language = 0);
+/// The floors of a building from the top down, as it stands.
+[[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t building);
+/// Those items as places.
+[[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items);
 
 }  // namespace bentur

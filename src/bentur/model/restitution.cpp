@@ -8,6 +8,7 @@ namespace bentur {
 std::vector<PointRestitution> restitutions(const Problem& problem, const Response& response) {
   std::vector<PointRestitution> result(problem.points.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!problem.points[i].law) continue;  // read from results alone
     for (const auto& [name, value] : problem.points[i].law->parameters()) {
       if (name == "restitution") result[i].asked = value;
     }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/runner/internal/sweep_netcdf.h"
 #include "bentur/study/fragility/fragility_report.h"
@@ -73,7 +73,7 @@ class MadeUp : public testing::Test {
   static RunResult made_up(const StudyRuns& runs, std::size_t run) {
     RunResult result{run, RunStatus::done, {}, std::vector<double>(row_size(runs.quantities()), 0.0)};
     if (run == 5) return {run, RunStatus::failed, "made up", {}};
-    for (const Quantity& quantity : runs.quantities()) {
+    for (const RowPart& quantity : runs.quantities()) {
       if (quantity.name == "peak_force") result.values[quantity.first + 1] = force(run);
       if (quantity.name == "peak_drift_ratio_2") result.values[quantity.first + quantity.count - 1] = force(run) / 1000;
     }

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "bentur/files/atomic_file.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/runner/internal/distribute.h"
 #include "bentur/runner/internal/sweep_netcdf.h"
 #include "bentur/study/plan/study_check.h"

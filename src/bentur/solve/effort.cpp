@@ -6,8 +6,8 @@
 
 #include "bentur/solve/engine/motion/modal_system.h"
 #include "bentur/solve/engine/motion/series.h"
+#include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/time_grid.h"
-#include "bentur/solve/engine/motion/trail.h"
 
 namespace bentur {
 namespace {
@@ -23,7 +23,7 @@ constexpr double unstable = 2.83;        // ω · step beyond which the rule of 
 constexpr double seconds_a_step = 3e-6;  // in contact; by measurement, as the next one
 constexpr double seconds_a_coordinate = 3e-7;  // of a step
 constexpr double copies = 4.0;                 // of histories while their file is made, and of a record
-constexpr double room = 48e6;                  // [byte] of the program and of what its search for peaks keeps
+constexpr double overhead = 48e6;              // [byte] of the program and of what its search for peaks keeps
 
 /// The force of every point while its bodies touch.
 engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
@@ -82,11 +82,12 @@ double memory(const Problem& problem, const ModalSystem& system, double segments
   const auto size = static_cast<double>(system.size);
   const double plan = segments * static_cast<double>(problem.buildings.size()) * sizeof(engine::kernels::FlightInput);
   const double reaches = 16.0 * segments * points;
-  const double checkpoints = segments / static_cast<double>(engine::Trail::most) * 8.0 * (2.0 * size + 4.0 * floors);
+  const double checkpoints =
+      segments / static_cast<double>(engine::StepBuffer::most) * 8.0 * (2.0 * size + 4.0 * floors);
   const double histories = 8.0 * samples * (2.0 + 3.0 * floors + 2.0 * points);
   const auto* record = std::get_if<SampledMotion>(&problem.motion);
   const double motion = record != nullptr ? 8.0 * static_cast<double>(record->acceleration.size()) : 0.0;
-  return room + plan + reaches + checkpoints + copies * (histories + motion);
+  return overhead + plan + reaches + checkpoints + copies * (histories + motion);
 }
 
 }  // namespace
@@ -114,9 +115,9 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
     series += std::max(1.0, std::ceil(product));
     const double parts = std::exp2(std::ceil(std::log2(std::max(1.0, product))));
     halved += parts;
-    // Contact is walked through in the parts that a segment is halved into, each by whole steps.
-    const double walked = system.classical ? parts : 1.0;
-    closed += walked * std::ceil(grid.length(kind) / walked * contact_rate / engine::series_reach);
+    // A contact is solved in the parts that a segment is halved into, each by whole steps.
+    const double taken = system.classical ? parts : 1.0;
+    closed += taken * std::ceil(grid.length(kind) / taken * contact_rate / engine::series_reach);
   }
   const double periods = problem.duration / period;
   constexpr double round_off = 1e-12;

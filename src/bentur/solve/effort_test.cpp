@@ -46,7 +46,7 @@ double contact_time(const Response& response) {
   return time;
 }
 
-/// Whether contact ends with parting: else the walk goes on by steps for as long as the law remembers, which no time of
+/// Whether contact ends with parting: else the run goes on by steps for as long as the law remembers, which no time of
 /// contact tells.
 bool ends_with_parting(const LawExample& law) {
   return law.straight && law.label != "kelvin_voigt_zero_force" && law.label != "kelvin_voigt_overdamped" &&

@@ -32,8 +32,8 @@ Problem problem_with(double width, double delay, Kinematics kinematics) {
   return problem;
 }
 
-/// Recorded runs walk all the way, others begin where the gap may close.
-TEST(FirstContact, RunsThatBeginLateAreThoseThatWalkTheWholeWay) {
+/// Recorded runs go all the way, others begin where the gap may close.
+TEST(FirstContact, RunsThatBeginLateAreThoseThatGoTheWholeWay) {
   for (const Kinematics kinematics : {Kinematics::relative, Kinematics::absolute}) {
     for (const double delay : {0.0, 0.054}) {
       const FreeResponse free(problem_with(0, delay, kinematics));

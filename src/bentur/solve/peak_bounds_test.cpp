@@ -7,13 +7,13 @@
 #include <random>
 #include <vector>
 
-#include "bentur/solve/engine/walk/peak_watch.h"
+#include "bentur/solve/engine/run/peak_watch.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::engine {
 namespace {
 
-constexpr Eigen::Index room = 4;  // of a building with one mode and its ground
+constexpr Eigen::Index padded_size = 4;  // of a building with one mode and its ground
 
 /// One floor of mass 1 on a spring of 1, so that displacement, drift and shear are the same number.
 const ModalSystem& one_floor() {
@@ -26,10 +26,12 @@ const ModalSystem& one_floor() {
 class Step {
  public:
   Step(std::vector<double> powers, double h, double end) : powers_(std::move(powers)), h_(h), end_(end) {
-    c_.assign(powers_.size() * room, 0.0);
-    for (std::size_t k = 0; k < powers_.size(); ++k) c_[k * room] = powers_[k];
+    c_.assign(powers_.size() * padded_size, 0.0);
+    for (std::size_t k = 0; k < powers_.size(); ++k) c_[k * padded_size] = powers_[k];
   }
-  [[nodiscard]] Curves curves() const { return {c_.data(), room, static_cast<int>(powers_.size()) - 1, h_, end_}; }
+  [[nodiscard]] Curves curves() const {
+    return {c_.data(), padded_size, static_cast<int>(powers_.size()) - 1, h_, end_};
+  }
   [[nodiscard]] double value(double s) const {
     double sum = 0;
     for (std::size_t k = powers_.size(); k-- > 0;) sum = sum * s + powers_[k];

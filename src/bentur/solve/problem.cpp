@@ -121,6 +121,29 @@ bool overlap(double width, double left, double right) {
   return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
 }
 
+Gap gap_at(const Problem& problem, std::size_t gap) {
+  require(gap + 1 < problem.buildings.size(), "gap", fmt::format("{}", gap), "must have a building on either side");
+  Gap result{.left = gap, .points = {}, .watched = {}};
+  const auto is_there = [gap](const auto& one) { return one.left == static_cast<int>(gap); };
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    if (is_there(problem.points[i])) result.points.push_back(i);
+  }
+  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
+    if (is_there(problem.watched[i])) result.watched.push_back(i);
+  }
+  return result;
+}
+
+std::vector<Gap> gaps_of(const Problem& problem) {
+  std::vector<Gap> gaps;
+  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) gaps.push_back(gap_at(problem, gap));
+  return gaps;
+}
+
+double delay_of(const Problem& problem, std::size_t building) {
+  return problem.delays.empty() ? 0.0 : problem.delays.at(building);
+}
+
 std::string gap_name(const Problem& problem, std::size_t gap) {
   return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
 }
@@ -140,8 +163,8 @@ void validate(const Problem& problem) {
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
   check_floors_of_points(problem);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
-  require(problem.delays.size() == problem.buildings.size(), "delays", fmt::format("{} entries", problem.delays.size()),
-          "must have one entry per building");
+  require(problem.delays.empty() || problem.delays.size() == problem.buildings.size(), "delays",
+          fmt::format("{} entries", problem.delays.size()), "must be empty or have one entry per building");
   for (const double delay : problem.delays) {
     require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
   }

@@ -10,9 +10,9 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/solve/engine/run/free_run.h"
+#include "bentur/solve/engine/run/pounding_run.h"
 #include "bentur/solve/engine/same_but_gaps.h"
-#include "bentur/solve/engine/walk/free_walk.h"
-#include "bentur/solve/engine/walk/pounding_walk.h"
 
 namespace bentur {
 namespace engine {
@@ -32,26 +32,26 @@ void validate(const Solver& solver) {
 /// How large the displacements are whose difference a point's opening is: of both floors in the free response and of
 /// the ground.
 std::vector<double> largest_displacements(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
-                                          const Walk& walk) {
+                                          const Run& run) {
   std::vector<double> result;
   for (const ContactPoint& point : problem.points) {
     const auto left = static_cast<std::size_t>(point.left);
     result.push_back(peaks[left].displacement_no_contact(point.left_floor) +
                      peaks[left + 1].displacement_no_contact(point.right_floor) +
-                     walk.largest_ground_displacement(left) + walk.largest_ground_displacement(left + 1));
+                     run.largest_ground_displacement(left) + run.largest_ground_displacement(left + 1));
   }
   return result;
 }
 
 /// Likewise of watched floors: of all floors of both neighbours.
 std::vector<double> largest_displacements_watched(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
-                                                  const Walk& walk) {
+                                                  const Run& run) {
   std::vector<double> result;
   for (const WatchedFloor& floor : problem.watched) {
     const auto left = static_cast<std::size_t>(floor.left);
     result.push_back(peaks[left].displacement_no_contact.maxCoeff() +
-                     peaks[left + 1].displacement_no_contact.maxCoeff() + walk.largest_ground_displacement(left) +
-                     walk.largest_ground_displacement(left + 1));
+                     peaks[left + 1].displacement_no_contact.maxCoeff() + run.largest_ground_displacement(left) +
+                     run.largest_ground_displacement(left + 1));
   }
   return result;
 }
@@ -91,12 +91,12 @@ Problem without_widths(Problem problem) {
   return problem;
 }
 
-/// Status and message of a walk that did not get to its end.
-void report_end(Response& response, Status status, const Walk& walk) {
+/// Status and message of a run that did not get to its end.
+void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
   if (status == Status::stopped) response.message = "stopped on request";
   if (status == Status::failed) {
-    response.message = walk.trouble();
+    response.message = run.trouble();
   }
 }
 
@@ -137,7 +137,7 @@ struct FreeParts {
   ModalSystem system{problem};
   TimeGrid grid{problem, exact};
   FlightPlan plan{system, affordable(grid, problem.duration, most_steps), problem.duration, exact};
-  FreeRun run;
+  FreeResult result;
   Response response;  ///< as far as it goes without contact
   // Scales per point: of floors and ground together.
   std::vector<double> largest_displacement;  ///< [length]
@@ -153,30 +153,32 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   validate(problem);
   engine::validate(solver);
   const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver, most_steps);
-  engine::FreeWalk walk({parts->system, parts->problem, parts->solver, parts->grid, parts->plan, most_steps});
-  const Status status = walk.run(progress);
+  engine::FreeRun run({parts->system, parts->problem, parts->solver, parts->grid, parts->plan, most_steps});
+  const Status status = run.to_end(progress);
   Response& response = parts->response;
-  engine::report_end(response, status, walk);
+  engine::report_end(response, status, run);
   response.buildings.resize(parts->problem.buildings.size());
   response.points.resize(parts->problem.points.size());
   for (std::size_t b = 0; b < response.buildings.size(); ++b) {
-    walk.watch().report(b, response.buildings[b]);
+    run.watch().report(b, response.buildings[b]);
     response.buildings[b].displacement_no_contact = response.buildings[b].displacement;
   }
-  for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = walk.needed()[i];
-  response.steps = walk.steps();
-  for (const engine::FloorWatch::Nearest& nearest : walk.nearest()) {
+  for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = run.needed()[i];
+  response.steps = run.steps();
+  for (const engine::FloorWatch::Nearest& nearest : run.nearest()) {
     response.watched.push_back({.needed = nearest.reach});
   }
-  parts->nearest = walk.nearest();
-  parts->watched_scale = engine::largest_displacements_watched(parts->problem, response.buildings, walk);
-  parts->run = walk.take_run();
-  parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, walk);
-  parts->largest_speed = parts->run.speeds;
+  parts->nearest = run.nearest();
+  parts->watched_scale = engine::largest_displacements_watched(parts->problem, response.buildings, run);
+  parts->result = run.take_result();
+  parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, run);
+  parts->largest_speed = parts->result.speeds;
   const double fastest = parts->largest_speed.empty() ? 0.0 : std::ranges::max(parts->largest_speed);
   std::ranges::replace(parts->largest_speed, 0.0, fastest);
   parts_ = parts;
 }
+
+const Response& FreeResponse::response() const { return parts_->response; }
 
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
@@ -187,33 +189,33 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   engine::Contacts::Scales scales{parts_->largest_displacement, parts_->largest_speed};
   for (std::size_t i = 0; i < problem.points.size(); ++i) scales.displacement[i] += problem.points[i].width;
   // Of approximate solvers the state alone is not all there is to go on with.
-  const long first_contact = parts_->exact ? engine::first_contact(parts_->run, gap_widths(problem)) : 0;
+  const long first_contact = parts_->exact ? engine::first_contact(parts_->result, gap_widths(problem)) : 0;
   const bool records = options.output_step > 0.0 || options.energy_audit;
   if (first_contact == std::numeric_limits<long>::max() && !records) {
     engine::summarise_watched(problem, parts_->nearest, parts_->watched_scale, response.watched);
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return response;
   }
-  engine::PoundingWalk walk({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan, options.most_steps},
-                            scales, first_contact, options);
+  engine::PoundingRun run({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan, options.most_steps},
+                          scales, first_contact, options);
   if (!records) {
-    const auto& checkpoints = parts_->run.checkpoints;
+    const auto& checkpoints = parts_->result.checkpoints;
     const auto later = std::find_if(checkpoints.begin(), checkpoints.end(),
                                     [&](const auto& checkpoint) { return checkpoint.segment > first_contact; });
-    if (later != checkpoints.begin()) walk.resume(*std::prev(later));
+    if (later != checkpoints.begin()) run.resume(*std::prev(later));
   }
-  const Status status = walk.run(options.progress);
-  engine::report_end(response, status, walk);
-  walk.contacts().finish(problem.duration);
-  for (std::size_t b = 0; b < response.buildings.size(); ++b) walk.watch().report(b, response.buildings[b]);
-  response.impacts = std::move(walk.contacts().impacts());
-  response.events = walk.contacts().events();
-  response.steps = walk.steps();
+  const Status status = run.to_end(options.progress);
+  engine::report_end(response, status, run);
+  run.contacts().finish(problem.duration);
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) run.watch().report(b, response.buildings[b]);
+  response.impacts = std::move(run.contacts().impacts());
+  response.events = run.contacts().events();
+  response.steps = run.steps();
   engine::summarise(response.impacts, response.points);
-  engine::summarise_watched(problem, walk.nearest(), parts_->watched_scale, response.watched);
-  walk.sampler().finish();
-  response.histories = std::move(walk.sampler().histories());
-  if (walk.energy()) response.energy = walk.energy()->finish();
+  engine::summarise_watched(problem, run.nearest(), parts_->watched_scale, response.watched);
+  run.sampler().finish();
+  response.histories = std::move(run.sampler().histories());
+  if (run.energy()) response.energy = run.energy()->finish();
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

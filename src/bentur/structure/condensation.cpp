@@ -76,11 +76,8 @@ StructuralModel condense_statically(const StructuralModel& model, Eigen::Index p
   return reduced;
 }
 
-StructuralModel condense_dynamically(const StructuralModel& model, Eigen::Index primary, Eigen::Index mode) {
+StructuralModel condense_dynamically(const StructuralModel& model, Eigen::Index primary) {
   check(model, primary);
-  if (mode < 0 || mode >= primary) {
-    throw InvalidParameter("mode", std::to_string(mode), "must be in [0, " + std::to_string(primary) + ")");
-  }
   if (primary == model.dofs()) return model;
 
   // From ω² = 0, the static reduction. The reduced ω² is a Rayleigh quotient, so its error is squared in each pass and
@@ -91,14 +88,14 @@ StructuralModel condense_dynamically(const StructuralModel& model, Eigen::Index 
   double last_change = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < most_passes; ++pass) {
     StructuralModel reduced = reduce_at(model, primary, omega_squared);
-    const double omega = modes(reduced.mass, reduced.stiffness).omega(mode);
+    const double omega = modes(reduced.mass, reduced.stiffness).omega(0);
     const double next = omega * omega;
     const double change = std::abs(next - omega_squared) / next;
     if (change <= 1e-13 || (change <= 1e-9 && change >= last_change)) return reduced;
     last_change = change;
     omega_squared = next;
   }
-  throw std::runtime_error("dynamic condensation: the frequency of mode " + std::to_string(mode) + " did not settle");
+  throw std::runtime_error("dynamic condensation: the frequency of mode 0 did not settle");
 }
 
 }  // namespace bentur

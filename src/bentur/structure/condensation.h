@@ -11,11 +11,10 @@ namespace bentur {
 [[nodiscard]] StructuralModel condense_statically(const StructuralModel& model, Eigen::Index primary);
 
 /// Dynamic (Paz) condensation, (2-51)…(2-59): T = [1; −(K_ss − ω²M_ss)⁻¹ (K_sp − ω²M_sp)], M̄ = TᵀMT, K̄ = D̄ + ω²M̄,
-/// ω² iterated until the reduced problem's mode `mode` (0 the lowest) returns it to 1e-13, or to its own round-off
-/// where that is larger (tall frames), so that this mode is exact.
-/// @throws InvalidParameter when `mode` is outside [0, primary) or `primary` outside [floors, dofs]; std::runtime_error
-/// when the iteration does not settle.
-[[nodiscard]] StructuralModel condense_dynamically(const StructuralModel& model, Eigen::Index primary,
-                                                   Eigen::Index mode = 0);
+/// ω² iterated until the reduced problem's lowest mode returns it to 1e-13, or to its own round-off where that is
+/// larger (tall frames), so that this mode is exact.
+/// @throws InvalidParameter when `primary` is outside [floors, dofs]; std::runtime_error when the iteration does not
+/// settle.
+[[nodiscard]] StructuralModel condense_dynamically(const StructuralModel& model, Eigen::Index primary);
 
 }  // namespace bentur

@@ -74,20 +74,18 @@ TEST(StaticCondensation, FrequenciesAreUpperBounds) {
   }
 }
 
-TEST(DynamicCondensation, TheChosenModeIsExact) {
+TEST(DynamicCondensation, TheLowestModeIsExact) {
   for (const StructuralModel& full : {full_frame(1), full_frame(2), full_frame(4), tall_frame()}) {
     const Eigen::Index n = full.floors();
     const Modes expected = modes(full.mass, full.stiffness);
-    for (Eigen::Index mode = 0; mode < n; ++mode) {
-      const StructuralModel reduced = condense_dynamically(full, n, mode);
-      const Modes actual = modes(reduced.mass, reduced.stiffness);
-      EXPECT_NEAR(actual.omega(mode) / expected.omega(mode), 1, 1e-10) << mode;
-      // The shape too, and as TᵀMT carries the rotations' inertia, its normalisation and its participation.
-      const double scale = expected.shapes.col(mode).head(n).cwiseAbs().maxCoeff();
-      EXPECT_LE((actual.shapes.col(mode) - expected.shapes.col(mode).head(n)).cwiseAbs().maxCoeff(), 1e-9 * scale);
-      EXPECT_NEAR(actual.shapes.col(mode).dot(reduced.load), expected.shapes.col(mode).dot(full.load),
-                  1e-9 * std::sqrt(full.load.head(n).sum()));
-    }
+    const StructuralModel reduced = condense_dynamically(full, n);
+    const Modes actual = modes(reduced.mass, reduced.stiffness);
+    EXPECT_NEAR(actual.omega(0) / expected.omega(0), 1, 1e-10);
+    // The shape too, and as TᵀMT carries the rotations' inertia, its normalisation and its participation.
+    const double scale = expected.shapes.col(0).head(n).cwiseAbs().maxCoeff();
+    EXPECT_LE((actual.shapes.col(0) - expected.shapes.col(0).head(n)).cwiseAbs().maxCoeff(), 1e-9 * scale);
+    EXPECT_NEAR(actual.shapes.col(0).dot(reduced.load), expected.shapes.col(0).dot(full.load),
+                1e-9 * std::sqrt(full.load.head(n).sum()));
   }
 }
 
@@ -111,11 +109,11 @@ TEST(DynamicCondensation, SettlesAtTheFrequencyOfAnyModelOfTwo) {
 }
 
 TEST(DynamicCondensation, StaticIsNotExact) {
-  // So the test above can fail: the static reduction misses the third mode by more than 1e-5.
+  // So the tests above can fail: the static reduction misses the lowest mode by more than ten times their tolerance.
   const StructuralModel full = full_frame();
   const StructuralModel reduced = condense_statically(full, 3);
-  const double ratio = modes(reduced.mass, reduced.stiffness).omega(2) / modes(full.mass, full.stiffness).omega(2);
-  EXPECT_GT(ratio, 1 + 1e-5);
+  const double ratio = modes(reduced.mass, reduced.stiffness).omega(0) / modes(full.mass, full.stiffness).omega(0);
+  EXPECT_GT(ratio, 1 + 1e-9);
 }
 
 TEST(DynamicCondensation, MasslessSecondaryIsStatic) {
@@ -123,17 +121,15 @@ TEST(DynamicCondensation, MasslessSecondaryIsStatic) {
   frame.mass_matrix = MassMatrix::lumped;
   const StructuralModel full = assemble_plane_frame(frame);
   const StructuralModel expected = condense_statically(full, 3);
-  for (Eigen::Index mode = 0; mode < 3; ++mode) {
-    const StructuralModel actual = condense_dynamically(full, 3, mode);
-    EXPECT_TRUE(actual.stiffness.isApprox(expected.stiffness, 1e-12));
-    EXPECT_TRUE(actual.mass.isApprox(expected.mass, 1e-13));
-  }
+  const StructuralModel actual = condense_dynamically(full, 3);
+  EXPECT_TRUE(actual.stiffness.isApprox(expected.stiffness, 1e-12));
+  EXPECT_TRUE(actual.mass.isApprox(expected.mass, 1e-13));
 }
 
 TEST(Condensation, NothingToCondense) {
   const StructuralModel full = full_frame();
   EXPECT_EQ(condense_statically(full, 9).stiffness, full.stiffness);
-  EXPECT_EQ(condense_dynamically(full, 9, 4).mass, full.mass);
+  EXPECT_EQ(condense_dynamically(full, 9).mass, full.mass);
 }
 
 TEST(Condensation, BadParametersAreRefused) {
@@ -142,8 +138,6 @@ TEST(Condensation, BadParametersAreRefused) {
     EXPECT_THROW(static_cast<void>(condense_statically(full, primary)), InvalidParameter) << primary;
     EXPECT_THROW(static_cast<void>(condense_dynamically(full, primary)), InvalidParameter) << primary;
   }
-  EXPECT_THROW(static_cast<void>(condense_dynamically(full, 3, -1)), InvalidParameter);
-  EXPECT_THROW(static_cast<void>(condense_dynamically(full, 3, 3)), InvalidParameter);
   StructuralModel loose = full;
   loose.stiffness.bottomRightCorner(6, 6).setZero();
   EXPECT_THROW(static_cast<void>(condense_statically(loose, 3)), std::runtime_error);

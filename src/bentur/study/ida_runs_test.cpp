@@ -51,7 +51,7 @@ ReadCase case_of(const StudyRuns& runs, std::size_t run, double scale) {
 
 double value_of(const StudyRuns& runs, const RunResult& result, const std::string& name) {
   const auto quantity = std::find_if(runs.quantities().begin(), runs.quantities().end(),
-                                     [&](const Quantity& q) { return q.name == name; });
+                                     [&](const RowPart& q) { return q.name == name; });
   return result.values.at(quantity->first);
 }
 
@@ -83,7 +83,8 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
     Problem closed = problem;
     for (ContactPoint& point : closed.points) point.width = 0;
     std::vector<double> row(row_size(runs.quantities()));
-    fill_row(problem, FreeResponse(closed, read.c.analysis.solver).solve(problem), row);
+    fill_row(runs.quantities(), {problem, FreeResponse(closed, read.c.analysis.solver).solve(problem), read.c.units},
+             row);
     EXPECT_EQ(std::memcmp(result.values.data(), row.data(), row.size() * sizeof(double)), 0) << result.run;
     impacts += value_of(runs, result, "impacts");
   }

@@ -85,7 +85,7 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
       facts_(std::move(facts)),
       memo_(std::move(memo)),
       plan_(plan_axes(study_), study_.sampling),
-      quantities_(sweep_quantities(facts_.problem, facts_.units, facts_.energy_audit)) {
+      quantities_(row_parts(facts_.problem, facts_.units, facts_.energy_audit)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });
@@ -193,7 +193,7 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
       if (response.status == Status::stopped) break;
       if (response.status == Status::done) {
         result.values.resize(row_size(quantities_));
-        fill_row(bench.problem, response, result.values);
+        fill_row(quantities_, {bench.problem, response, facts_.units}, result.values);
       } else {
         result.status = RunStatus::failed;
         result.message = response.message;

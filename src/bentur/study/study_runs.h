@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/model/quantities.h"
+#include "bentur/model/quantity_row.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/plan/sweep_plan.h"
 
@@ -22,7 +22,7 @@ struct RunResult {
   std::size_t run = 0;
   RunStatus status = RunStatus::done;
   std::string message;         ///< why, unless done
-  std::vector<double> values;  ///< a row by sweep_quantities(); empty unless done
+  std::vector<double> values;  ///< a row by row_parts(); empty unless done
 };
 
 /// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
@@ -37,7 +37,7 @@ class StudyRuns {
   [[nodiscard]] const Study& study() const noexcept { return study_; }
   [[nodiscard]] const StudyFacts& facts() const noexcept { return facts_; }
   [[nodiscard]] const SweepPlan& plan() const noexcept { return plan_; }
-  [[nodiscard]] const std::vector<Quantity>& quantities() const noexcept { return quantities_; }
+  [[nodiscard]] const std::vector<RowPart>& quantities() const noexcept { return quantities_; }
 
   /// What run number `run` has along each axis.
   [[nodiscard]] std::vector<Choice> choices(std::size_t run) const;
@@ -60,7 +60,7 @@ class StudyRuns {
   StudyFacts facts_;
   std::shared_ptr<CaseMemo> memo_;
   SweepPlan plan_;
-  std::vector<Quantity> quantities_;
+  std::vector<RowPart> quantities_;
   bool widths_only_ = false;  // nothing but widths varies within a group
   mutable std::mutex mutex_;
   mutable std::map<std::uint64_t, std::shared_ptr<Place>> groups_;  // those in use

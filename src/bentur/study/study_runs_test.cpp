@@ -67,7 +67,7 @@ class Runs : public testing::Test {
     EXPECT_TRUE(diagnostics.ok());
     const Problem problem = make_problem(read.c);
     std::vector<double> row(row_size(runs.quantities()));
-    fill_row(problem, solve(problem, read.c.analysis.solver), row);
+    fill_row(runs.quantities(), {problem, solve(problem, read.c.analysis.solver), read.c.units}, row);
     return row;
   }
 
@@ -81,7 +81,7 @@ class Runs : public testing::Test {
     std::reverse(backwards.begin(), backwards.end());
     double impacts = 0;
     const auto quantity = std::find_if(runs.quantities().begin(), runs.quantities().end(),
-                                       [](const Quantity& q) { return q.name == "impacts"; });
+                                       [](const RowPart& q) { return q.name == "impacts"; });
     for (std::size_t i = 0; i < results.size(); ++i) {
       EXPECT_EQ(results[i].status, RunStatus::done) << results[i].message;
       const std::vector<double> expected = alone(runs, results[i].run);

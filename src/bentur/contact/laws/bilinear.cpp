@@ -6,11 +6,6 @@
 #include "bentur/core/require.h"
 
 namespace bentur {
-namespace {
-
-enum { apart, elastic, yielding, on_the_line };
-
-}  // namespace
 
 Bilinear::Bilinear(double stiffness, double second_stiffness, double yield_penetration)
     : stiffness_(stiffness),

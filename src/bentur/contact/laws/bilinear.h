@@ -28,6 +28,8 @@ class Bilinear final : public ContactLaw {
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { elastic = 1, yielding, on_the_line };  // branches after `apart`
+
   double stiffness_{};          // k₁ [force/length]
   double second_stiffness_{};   // k₂ [force/length]
   double yield_penetration_{};  // δ_y [length]

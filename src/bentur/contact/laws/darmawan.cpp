@@ -3,11 +3,6 @@
 #include "bentur/core/require.h"
 
 namespace bentur {
-namespace {
-
-enum { apart, pushing, cut };
-
-}  // namespace
 
 Darmawan::Darmawan(double stiffness, double alpha) : stiffness_(stiffness), alpha_(alpha) {
   require_positive("stiffness", stiffness);
@@ -34,13 +29,6 @@ Branch Darmawan::branch(const ContactState& state) const noexcept {
       return Branch{.touching = true, .linear = false}.guarded_by(
           {{.penetration = 1}, {.constant = 1, .speed = alpha_}});
   }
-}
-
-ContactState Darmawan::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
-                            double closing_speed) const noexcept {
-  if (state.branch == apart) return {.branch = pushing, .since = time, .closing_speed = closing_speed};
-  if (guard == 0) return {.since = time};
-  return {.branch = state.branch == pushing ? cut : pushing, .since = time, .closing_speed = state.closing_speed};
 }
 
 double Darmawan::force(const ContactState& state, double penetration, double closing_speed) const noexcept {

@@ -22,13 +22,13 @@ class Darmawan final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "darmawan"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}, {"alpha", alpha_}}; }
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double force(const ContactState& state, double penetration,
                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { pushing = 1, cut };  // branches after `apart`
+
   double stiffness_{};  // k [force/length]
   double alpha_{};      // α [s/length]
 };

@@ -24,23 +24,17 @@ LawEntry Hertz::entry() {
 }
 
 Branch Hertz::branch(const ContactState& state) const noexcept {
-  if (state.branch == 0) return Branch::apart();
+  if (state.branch == apart) return Branch::apart();
   return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}});
 }
 
-ContactState Hertz::next(const ContactState& state, std::size_t /*guard*/, double time, double /*penetration*/,
-                         double closing_speed) const noexcept {
-  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
-  return {.since = time};
-}
-
 double Hertz::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
-  if (state.branch == 0) return ContactLaw::force(state, penetration, closing_speed);
+  if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
   return hertz_force(stiffness_, penetration) + 0 * closing_speed;
 }
 
 double Hertz::stored_energy(const ContactState& state, double penetration) const noexcept {
-  return state.branch == 0 ? 0.0 : hertz_energy(stiffness_, penetration);
+  return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
 }
 
 }  // namespace bentur

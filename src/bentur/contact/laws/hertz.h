@@ -21,8 +21,6 @@ class Hertz final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "hertz"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}}; }
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double force(const ContactState& state, double penetration,
                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;

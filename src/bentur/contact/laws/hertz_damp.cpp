@@ -10,9 +10,7 @@
 namespace bentur {
 namespace {
 
-enum { apart, pushing, cut };
-
-const LawChoice& calibration() {
+const LawChoice& formula() {
   static const LawChoice choice = {"calibration", {"exact", "muthukumar-desroches", "ye"}, "restitution"};
   return choice;
 }
@@ -23,7 +21,7 @@ double calibrated_factor(double restitution, const LawInput& in) {
     throw InvalidParameter("calibration", "\"published\"",
                            "leaves two formulas open here: must be exact, muthukumar-desroches or ye");
   }
-  const auto word = in.word(calibration());
+  const auto word = in.word(formula());
   if (word == "muthukumar-desroches") return published::muthukumar_desroches_damping_factor(restitution);
   if (word == "ye") return published::ye_damping_factor(restitution);
   return exact_damping_factor(restitution);
@@ -42,7 +40,7 @@ LawEntry HertzDamp::entry() {
           {{"stiffness"},
            {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
            {"damping_factor", LawKey::Range::not_negative, LawKey::Need::one_of}},
-          {calibration()},
+          {formula()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");
             const double factor = asked ? calibrated_factor(*asked, in) : in.number("damping_factor");
@@ -71,13 +69,6 @@ Branch HertzDamp::branch(const ContactState& state) const noexcept {
   const Branch closed = {.touching = true, .linear = false};
   if (slow == 0) return closed.guarded_by({{.penetration = 1}});
   return closed.guarded_by({{.penetration = 1}, {.constant = 1, .speed = slow}});
-}
-
-ContactState HertzDamp::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
-                             double closing_speed) const noexcept {
-  if (state.branch == apart) return {.branch = pushing, .since = time, .closing_speed = closing_speed};
-  if (guard == 0) return {.since = time};
-  return {.branch = state.branch == pushing ? cut : pushing, .since = time, .closing_speed = state.closing_speed};
 }
 
 double HertzDamp::force(const ContactState& state, double penetration, double closing_speed) const noexcept {

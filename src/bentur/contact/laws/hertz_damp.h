@@ -29,13 +29,13 @@ class HertzDamp final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] bool needs_closing_speed() const noexcept override { return true; }
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double force(const ContactState& state, double penetration,
                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { pushing = 1, cut };  // branches after `apart`
+
   double slowness(const ContactState& state) const noexcept;  // d/v₀ [s/length], 0 where v₀ gives no scale
 
   double stiffness_{};                 // β [force/length^1.5]

@@ -7,16 +7,6 @@
 #include "bentur/core/require.h"
 
 namespace bentur {
-namespace {
-
-enum { apart, closing, rebound };
-
-const LawChoice& calibration() {
-  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
-  return choice;
-}
-
-}  // namespace
 
 Jankowski::Jankowski(double stiffness, double damping_ratio, double effective_mass, std::optional<double> restitution)
     : stiffness_(stiffness), damping_ratio_(damping_ratio), restitution_(restitution) {
@@ -31,12 +21,13 @@ LawEntry Jankowski::entry() {
           {{"stiffness"},
            {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
            {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
-          {calibration()},
+          {exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");
-            const double ratio = !asked                                  ? in.number("damping_ratio")
-                                 : in.word(calibration()) == "published" ? published::jankowski_damping_ratio(*asked)
-                                                                         : exact_approach_damping_ratio(*asked, 1.5);
+            const double ratio = !asked ? in.number("damping_ratio")
+                                 : in.word(exact_or_published()) == "published"
+                                     ? published::jankowski_damping_ratio(*asked)
+                                     : exact_approach_damping_ratio(*asked, 1.5);
             return std::make_shared<Jankowski>(in.number("stiffness"), ratio, in.effective_mass, asked);
           }};
 }
@@ -52,13 +43,6 @@ Branch Jankowski::branch(const ContactState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
   const double sense = state.branch == closing ? 1 : -1;
   return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}, {.speed = sense}});
-}
-
-ContactState Jankowski::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
-                             double closing_speed) const noexcept {
-  if (state.branch == apart) return {.branch = closing, .since = time, .closing_speed = closing_speed};
-  if (guard == 0) return {.since = time};
-  return {.branch = state.branch == closing ? rebound : closing, .since = time, .closing_speed = state.closing_speed};
 }
 
 double Jankowski::force(const ContactState& state, double penetration, double closing_speed) const noexcept {

@@ -27,13 +27,13 @@ class Jankowski final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "jankowski"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double force(const ContactState& state, double penetration,
                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { closing = 1, rebound };  // branches after `apart`
+
   double stiffness_{};                 // β [force/length^1.5]
   double damping_ratio_{};             // ξ [-]
   double damping_{};                   // 2 ξ √(β m_e) [force·s/length^1.25]

@@ -12,14 +12,7 @@
 namespace bentur {
 namespace {
 
-enum { apart, in_contact, released, nearing };
-
 using Release = KelvinVoigt::Release;
-
-const LawChoice& calibration() {
-  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
-  return choice;
-}
 
 const LawChoice& release_choice() {
   static const LawChoice choice = {"release", {"zero-force", "separation", "creep"}, ""};
@@ -32,7 +25,7 @@ Release release_of(const LawInput& in) {
 }
 
 double calibrated_ratio(double restitution, const LawInput& in) {
-  if (in.word(calibration()) == "published") return published::anagnostopoulos_damping_ratio(restitution);
+  if (in.word(exact_or_published()) == "published") return published::anagnostopoulos_damping_ratio(restitution);
   if (release_of(in) == Release::separation) return exact_separation_damping_ratio(restitution);
   return exact_zero_force_damping_ratio(restitution);
 }
@@ -74,7 +67,7 @@ LawEntry KelvinVoigt::entry() {
            {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
            {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of},
            {"damping", LawKey::Range::not_negative, LawKey::Need::one_of}},
-          {release_choice(), calibration()},
+          {release_choice(), exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");
             const auto damping = in.optional_number("damping");
@@ -127,12 +120,7 @@ ContactState KelvinVoigt::next(const ContactState& state, std::size_t guard, dou
     if (!push_ended || !(penetration > 0)) return {.since = time};
     return {.branch = released, .since = time, .memory = release_ == Release::creep ? penetration : 0};
   }
-  return release_ == Release::creep ? off_the_surface(state, guard, time, closing_speed)
-                                    : after_release(state, guard, time, closing_speed);
-}
-
-ContactState KelvinVoigt::after_release(const ContactState& /*state*/, std::size_t guard, double time,
-                                        double closing_speed) const noexcept {
+  if (release_ == Release::creep) return off_the_surface(state, guard, time, closing_speed);
   if (guard == 0) return {.since = time};
   return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
 }

@@ -44,9 +44,9 @@ class KelvinVoigt final : public ContactLaw {
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { in_contact = 1, released, nearing };  // branches after `apart`
+
   [[nodiscard]] Branch touching() const noexcept;
-  [[nodiscard]] ContactState after_release(const ContactState& state, std::size_t guard, double time,
-                                           double closing_speed) const noexcept;
   [[nodiscard]] ContactState off_the_surface(const ContactState& state, std::size_t guard, double time,
                                              double closing_speed) const noexcept;
 

@@ -6,16 +6,6 @@
 #include "bentur/core/require.h"
 
 namespace bentur {
-namespace {
-
-enum { apart, closing, rebound };
-
-const LawChoice& calibration() {
-  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
-  return choice;
-}
-
-}  // namespace
 
 KelvinVoigtApproach::KelvinVoigtApproach(double stiffness, double damping_ratio, double effective_mass,
                                          std::optional<double> restitution)
@@ -31,11 +21,11 @@ LawEntry KelvinVoigtApproach::entry() {
           {{.name = "stiffness", .axial = true},
            {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
            {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
-          {calibration()},
+          {exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");
             const double ratio = !asked ? in.number("damping_ratio")
-                                 : in.word(calibration()) == "published"
+                                 : in.word(exact_or_published()) == "published"
                                      ? published::mahmoud_jankowski_damping_ratio(*asked)
                                      : exact_approach_damping_ratio(*asked, 1);
             return std::make_shared<KelvinVoigtApproach>(in.number("stiffness"), ratio, in.effective_mass, asked);
@@ -60,13 +50,6 @@ Branch KelvinVoigtApproach::branch(const ContactState& state) const noexcept {
     default:
       return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}, {.speed = -1}});
   }
-}
-
-ContactState KelvinVoigtApproach::next(const ContactState& state, std::size_t guard, double time,
-                                       double /*penetration*/, double closing_speed) const noexcept {
-  if (state.branch == apart) return {.branch = closing, .since = time, .closing_speed = closing_speed};
-  if (guard == 0) return {.since = time};
-  return {.branch = state.branch == closing ? rebound : closing, .since = time, .closing_speed = state.closing_speed};
 }
 
 double KelvinVoigtApproach::stored_energy(const ContactState& state, double penetration) const noexcept {

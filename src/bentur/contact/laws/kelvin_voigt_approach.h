@@ -26,11 +26,11 @@ class KelvinVoigtApproach final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "kelvin-voigt-approach"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
 
  private:
+  enum : int { closing = 1, rebound };  // branches after `apart`
+
   double stiffness_{};                 // k [force/length]
   double damping_ratio_{};             // ξ [-]
   double damping_{};                   // c [force·s/length]

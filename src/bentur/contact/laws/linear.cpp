@@ -16,18 +16,12 @@ LawEntry Linear::entry() {
 }
 
 Branch Linear::branch(const ContactState& state) const noexcept {
-  if (state.branch == 0) return Branch::apart();
+  if (state.branch == apart) return Branch::apart();
   return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}});
 }
 
-ContactState Linear::next(const ContactState& state, std::size_t /*guard*/, double time, double /*penetration*/,
-                          double closing_speed) const noexcept {
-  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
-  return {.since = time};
-}
-
 double Linear::stored_energy(const ContactState& state, double penetration) const noexcept {
-  return state.branch == 0 ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
+  return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
 }
 
 }  // namespace bentur

@@ -22,14 +22,8 @@ LawEntry Restitution::entry() {
 }
 
 Branch Restitution::branch(const ContactState& state) const noexcept {
-  if (state.branch == 0) return Branch::apart();
+  if (state.branch == apart) return Branch::apart();
   return Branch{.touching = true};
-}
-
-ContactState Restitution::next(const ContactState& state, std::size_t /*guard*/, double time, double /*penetration*/,
-                               double closing_speed) const noexcept {
-  if (state.branch == 0) return {.branch = 1, .since = time, .closing_speed = closing_speed};
-  return {.since = time};
 }
 
 double Restitution::stored_energy(const ContactState& /*state*/, double /*penetration*/) const noexcept { return 0; }

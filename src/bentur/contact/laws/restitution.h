@@ -22,8 +22,6 @@ class Restitution final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "restitution"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"restitution", restitution_}}; }
   [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
   [[nodiscard]] std::optional<double> restitution() const noexcept override { return restitution_; }
 

@@ -104,11 +104,7 @@ std::string form_of(const ParameterPath& path, const TomlValue& root) {
 }  // namespace
 
 std::string parameter_units(const ParameterPath& path, const TomlValue& root, const Units& units) {
-  std::string text;
-  for (const char c : form_of(path, root)) {
-    text += c == 'L' ? udunit(units.length) : c == 'F' ? udunit(units.force) : std::string(1, c);
-  }
-  return text;
+  return udunits(form_of(path, root), units);
 }
 
 }  // namespace bentur

@@ -2,14 +2,12 @@
 
 #include <string>
 
-#include "bentur/core/units.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/model/quantities.h"
 
 namespace bentur {
 
-/// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF).
-/// A restitution that is not known stays empty.
-[[nodiscard]] std::string impacts_csv(const Units& units, const Problem& problem, const Response& response);
+/// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF). Every
+/// quantity of an impact is a column, behind those that say where it was; one that is not known stays empty.
+[[nodiscard]] std::string impacts_csv(const RunView& run);
 
 }  // namespace bentur

@@ -1,6 +1,7 @@
 #include "bentur/io/results/result_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,8 +9,6 @@
 
 #include "bentur/io/results/internal/record_json.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/remarks.h"
-#include "bentur/model/restitution.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -53,26 +52,37 @@ Json source_json(const std::optional<CaseSource>& source) {
       {"file", source->file}, {"size", source->text.size()}, {"sha256", source->sha256}, {"copied", source->copied}};
 }
 
-Json building_json(const Building& building, const BuildingPeaks& peaks, const Units& units) {
-  const Proportions found = proportions(building, units, &peaks);
-  const Eigen::VectorXd periods = modal_properties(building.modes, building.model.load).periods;
-  Json amplification = Json::array();
-  for (Eigen::Index i = 0; i < peaks.displacement.size(); ++i) {
-    const double free = peaks.displacement_no_contact(i);
-    amplification.push_back(free > 0 ? Json(peaks.displacement(i) / free) : Json(nullptr));
+/// Every quantity of `owner` at a place into the object that stands for it, where nothing stands yet.
+void put_quantities(Json& object, Owner owner, const RunView& run, std::size_t item = 0) {
+  const auto json_of = [&](const Quantity& quantity, std::size_t floor) -> Json {
+    const double value = value_of(quantity, run, {item, floor});
+    if (std::isnan(value)) return nullptr;
+    return is_whole(quantity) ? Json(static_cast<long>(value)) : Json(value);
+  };
+  for (const Quantity* quantity : quantities_of(owner)) {
+    const Json::json_pointer at(quantity->pointer.empty() ? "/" + std::string(quantity->key)
+                                                          : std::string(quantity->pointer));
+    if (object.contains(at)) continue;
+    if (owner == Owner::floor) {
+      Json list = Json::array();
+      for (std::size_t i = 0; i < run.problem.buildings[item].model.elevations.size(); ++i) {
+        list.push_back(json_of(*quantity, i));
+      }
+      object[at] = list;
+    } else {
+      object[at] = json_of(*quantity, 0);
+    }
   }
-  return {{"name", building.name},
-          {"elevations", building.model.elevations},
-          {"periods", list(periods)},
-          {"weight", found.weight},
-          {"base_shear_coefficient", or_null(found.base_shear_coefficient)},
-          {"period_per_storey", found.period_per_storey},
-          {"peak_displacement", list(peaks.displacement)},
-          {"peak_displacement_no_contact", list(peaks.displacement_no_contact)},
-          {"amplification", amplification},
-          {"peak_drift_ratio", list(peaks.drift_ratio)},
-          {"peak_acceleration", list(peaks.acceleration)},
-          {"peak_storey_shear", list(peaks.storey_shear)}};
+}
+
+Json building_json(const RunView& run, std::size_t b) {
+  const Building& building = run.problem.buildings[b];
+  Json json = {{"name", building.name},
+               {"elevations", building.model.elevations},
+               {"periods", list(modal_properties(building.modes, building.model.load).periods)}};
+  put_quantities(json, Owner::building, run, b);
+  put_quantities(json, Owner::floor, run, b);
+  return json;
 }
 
 /// What is unusual, with what is usual: [from, to], null where a side is open.
@@ -96,26 +106,13 @@ Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
   return json;
 }
 
-Json point_json(const ContactPoint& point, const PointSummary& summary, const ContactSpec& contact,
-                const PointRestitution& restitution) {
-  return {{"elevation", point.elevation},
-          {"width", point.width},
-          {"minimum_gap_no_contact", summary.minimum_gap_no_contact},
-          {"impacts", summary.impacts},
-          {"slow_starts", summary.slow_starts},
-          {"contact_duration", summary.contact_duration},
-          {"peak_force", summary.peak_force},
-          {"peak_force_time", or_null(summary.peak_force_time)},
-          {"peak_penetration", summary.peak_penetration},
-          {"peak_closing_speed", summary.peak_closing_speed},
-          {"impulse", summary.impulse},
-          {"energy_lost", summary.energy_lost},
-          {"peak_tension", summary.peak_tension},
-          {"contact", contact_json(*point.law, contact)},
-          {"restitution",
-           {{"asked", or_null(restitution.asked)},
-            {"smallest", or_null(restitution.smallest)},
-            {"largest", or_null(restitution.largest)}}}};
+Json point_json(const RunView& run, std::size_t i, const ContactSpec& contact) {
+  const ContactPoint& point = run.problem.points[i];
+  Json json = {{"elevation", point.elevation}, {"width", point.width}};
+  json["restitution"] = {{"asked", or_null(run.restitutions[i].asked)}};
+  put_quantities(json, Owner::point, run, i);
+  json["contact"] = contact_json(*point.law, contact);
+  return json;
 }
 
 Json solver_json(const Solver& solver, const Response& response) {
@@ -123,11 +120,8 @@ Json solver_json(const Solver& solver, const Response& response) {
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) json["tolerance"] = adaptive->tolerance;
   if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&solver)) json["step"] = stepwise->step;
   json["steps"] = response.steps;
-  json["events"] = response.events;
   json["wall_time"] = response.wall_time;
-  const std::optional<EnergyAudit>& audit = response.energy;
-  json["energy_residual"] = audit ? Json(audit->relative_residual()) : Json(nullptr);
-  json["peak_input_energy"] = audit ? Json(audit->peak_input) : Json(nullptr);
+  json["peak_input_energy"] = response.energy ? Json(response.energy->peak_input) : Json(nullptr);
   return json;
 }
 
@@ -140,9 +134,9 @@ Json watched_json(const Problem& problem, const WatchedFloor& floor) {
 }
 
 /// Every watched floor of a gap.
-Json watched_list(const Problem& problem, const Response& response, std::size_t gap, bool of_run) {
+Json watched_list(const Problem& problem, const Response& response, const Gap& gap, bool of_run) {
   Json list = Json::array();
-  for (const std::size_t i : watched_of(problem, gap)) {
+  for (const std::size_t i : gap.watched) {
     Json json = watched_json(problem, problem.watched[i]);
     const WatchedSummary& summary = response.watched.at(i);
     json[of_run ? "minimum_gap_no_contact" : "simulated"] = summary.needed;
@@ -175,39 +169,34 @@ Json between(const Problem& problem, std::size_t gap) {
 
 }  // namespace
 
-std::string summary_json(const Case& c, const Problem& problem, const Response& response, std::string_view version) {
+std::string summary_json(const RunResults& results, std::string_view version) {
+  const RunView run = results.view();
+  const Case& c = results.c;
   Json buildings = Json::array();
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    buildings.push_back(building_json(problem.buildings[b], response.buildings.at(b), c.units));
-  }
-  const std::vector<PointRestitution> restitution = restitutions(problem, response);
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(building_json(run, b));
   Json gaps = Json::array();
-  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+  for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
-    double needed = 0;
-    for (std::size_t i = 0; i < problem.points.size(); ++i) {
-      if (problem.points[i].left == static_cast<int>(gap)) {
-        points.push_back(point_json(problem.points[i], response.points.at(i), c.gaps.at(gap).contact, restitution[i]));
-        needed = std::max(needed, response.points[i].minimum_gap_no_contact);
-      }
-    }
-    gaps.push_back({{"between", between(problem, gap)},
-                    {"minimum_gap_no_contact", needed},
-                    {"gap_needed", gap_needed(problem, response, gap)},
-                    {"unmodelled_contact", unmodelled_list(problem, response, gap, c.units.length)},
-                    {"points", points},
-                    {"watched_floors", watched_list(problem, response, gap, true)}});
+    for (const std::size_t i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
+    Json json = {{"between", between(run.problem, gap.left)}};
+    put_quantities(json, Owner::gap, run, gap.left);
+    json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
+    json["points"] = points;
+    json["watched_floors"] = watched_list(run.problem, run.response, gap, true);
+    gaps.push_back(json);
   }
-  return dump({{"title", c.title},
+  Json json = {{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
                {"case", source_json(c.source)},
                {"status", "completed"},
-               {"solver", solver_json(c.analysis.solver, response)},
+               {"solver", solver_json(c.analysis.solver, run.response)},
                {"excitation", excitation_json(c.excitation)},
-               {"remarks", remarks_json(remarks(c, problem, response))},
+               {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
-               {"gaps", gaps}});
+               {"gaps", gaps}};
+  put_quantities(json, Owner::run, run);
+  return dump(json);
 }
 
 std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
@@ -256,18 +245,17 @@ Json rules_json(const CodeSpec& code) {
 
 }  // namespace
 
-std::string gap_json(const Case& c, const Problem& problem, const Response& response,
-                     const std::vector<PointSeparation>& separations, std::string_view version) {
+std::string gap_json(const RunResults& results, const std::vector<PointSeparation>& separations,
+                     std::string_view version) {
+  const Problem& problem = results.problem;
   Json gaps = Json::array();
-  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+  for (const Gap& gap : gaps_of(problem)) {
     Json points = Json::array();
     PointSeparation largest;
-    largest.simulated = gap_needed(problem, response, gap);
-    for (const PointSeparation& separation : separations) {
-      const ContactPoint& point = problem.points.at(static_cast<std::size_t>(separation.point));
-      if (point.left != static_cast<int>(gap)) {
-        continue;
-      }
+    largest.simulated = gap_needed(problem, results.response, gap.left);
+    for (const std::size_t i : gap.points) {
+      const ContactPoint& point = problem.points[i];
+      const PointSeparation& separation = separations.at(i);
       points.push_back({{"elevation", point.elevation},
                         {"width", point.width},
                         {"simulated", separation.simulated},
@@ -286,20 +274,20 @@ std::string gap_json(const Case& c, const Problem& problem, const Response& resp
         code.to_right = std::max(code.to_right, separation.codes[i].to_right);
       }
     }
-    gaps.push_back({{"between", between(problem, gap)},
+    gaps.push_back({{"between", between(problem, gap.left)},
                     {"simulated", largest.simulated},
                     {"abs", largest.abs},
                     {"srss", largest.srss},
                     {"ddc", largest.ddc},
                     {"codes", codes_json(largest.codes)},
                     {"points", points},
-                    {"watched_floors", watched_list(problem, response, gap, false)}});
+                    {"watched_floors", watched_list(problem, results.response, gap, false)}});
   }
-  return dump({{"title", c.title},
-               {"units", units_json(c.units)},
+  return dump({{"title", results.c.title},
+               {"units", units_json(results.c.units)},
                {"version", version},
-               {"excitation", excitation_json(c.excitation)},
-               {"code_rules", rules_json(c.code)},
+               {"excitation", excitation_json(results.c.excitation)},
+               {"code_rules", rules_json(results.c.code)},
                {"gaps", gaps}});
 }
 

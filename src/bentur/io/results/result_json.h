@@ -4,24 +4,22 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/model/run_results.h"
 
 namespace bentur {
 
-/// The summary of a run, also `summary.json`. Lists run bottom to top; a number that does not
-/// exist (amplification over a peak of zero, the time of a force that never was, energy without an audit) is null.
-[[nodiscard]] std::string summary_json(const Case& c, const Problem& problem, const Response& response,
-                                       std::string_view version);
+/// The summary of a run, also `summary.json`: every quantity but those of impacts, and what was asked. Lists run bottom
+/// to top; a number that does not exist (amplification over a peak of zero, the time of a force that never was, energy
+/// without an audit) is null.
+[[nodiscard]] std::string summary_json(const RunResults& results, std::string_view version);
 
 /// Periods, participation, effective mass fractions and mass-normalised shapes of each building; weight.
 [[nodiscard]] std::string modes_json(const std::vector<Building>& buildings, const Units& units);
 
 /// The gap each contact point needs: simulated, ABS, SRSS, DDC and the rules of the case's [code]; a gap's own
 /// values are the largest of its points', the simulated one of its watched floors too.
-[[nodiscard]] std::string gap_json(const Case& c, const Problem& problem, const Response& response,
-                                   const std::vector<PointSeparation>& separations, std::string_view version);
+[[nodiscard]] std::string gap_json(const RunResults& results, const std::vector<PointSeparation>& separations,
+                                   std::string_view version);
 
 }  // namespace bentur

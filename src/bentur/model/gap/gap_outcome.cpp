@@ -26,49 +26,53 @@ double rounded_up(double apart) {
 
 }  // namespace
 
-GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t gap) {
+GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t number) {
+  const Gap gap = gap_at(problem, number);
   std::optional<GoverningLevel> worst;
   const auto take = [&](const GoverningLevel& level) {
     if (!worst || level.needed - level.width > worst->needed - worst->width) worst = level;
   };
-  for (std::size_t i = problem.points.size(); i-- > 0;) {  // of levels that are alike the highest
-    const ContactPoint& point = problem.points[i];
-    if (point.left != static_cast<int>(gap)) continue;
-    take({std::nullopt, point.elevation, point.width, response.points.at(i).minimum_gap_no_contact});
+  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {  // of levels that are alike the highest
+    const ContactPoint& point = problem.points[*i];
+    take({std::nullopt, point.elevation, point.width, response.points.at(*i).minimum_gap_no_contact});
   }
-  for (const std::size_t i : watched_of(problem, gap)) {
+  for (const std::size_t i : gap.watched) {
     take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed});
   }
   return worst.value_or(GoverningLevel{});
 }
 
-double gap_needed(const Problem& problem, const Response& response, std::size_t gap) {
+double gap_needed(const Problem& problem, const Response& response, std::size_t number) {
+  const Gap gap = gap_at(problem, number);
   double needed = 0;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    if (problem.points[i].left != static_cast<int>(gap)) continue;
-    needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
-  }
-  for (const std::size_t i : watched_of(problem, gap)) needed = std::max(needed, response.watched.at(i).needed);
+  for (const std::size_t i : gap.points) needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
+  for (const std::size_t i : gap.watched) needed = std::max(needed, response.watched.at(i).needed);
   return needed;
 }
 
-std::vector<std::size_t> watched_of(const Problem& problem, std::size_t gap) {
-  std::vector<std::size_t> floors;
-  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-    if (problem.watched[i].left == static_cast<int>(gap)) floors.push_back(i);
-  }
-  return floors;
-}
-
 std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response, std::size_t gap) {
-  std::vector<std::size_t> floors;
-  for (const std::size_t i : watched_of(problem, gap)) {
-    if (response.watched.at(i).closes) floors.push_back(i);
-  }
+  std::vector<std::size_t> floors = gap_at(problem, gap).watched;
+  std::erase_if(floors, [&](std::size_t i) { return !response.watched.at(i).closes; });
   std::stable_sort(floors.begin(), floors.end(), [&](std::size_t a, std::size_t b) {
     return response.watched[a].least_opening < response.watched[b].least_opening;
   });
   return floors;
+}
+
+GapOutcome gap_outcome(const Problem& problem, const Response& response, std::size_t gap) {
+  GapOutcome outcome{.gap = gap_at(problem, gap),
+                     .governing = governing_level(problem, response, gap),
+                     .unmodelled = unmodelled_contacts(problem, response, gap)};
+  const auto harder = [&](std::size_t i, std::size_t than) {
+    const PointSummary &a = response.points[i], &b = response.points[than];
+    return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
+  };
+  for (auto i = outcome.gap.points.rbegin(); i != outcome.gap.points.rend(); ++i) {
+    outcome.impacts += response.points[*i].impacts;
+    outcome.touched += response.points[*i].impacts > 0 ? 1 : 0;
+    if (!outcome.hardest || harder(*i, *outcome.hardest)) outcome.hardest = *i;
+  }
+  return outcome;
 }
 
 Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {

@@ -25,12 +25,21 @@ struct GoverningLevel {
 /// The gap needed, the largest over its contact points and its watched floors [length].
 [[nodiscard]] double gap_needed(const Problem& problem, const Response& response, std::size_t gap);
 
-/// Indices into Problem::watched, from the lowest up.
-[[nodiscard]] std::vector<std::size_t> watched_of(const Problem& problem, std::size_t gap);
-
-/// Those of them that met what they face in the run, the deepest first.
+/// Indices into Problem::watched of those floors that met what they face in the run, the deepest first.
 [[nodiscard]] std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response,
                                                            std::size_t gap);
+
+/// What is told first of a gap.
+struct GapOutcome {
+  Gap gap;
+  int impacts = 0;
+  int touched = 0;  ///< contact points hit
+  std::optional<std::size_t> hardest =
+      {};                    ///< contact point with the largest force, else the fastest impact; the highest
+  GoverningLevel governing;  ///< where the gap falls short the most
+  std::vector<std::size_t> unmodelled = {};  ///< as unmodelled_contacts()
+};
+[[nodiscard]] GapOutcome gap_outcome(const Problem& problem, const Response& response, std::size_t gap);
 
 /// How a case can model what a watched floor does.
 struct Remedy {

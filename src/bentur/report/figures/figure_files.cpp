@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "bentur/files/atomic_file.h"
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
 

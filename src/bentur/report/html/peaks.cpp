@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "bentur/core/number_text.h"
@@ -18,17 +17,16 @@ std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 std::string mass_unit(const Case& c) { return c.units.force + "·s²/" + c.units.length; }
 
 std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap) {
-  std::vector<std::size_t> points;
-  for (std::size_t i = problem.points.size(); i-- > 0;) {
-    if (problem.points[i].left == static_cast<int>(gap)) points.push_back(i);
-  }
-  return points;
+  const Gap between = gap_at(problem, gap);
+  return {between.points.rbegin(), between.points.rend()};
 }
 
-std::vector<double> from_top(const Eigen::VectorXd& values) {
-  std::vector<double> reversed(values.begin(), values.end());
-  std::reverse(reversed.begin(), reversed.end());
-  return reversed;
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
+  const auto languages = report_languages();
+  const auto language = std::find(languages.begin(), languages.end(), story.say.language()) - languages.begin();
+  for (TableColumn& column : table_columns(owner, story.run, places, static_cast<std::size_t>(language))) {
+    table.add(column.label, column.unit, std::move(column.cells));
+  }
 }
 
 Html section(const std::string& id, const std::string& heading, const Html& content) {
@@ -41,54 +39,20 @@ namespace {
 constexpr std::size_t rows_in_print = 30;  // report.css hides the others
 
 Html contact_table(const Story& story, std::size_t gap) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
-  const std::string& force = story.c.units.force;
-  std::vector<double> elevation, duration, peak, time, depth, speed, impulse, energy;
-  std::vector<std::string> impacts;
-  for (const std::size_t i : points_of(story.problem, gap)) {
-    const PointSummary& point = story.response.points[i];
-    elevation.push_back(story.problem.points[i].elevation);
-    impacts.push_back(std::to_string(point.impacts));
-    duration.push_back(1e3 * point.contact_duration);
-    peak.push_back(point.peak_force);
-    time.push_back(point.peak_force_time.value_or(std::numeric_limits<double>::quiet_NaN()));
-    depth.push_back(point.peak_penetration);
-    speed.push_back(point.peak_closing_speed);
-    impulse.push_back(point.impulse);
-    energy.push_back(point.energy_lost);
-  }
+  const std::vector<std::size_t> points = points_of(story.problem, gap);
+  std::vector<double> elevations;
+  for (const std::size_t i : points) elevations.push_back(story.problem.points[i].elevation);
   HtmlTable table;
-  table.add(say("column.elevation"), length, elevation);
-  table.add(say("column.impacts"), "", impacts);
-  table.add(say("column.in_contact"), "ms", duration);
-  table.add(say("column.peak_force"), force, peak);
-  table.add(say("column.at"), "s", time);
-  table.add(say("column.penetration"), length, depth);
-  table.add(say("column.closing_speed"), length + "/s", speed);
-  table.add(say("column.impulse"), force + "·s", impulse);
-  table.add(say("column.energy_lost"), force + "·" + length, energy);
+  table.add(story.say("column.elevation"), story.c.units.length, elevations);
+  add_quantities(table, story, Owner::point, places_of(points));
   return table.markup();
 }
 
 Html building_table(const Story& story, std::size_t b) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
-  const StructuralModel& model = story.problem.buildings[b].model;
-  const BuildingPeaks& peaks = story.response.buildings.at(b);
-  std::vector<std::string> amplification;
-  for (Eigen::Index i = peaks.displacement.size() - 1; i >= 0; --i) {
-    const double free = peaks.displacement_no_contact(i);
-    amplification.push_back(free > 0 ? fmt::format("{:.3f}", peaks.displacement(i) / free) : "–");
-  }
+  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
-  table.add(say("column.elevation"), length, std::vector<double>(model.elevations.rbegin(), model.elevations.rend()));
-  table.add(say("column.displacement"), length, from_top(peaks.displacement));
-  table.add(say("column.no_contact"), length, from_top(peaks.displacement_no_contact));
-  table.add(say("column.amplification"), "", amplification);
-  table.add(say("column.drift"), "%", from_top(100 * peaks.drift_ratio));
-  table.add(say("column.acceleration"), acceleration_unit(story.c), from_top(peaks.acceleration));
-  table.add(say("column.shear"), story.c.units.force, from_top(peaks.storey_shear));
+  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  add_quantities(table, story, Owner::floor, floors_from_top(story.problem, b));
   return table.markup();
 }
 
@@ -173,41 +137,19 @@ Html impacts_section(const Story& story, const std::vector<std::size_t>& listed)
   const Words& say = story.say;
   const std::vector<Impact>& all = story.response.impacts;
   if (all.empty()) return section("impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none"))));
-  const std::string& length = story.c.units.length;
-  const std::string& force = story.c.units.force;
-  std::vector<std::string> numbers, gaps, restitutions;
-  std::vector<double> elevations, starts, contact, closing, forces, times, depths, impulses, lost;
+  std::vector<std::string> numbers, gaps;
+  std::vector<double> elevations;
   for (const std::size_t k : listed) {
-    const Impact& impact = all[k];
-    const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(impact.point));
-    const auto restitution = impact.restitution();
+    const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
     gaps.push_back(gap_name(story.problem, point.left));
     elevations.push_back(point.elevation);
-    starts.push_back(impact.start);
-    contact.push_back(1e3 * (impact.end - impact.start));
-    closing.push_back(impact.closing_speed);
-    forces.push_back(impact.peak_force);
-    depths.push_back(impact.peak_penetration);
-    impulses.push_back(impact.impulse);
-    lost.push_back(impact.energy_lost);
-    restitutions.push_back(restitution ? fmt::format("{:.3f}", *restitution) : "–");
   }
   HtmlTable table;
   table.add("#", "", numbers);
   if (story.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), length, elevations);
-  std::vector<std::string> start_cells;
-  start_cells.reserve(starts.size());
-  for (const double start : starts) start_cells.push_back(fmt::format("{:.4f}", start));
-  table.add(say("column.start"), "s", start_cells);
-  table.add(say("column.in_contact"), "ms", contact);
-  table.add(say("column.peak_force"), force, forces);
-  table.add(say("column.closing_speed"), length + "/s", closing);
-  table.add(say("column.restitution"), "", restitutions);
-  table.add(say("column.penetration"), length, depths);
-  table.add(say("column.impulse"), force + "·s", impulses);
-  table.add(say("column.energy_lost"), force + "·" + length, lost);
+  table.add(say("column.elevation"), story.c.units.length, elevations);
+  add_quantities(table, story, Owner::impact, places_of(listed));
   Html content;
   if (listed.size() < all.size()) {
     content += element("p", Html::text(say("impacts.cut", {{"listed", std::to_string(listed.size())},
@@ -217,7 +159,11 @@ Html impacts_section(const Story& story, const std::vector<std::size_t>& listed)
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
-  const int sorted = story.c.gaps.size() > 1 ? 5 : 4;  // by peak force
+  int sorted = story.c.gaps.size() > 1 ? 3 : 2;  // column of the peak force, by which they are
+  for (const Quantity* quantity : quantities_of(Owner::impact)) {
+    if (quantity->key == "peak_force") break;
+    sorted += quantity->label[0].empty() ? 0 : 1;
+  }
   content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted));
   if (listed.size() > rows_in_print) {
     content += element("p", Html::text(say("impacts.print")), "class=\"print note\"");

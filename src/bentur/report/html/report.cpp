@@ -124,18 +124,20 @@ double report_output_step(const Problem& problem) {
   return std::max(std::min(step, problem.duration / 100), least);
 }
 
-std::string report_html(const Case& c, const Problem& problem, const Response& response, const ReportOptions& options) {
+std::string report_html(const RunResults& results, const ReportOptions& options) {
+  const auto& [c, problem, response, remarks, figures] = results;
   if (response.histories.displacement.size() != problem.buildings.size() || response.histories.time.empty()) {
     throw InvalidParameter("response", std::to_string(response.histories.displacement.size()) + " histories",
                            "must have the histories of every building");
   }
   const Words say(options.language);
   const Story story{
+      results.view(),
       c,
       problem,
       response,
       say,
-      c.buildings.empty() ? options.remarks : remarks(c, problem, response),
+      remarks,
       c.buildings.empty() ? from_peaks(problem, response) : separations(problem, response, c.code, c.units)};
   const std::vector<std::size_t> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;

@@ -4,10 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/model/case.h"
-#include "bentur/model/remarks.h"
+#include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/words.h"
-#include "bentur/solve/response.h"
 
 namespace bentur {
 
@@ -21,7 +19,6 @@ struct ReportOptions {
   std::string language = "en";  ///< one of report_languages()
   std::string version;          ///< of the program
   std::vector<ReportFigure> figures = {};
-  std::vector<Remark> remarks = {};  ///< of a run read from result files; else they are made
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so
@@ -33,7 +30,6 @@ struct ReportOptions {
 /// script. The same run gives the same bytes. The response must have histories. A run read from result files
 /// (files/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.
 /// @throws InvalidParameter for an unknown language, or a response that is not that of the problem.
-[[nodiscard]] std::string report_html(const Case& c, const Problem& problem, const Response& response,
-                                      const ReportOptions& options);
+[[nodiscard]] std::string report_html(const RunResults& results, const ReportOptions& options);
 
 }  // namespace bentur

@@ -1,6 +1,6 @@
 #include "bentur/report/html/report_figures.h"
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/internal/words.h"
@@ -25,11 +25,10 @@ std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std:
   return figures;
 }
 
-std::vector<ReportFigure> report_figures(const Case& c, const Problem& problem, const Response& response,
-                                         const std::string& language) {
+std::vector<ReportFigure> report_figures(RunResults results, const std::string& language) {
   if (!gnuplot_version()) return {};
-  const FigureData data = figure_data(problem, response, c.analysis.solver);
-  return report_figures(NetcdfReader(histories_netcdf(c, problem, response, "", &data), "histories"), language);
+  results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
+  return report_figures(NetcdfReader(histories_netcdf(results, ""), "histories"), language);
 }
 
 }  // namespace bentur

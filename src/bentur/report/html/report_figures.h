@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur {
@@ -13,7 +13,6 @@ namespace bentur {
 /// @throws std::runtime_error with what gnuplot says when it cannot draw.
 [[nodiscard]] std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std::string& language);
 /// The same of a run at hand.
-[[nodiscard]] std::vector<ReportFigure> report_figures(const Case& c, const Problem& problem, const Response& response,
-                                                       const std::string& language);
+[[nodiscard]] std::vector<ReportFigure> report_figures(RunResults results, const std::string& language);
 
 }  // namespace bentur

@@ -17,13 +17,9 @@
 namespace bentur {
 namespace {
 
-struct Simulated {
-  Case c;
-  Problem problem;
-  Response response;
-
+struct Simulated : RunResults {
   [[nodiscard]] std::string page(const std::string& language = "en", std::vector<ReportFigure> figures = {}) const {
-    return report_html(c, problem, response, {.language = language, .version = "0", .figures = std::move(figures)});
+    return report_html(*this, {.language = language, .version = "0", .figures = std::move(figures)});
   }
 };
 
@@ -35,7 +31,7 @@ Simulated run(const std::string& text) {
   SolveOptions options;
   options.output_step = report_output_step(problem);
   Response response = solve(problem, c->analysis.solver, options);
-  return {std::move(*c), std::move(problem), std::move(response)};
+  return {run_results(std::move(*c), std::move(problem), std::move(response))};
 }
 
 std::string example(const std::string& name) {
@@ -157,7 +153,7 @@ TEST(Report, SamplesAreThoseOfTheResponseWithinTheirScale) {
   EXPECT_NEAR(data["step"], 5e-4, 1e-12);
   ASSERT_EQ(data["impacts"].size(), m12.response.impacts.size());
   EXPECT_EQ(data["impacts"][6][1], m12.response.impacts[6].start);
-  EXPECT_EQ(data["csv"], impacts_csv(m12.c.units, m12.problem, m12.response));
+  EXPECT_EQ(data["csv"], impacts_csv(m12.view()));
 }
 
 TEST(Report, LongRunsStaySmall) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur {

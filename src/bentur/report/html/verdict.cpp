@@ -10,32 +10,6 @@
 namespace bentur::html {
 namespace {
 
-/// What there is to say of one gap.
-struct GapFindings {
-  int impacts = 0;
-  int touched = 0;                           ///< contact points hit
-  std::size_t hardest = 0;                   ///< contact point with the largest force, or the fastest impact
-  GoverningLevel governing;                  ///< where the gap falls short the most
-  std::vector<std::size_t> unmodelled = {};  ///< watched floors that met something, the deepest first
-};
-
-GapFindings findings(const Story& story, std::size_t gap) {
-  const std::vector<std::size_t> points = points_of(story.problem, gap);
-  GapFindings found{.hardest = points.empty() ? 0 : points.front(),
-                    .governing = governing_level(story.problem, story.response, gap),
-                    .unmodelled = unmodelled_contacts(story.problem, story.response, gap)};
-  const auto harder = [&](const PointSummary& a, const PointSummary& b) {
-    return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
-  };
-  for (const std::size_t i : points) {
-    const PointSummary& point = story.response.points[i];
-    found.impacts += point.impacts;
-    found.touched += point.impacts > 0 ? 1 : 0;
-    if (harder(point, story.response.points[found.hardest])) found.hardest = i;
-  }
-  return found;
-}
-
 /// The impact of a point with its peak force, or its fastest where no force is known.
 const Impact* hardest_impact(const Response& response, std::size_t point) {
   const Impact* hardest = nullptr;
@@ -47,7 +21,7 @@ const Impact* hardest_impact(const Response& response, std::size_t point) {
   return hardest;
 }
 
-std::string collision_text(const Story& story, std::size_t gap, const GapFindings& found, std::size_t points) {
+std::string collision_text(const Story& story, std::size_t gap, const GapOutcome& found, std::size_t points) {
   const Words& say = story.say;
   const std::string left = story.problem.buildings[gap].name;
   const std::string right = story.problem.buildings[gap + 1].name;
@@ -61,8 +35,8 @@ std::string collision_text(const Story& story, std::size_t gap, const GapFinding
                           {"duration", duration},
                           {"touched", std::to_string(found.touched)},
                           {"points", std::to_string(points)}});
-  const std::string elevation = quantity(story.problem.points[found.hardest].elevation, story.c.units.length);
-  if (const Impact* const impact = hardest_impact(story.response, found.hardest)) {
+  const std::string elevation = quantity(story.problem.points[*found.hardest].elevation, story.c.units.length);
+  if (const Impact* const impact = hardest_impact(story.response, *found.hardest)) {
     if (impact->peak_force > 0) {
       text += " " + say("verdict.hardest", {{"force", quantity(impact->peak_force, story.c.units.force)},
                                             {"time", quantity(impact->peak_force_time, "s")},
@@ -120,7 +94,7 @@ std::string unmodelled_text(const Story& story, const std::vector<std::size_t>& 
   return text + " " + remedy(story, deepest);
 }
 
-std::string needed_text(const Story& story, const GapFindings& found) {
+std::string needed_text(const Story& story, const GapOutcome& found) {
   const std::string& length = story.c.units.length;
   const GoverningLevel& level = found.governing;
   std::string text = story.say(level.needed <= level.width ? "verdict.enough" : "verdict.short",
@@ -290,7 +264,7 @@ Html verdict_section(const Story& story) {
   Html blocks;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
     const std::vector<std::size_t> points = points_of(story.problem, gap);
-    const GapFindings found = findings(story, gap);
+    const GapOutcome found = gap_outcome(story.problem, story.response, gap);
     const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
     const std::string badge = !found.unmodelled.empty() ? "verdict.unmodelled"
                               : pounding                ? "verdict.pounding"
@@ -314,7 +288,7 @@ namespace {
 /// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
 Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& governing) {
   const Words& say = story.say;
-  std::vector<std::size_t> floors = watched_of(story.problem, gap);
+  std::vector<std::size_t> floors = gap_at(story.problem, gap).watched;
   if (floors.empty()) return {};
   std::reverse(floors.begin(), floors.end());
   HtmlTable table;

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
-#include <netcdf.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/report/kinds/kinds.h"
 
@@ -20,46 +20,28 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 /// Results as docs/studies.md has them: record × width × intensity × point.
 std::filesystem::path write_results(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "ida.nc";
-  int file = 0;
-  EXPECT_EQ(nc_create(path.c_str(), NC_NETCDF4, &file), NC_NOERR);
-  int dims[4] = {};
-  nc_def_dim(file, "record", records, &dims[0]);
-  nc_def_dim(file, "width", widths, &dims[1]);
-  nc_def_dim(file, "intensity", levels, &dims[2]);
-  nc_def_dim(file, "point", 1, &dims[3]);
-  const auto variable = [&](const char* name, nc_type type, int count, const int* of, const std::string& units,
-                            const std::string& long_name) {
-    int id = 0;
-    EXPECT_EQ(nc_def_var(file, name, type, count, of, &id), NC_NOERR);
-    nc_put_att_text(file, id, "units", units.size(), units.data());
-    nc_put_att_text(file, id, "long_name", long_name.size(), long_name.data());
-    return id;
-  };
-  const int record = variable("record", NC_STRING, 1, &dims[0], "", "excitation.file");
-  const char* names[] = {"a", "b", "c"};
-  EXPECT_EQ(nc_put_var_string(file, record, names), NC_NOERR);
-  const double w[] = {0.1, 0.2};
-  nc_put_var_double(file, variable("width", NC_DOUBLE, 1, &dims[1], "m", "gap[0].width"), w);
-  const double x[] = {0.5, 1, 1.5, 2};
+  NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
+  const auto record = file.dimension("record", records), width = file.dimension("width", widths),
+             intensity = file.dimension("intensity", levels), point = file.dimension("point", 1);
   const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";
-  nc_put_var_double(file, variable("intensity", NC_DOUBLE, 1, &dims[2], "gravity", measure), x);
-  const double own[] = {1, 1, 1};
-  nc_put_var_double(file, variable("record_intensity", NC_DOUBLE, 1, &dims[0], "gravity", measure), own);
+  file.write("record", {record}, std::vector<std::string>{"a", "b", "c"}, "", "excitation.file");
+  file.write("width", {width}, std::vector{0.1, 0.2}, "m", "gap[0].width");
+  file.write("intensity", {intensity}, std::vector{0.5, 1.0, 1.5, 2.0}, "gravity", measure);
+  file.write("record_intensity", {record}, std::vector{1.0, 1.0, 1.0}, "gravity", measure);
   std::vector<double> forces, impacts;
   for (int r = 0; r < records; ++r) {
-    for (int width = 0; width < widths; ++width) {
+    for (int w = 0; w < widths; ++w) {
       for (int level = 0; level < levels; ++level) {
-        forces.push_back(force(r, level, width));
+        forces.push_back(force(r, level, w));
         // The higher the level the more records pound: 0, 1, 2, 3 at width 0, one less at the other.
-        impacts.push_back(r < level - width ? 2 : 0);
+        impacts.push_back(r < level - w ? 2 : 0);
       }
     }
   }
-  nc_put_var_double(file, variable("peak_force", NC_DOUBLE, 4, dims, "kN", "largest force"), forces.data());
-  nc_put_var_double(file, variable("impacts", NC_DOUBLE, 4, dims, "1", "impacts"), impacts.data());
-  const std::vector<double> status(forces.size(), 0);
-  nc_put_var_double(file, variable("status", NC_BYTE, 3, dims, "", "how the run ended"), status.data());
-  EXPECT_EQ(nc_close(file), NC_NOERR);
+  file.write("peak_force", {record, width, intensity, point}, forces, "kN", "largest force");
+  file.write("impacts", {record, width, intensity, point}, impacts, "1", "impacts");
+  file.write("status", {record, width, intensity}, std::vector<signed char>(forces.size()), "", "how the run ended");
+  file.finish();
   return path;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 

@@ -1,18 +1,17 @@
 #include "bentur/runner/internal/sweep_netcdf.h"
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
-#include <stdexcept>
+#include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/io/case/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
 
@@ -22,59 +21,28 @@ namespace {
 constexpr std::size_t block_bytes = 4U << 20;  // of rows held at a time
 constexpr std::size_t message_chunk = 1024;    // runs; a part of the file without messages takes no room
 
+using Dimension = NetcdfWriter::Dimension;
+using Variable = NetcdfWriter::Variable;
+
 /// Consecutive runs that are one block of the dimensions.
-struct Block {
+struct RunBlock {
   std::size_t first = 0, runs = 0;
-  std::vector<std::size_t> start, count;
+  NetcdfBlock places;
 };
 
 class SweepFile {
  public:
   SweepFile(const std::filesystem::path& file, const StudyRuns& runs)
-      : name_(file.string()), runs_(runs), study_(runs.study()), problem_(runs.facts().problem) {
-    check(nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
-  }
-  ~SweepFile() {
-    if (id_ >= 0) nc_abort(id_);
-  }
-  SweepFile(const SweepFile&) = delete;
-  SweepFile& operator=(const SweepFile&) = delete;
+      : file_(file.string(), NetcdfWriter::Place::disk),
+        runs_(runs),
+        study_(runs.study()),
+        problem_(runs.facts().problem) {}
 
   void define(const std::string& version);
   SweepTotals write(const Journal& journal);
-  void close() { check(nc_close(std::exchange(id_, -1))); }
+  void close() { file_.finish(); }
 
  private:
-  void check(int status) const {
-    if (status != NC_NOERR) throw std::runtime_error(name_ + ": " + nc_strerror(status));
-  }
-  int dimension(const std::string& name, std::size_t size) const {
-    int id = 0;
-    check(nc_def_dim(id_, name.c_str(), size, &id));
-    return id;
-  }
-  int variable(const std::string& name, nc_type type, const std::vector<int>& dimensions, const std::string& units,
-               const std::string& long_name) const {
-    int id = 0;
-    check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &id));
-    int no_fill = 1;
-    if (type != NC_STRING) check(nc_def_var_fill(id_, id, no_fill, nullptr));
-    if (!units.empty()) attribute(id, "units", units);
-    attribute(id, "long_name", long_name);
-    return id;
-  }
-  void attribute(int variable, const char* name, const std::string& text) const {
-    check(nc_put_att_text(id_, variable, name, text.size(), text.data()));
-  }
-  void put(int variable, const std::vector<std::string>& texts) const {
-    std::vector<const char*> pointers;
-    for (const std::string& text : texts) pointers.push_back(text.c_str());
-    check(nc_put_var_string(id_, variable, pointers.data()));
-  }
-  void put(int variable, const std::vector<double>& values) const {
-    check(nc_put_var_double(id_, variable, values.data()));
-  }
-
   void define_places();
   void define_points();
   void define_varies();
@@ -82,70 +50,64 @@ class SweepFile {
   void define_ida(const IdaSpec& ida);
   void define_quantities();
   void write_grid_coordinates() const;
-  void write_sample_coordinates(const Block& block) const;
-  [[nodiscard]] Block block_at(std::size_t first) const;
+  void write_sample_coordinates(const RunBlock& block) const;
+  [[nodiscard]] std::vector<std::size_t> place_of(std::size_t run) const;
+  [[nodiscard]] RunBlock block_at(std::size_t first) const;
 
-  std::string name_;
+  NetcdfWriter file_;
   const StudyRuns& runs_;
   const Study& study_;
   const Problem& problem_;
-  int id_ = -1;
-  std::vector<int> run_dimensions_;
+  std::vector<Dimension> run_dimensions_;
   std::vector<std::size_t> run_sizes_;
-  std::vector<int> floors_;  // dimension of each building's
-  int points_ = 0, gaps_ = 0;
-  static constexpr int none_ = -1;
-  std::vector<int> varies_, quantities_;  // variables; none_ for what no run has
-  int status_ = 0, message_ = 0;
-  int normalisation_ = -1;   // of the record, where files are normalised
-  std::string coordinates_;  // those of every run that are not dimensions
+  std::vector<Dimension> floors_;  // of each building
+  Dimension points_{}, gaps_{};
+  std::vector<Variable> varies_;
+  std::vector<std::optional<Variable>> quantities_;  // nothing for what no run has
+  Variable status_{}, message_{};
+  std::optional<Variable> normalisation_;  // of the record, where files are normalised
+  std::string coordinates_;                // those of every run that are not dimensions
 };
 
 void SweepFile::define(const std::string& version) {
-  attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-  attribute(NC_GLOBAL, "title", runs_.facts().title);
-  attribute(NC_GLOBAL, "source", "seismic pounding analysis");
-  attribute(NC_GLOBAL, "history", fmt::format("written by bentur {}", version));
-  attribute(NC_GLOBAL, "bentur_version", version);
-  attribute(NC_GLOBAL, "study", study_.text);
-  attribute(NC_GLOBAL, "case", study_.case_text);
+  file_.describe(runs_.facts().title, "seismic pounding analysis", version);
+  file_.attribute("bentur_version", version);
+  file_.attribute("study", study_.text);
+  file_.attribute("case", study_.case_text);
   std::string records;
   for (const auto& [name, hash] : runs_.facts().records) records += fmt::format("{}  {}\n", hash, name);
-  if (!records.empty()) attribute(NC_GLOBAL, "records", records);
+  if (!records.empty()) file_.attribute("records", records);
   if (runs_.plan().is_grid()) {
     for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
       run_sizes_.push_back(runs_.plan().axes()[axis].levels);
-      run_dimensions_.push_back(dimension(study_.axes[axis], run_sizes_.back()));
+      run_dimensions_.push_back(file_.dimension(study_.axes[axis], run_sizes_.back()));
     }
   } else {
     run_sizes_.push_back(runs_.plan().runs());
-    run_dimensions_.push_back(dimension("sample", run_sizes_.back()));
+    run_dimensions_.push_back(file_.dimension("sample", run_sizes_.back()));
   }
   define_places();
   define_varies();
   if (runs_.plan().is_grid()) define_indices();
   if (study_.ida) define_ida(*study_.ida);
   define_quantities();
-  check(nc_enddef(id_));
 }
 
 void SweepFile::define_places() {
   for (std::size_t b = 0; b < problem_.buildings.size(); ++b) {
     const Building& building = problem_.buildings[b];
     const std::string name = fmt::format("elevation_{}", b + 1);
-    floors_.push_back(dimension(name, building.model.elevations.size()));
+    floors_.push_back(file_.dimension(name, building.model.elevations.size()));
     const bool moves = runs_.facts().floors_move;
-    const int id =
-        variable(name, NC_DOUBLE, {floors_[b]}, moves ? "1" : udunit(runs_.facts().units.length),
-                 fmt::format("{} of building \"{}\"",
-                             moves ? "floors, whose elevations differ between runs," : "elevation of the floors",
-                             building.name));
     std::vector<double> places = building.model.elevations;
     for (std::size_t i = 0; moves && i < places.size(); ++i) places[i] = static_cast<double>(i + 1);
-    put(id, places);
+    file_.write(name, {floors_[b]}, places, moves ? "1" : udunit(runs_.facts().units.length),
+                fmt::format("{} of building \"{}\"",
+                            moves ? "floors, whose elevations differ between runs," : "elevation of the floors",
+                            building.name));
   }
-  if (!problem_.points.empty()) points_ = dimension("point", problem_.points.size());
-  gaps_ = dimension("gap", problem_.buildings.size() - 1);
+  if (!problem_.points.empty()) points_ = file_.dimension("point", problem_.points.size());
+  gaps_ = file_.dimension("gap", problem_.buildings.size() - 1);
   define_points();
 }
 
@@ -157,33 +119,32 @@ void SweepFile::define_points() {
     right.push_back(problem_.buildings[static_cast<std::size_t>(point.left) + 1].name);
     elevations.push_back(point.elevation);
   }
-  for (std::size_t gap = 0; gap + 1 < problem_.buildings.size(); ++gap) {
-    gaps.push_back(gap_name(problem_, gap));
-  }
-  put(variable("gap_name", NC_STRING, {gaps_}, "", "buildings on both sides of the gaps"), gaps);
+  for (const Gap& gap : gaps_of(problem_)) gaps.push_back(gap_name(problem_, gap.left));
+  file_.write("gap_name", {gaps_}, gaps, "", "buildings on both sides of the gaps");
   if (problem_.points.empty()) return;  // a dimension of size zero would be an unlimited one
-  put(variable("point_left", NC_STRING, {points_}, "", "building to the left of the contact points"), left);
-  put(variable("point_right", NC_STRING, {points_}, "", "building to the right of the contact points"), right);
+  file_.write("point_left", {points_}, left, "", "building to the left of the contact points");
+  file_.write("point_right", {points_}, right, "", "building to the right of the contact points");
   if (!runs_.facts().points_move) {
-    put(variable("point_elevation", NC_DOUBLE, {points_}, udunit(runs_.facts().units.length),
-                 "elevation of the contact points"),
-        elevations);
+    file_.write("point_elevation", {points_}, elevations, udunit(runs_.facts().units.length),
+                "elevation of the contact points");
   }
 }
 
 void SweepFile::define_varies() {
   for (const Vary& vary : study_.varies) {
-    const std::vector<int> dimensions = {runs_.plan().is_grid() ? run_dimensions_[vary.axis] : run_dimensions_[0]};
+    const std::vector<Dimension> dimensions = {runs_.plan().is_grid() ? run_dimensions_[vary.axis]
+                                                                      : run_dimensions_[0]};
     const bool text = !vary.labels.empty();
     const std::string units = text          ? ""
                               : vary.factor ? "1"
                                             : parameter_units(vary.path, study_.case_root, runs_.facts().units);
-    varies_.push_back(variable(vary.name, text ? NC_STRING : NC_DOUBLE, dimensions, units,
-                               (vary.factor ? "factor of " : "") + vary.parameter));
-    if (!vary.factor) attribute(varies_.back(), "parameter", path_text(vary.path));
+    varies_.push_back(file_.define(vary.name, text ? NetcdfType::text : NetcdfType::number, dimensions, units,
+                                   (vary.factor ? "factor of " : "") + vary.parameter));
+    if (!vary.factor) file_.attribute(varies_.back(), "parameter", path_text(vary.path));
     if (!runs_.plan().is_grid() || vary.name != study_.axes[vary.axis]) coordinates_ += vary.name + " ";
     if (vary.normalisation.empty()) continue;
-    normalisation_ = variable("normalisation", NC_DOUBLE, dimensions, "1", "factor that normalises the record");
+    normalisation_ =
+        file_.define("normalisation", NetcdfType::number, dimensions, "1", "factor that normalises the record");
     coordinates_ += "normalisation ";
   }
 }
@@ -202,13 +163,12 @@ void SweepFile::define_indices() {
     }
     if (there) continue;
     if (!labels.empty()) {
-      put(variable(name, NC_STRING, {run_dimensions_[axis]}, "", std::string(index_title)), labels);
+      file_.write(name, {run_dimensions_[axis]}, labels, "", std::string(index_title));
       continue;
     }
-    const int id = variable(name, NC_INT, {run_dimensions_[axis]}, "", std::string(index_title));
     std::vector<int> numbers(run_sizes_[axis]);
     std::iota(numbers.begin(), numbers.end(), 0);
-    check(nc_put_var_int(id_, id, numbers.data()));
+    file_.write(name, {run_dimensions_[axis]}, numbers, "", std::string(index_title));
   }
 }
 
@@ -216,58 +176,59 @@ void SweepFile::define_indices() {
 void SweepFile::define_ida(const IdaSpec& ida) {
   const std::string units = intensity_units(ida, runs_.facts().units);
   const std::string name = intensity_name(ida);
-  const int intensity = variable("intensity", NC_DOUBLE, {run_dimensions_[ida.axis]}, units, name);
-  attribute(intensity, "measure", ida.spectral ? "sa" : "pga");
-  attribute(intensity, "study_unit", ida.unit.empty() ? runs_.facts().units.length + "/s2" : ida.unit);
+  const Variable intensity = file_.write("intensity", {run_dimensions_[ida.axis]}, ida.levels, units, name);
+  file_.attribute(intensity, "measure", ida.spectral ? "sa" : "pga");
+  file_.attribute(intensity, "study_unit", ida.unit.empty() ? runs_.facts().units.length + "/s2" : ida.unit);
   if (ida.spectral) {
-    check(nc_put_att_double(id_, intensity, "period", NC_DOUBLE, 1, &ida.period));
-    check(nc_put_att_double(id_, intensity, "damping", NC_DOUBLE, 1, &ida.damping));
+    file_.attribute(intensity, "period", std::span(&ida.period, 1));
+    file_.attribute(intensity, "damping", std::span(&ida.damping, 1));
   }
-  put(intensity, ida.levels);
   const RecordIntensities& records = runs_.facts().intensities;
-  std::vector<int> dimensions;
+  std::vector<Dimension> dimensions;
   for (const std::size_t axis : records.axes) dimensions.push_back(run_dimensions_[axis]);
-  put(variable("record_intensity", NC_DOUBLE, dimensions, units, name + " of the record as its file has it"),
-      records.values);
+  file_.write("record_intensity", dimensions, records.values, units, name + " of the record as its file has it");
   dimensions.push_back(run_dimensions_[ida.axis]);
   std::vector<double> factors;
   for (std::size_t place = 0; place < records.values.size(); ++place) {
     for (const double level : ida.levels) factors.push_back(record_factor(records, place, level));
   }
-  put(variable("scale_factor", NC_DOUBLE, dimensions, "1", "what the record is multiplied by"), factors);
+  file_.write("scale_factor", dimensions, factors, "1", "what the record is multiplied by");
   coordinates_ += "record_intensity scale_factor ";
 }
 
 void SweepFile::define_quantities() {
-  const auto coordinates = [&](int id, std::string names) {
+  const auto coordinates = [&](Variable variable, std::string names) {
     if (!names.empty() && names.back() == ' ') names.pop_back();
-    if (!names.empty()) attribute(id, "coordinates", names);
+    if (!names.empty()) file_.attribute(variable, "coordinates", names);
   };
-  for (const Quantity& quantity : runs_.quantities()) {
+  for (const RowPart& quantity : runs_.quantities()) {
     if (quantity.count == 0) {  // of contact points where there are none
-      quantities_.push_back(none_);
+      quantities_.emplace_back();
       continue;
     }
-    std::vector<int> dimensions = run_dimensions_;
+    std::vector<Dimension> dimensions = run_dimensions_;
     std::string names = coordinates_;
-    if (quantity.owner == Owner::floors) dimensions.push_back(floors_[quantity.building]);
-    if (quantity.owner == Owner::gaps) {
+    if (quantity.owner == Owner::floor) dimensions.push_back(floors_[quantity.building]);
+    if (quantity.owner == Owner::gap) {
       dimensions.push_back(gaps_);
       names += "gap_name";
     }
-    if (quantity.owner == Owner::points) {
+    if (quantity.owner == Owner::point) {
       dimensions.push_back(points_);
       names += runs_.facts().points_move ? "point_left point_right" : "point_elevation point_left point_right";
     }
-    quantities_.push_back(variable(quantity.name, NC_DOUBLE, dimensions, quantity.units, quantity.long_name));
-    coordinates(quantities_.back(), names);
+    const Variable variable =
+        file_.define(quantity.name, NetcdfType::number, dimensions, quantity.units, quantity.long_name);
+    file_.attribute(variable, "symbol", std::string(quantity.quantity->symbol));
+    coordinates(variable, names);
+    quantities_.emplace_back(variable);
   }
-  status_ = variable("status", NC_BYTE, run_dimensions_, "", "how the run ended");
+  status_ = file_.define("status", NetcdfType::byte, run_dimensions_, "", "how the run ended");
   const signed char flags[] = {0, 1, 2};
-  check(nc_put_att_schar(id_, status_, "flag_values", NC_BYTE, 3, flags));
-  attribute(status_, "flag_meanings", "done numbers_failed not_a_case");
+  file_.attribute(status_, "flag_values", flags);
+  file_.attribute(status_, "flag_meanings", "done numbers_failed not_a_case");
   coordinates(status_, coordinates_);
-  message_ = variable("message", NC_STRING, run_dimensions_, "", "why a run failed");
+  message_ = file_.define("message", NetcdfType::text, run_dimensions_, "", "why a run failed");
   coordinates(message_, coordinates_);
   std::vector<std::size_t> chunks = run_sizes_;
   std::size_t left = message_chunk;
@@ -275,24 +236,26 @@ void SweepFile::define_quantities() {
     chunks[i] = std::clamp<std::size_t>(chunks[i], 1, std::max<std::size_t>(1, left));
     left /= chunks[i];
   }
-  check(nc_def_var_chunking(id_, message_, NC_CHUNKED, chunks.data()));
-  check(nc_set_var_chunk_cache(id_, message_, std::size_t{1} << 20, 101, 0.75F));
+  file_.chunk(message_, chunks);
+}
+
+/// A run's place along each dimension.
+std::vector<std::size_t> SweepFile::place_of(std::size_t run) const {
+  std::vector<std::size_t> place(run_sizes_.size());
+  for (std::size_t i = run_sizes_.size(); i-- > 0; run /= run_sizes_[i]) place[i] = run % run_sizes_[i];
+  return place;
 }
 
 /// The largest block from run `first` on that fits: whole in the last dimensions, single in the first ones.
-Block SweepFile::block_at(std::size_t first) const {
+RunBlock SweepFile::block_at(std::size_t first) const {
   const std::size_t row = row_size(runs_.quantities()) * sizeof(double);
   const std::size_t most = std::max<std::size_t>(1, block_bytes / row);
-  Block block{first, 1, std::vector<std::size_t>(run_sizes_.size()), std::vector<std::size_t>(run_sizes_.size(), 1)};
-  std::size_t rest = first;
+  RunBlock block{first, 1, {place_of(first), std::vector<std::size_t>(run_sizes_.size(), 1)}};
+  auto& [start, count] = block.places;
   for (std::size_t i = run_sizes_.size(); i-- > 0;) {
-    block.start[i] = rest % run_sizes_[i];
-    rest /= run_sizes_[i];
-  }
-  for (std::size_t i = run_sizes_.size(); i-- > 0;) {
-    block.count[i] = std::min(run_sizes_[i] - block.start[i], std::max<std::size_t>(1, most / block.runs));
-    block.runs *= block.count[i];
-    if (block.count[i] < run_sizes_[i]) break;
+    count[i] = std::min(run_sizes_[i] - start[i], std::max<std::size_t>(1, most / block.runs));
+    block.runs *= count[i];
+    if (count[i] < run_sizes_[i]) break;
   }
   return block;
 }
@@ -300,40 +263,40 @@ Block SweepFile::block_at(std::size_t first) const {
 void SweepFile::write_grid_coordinates() const {
   for (std::size_t v = 0; v < study_.varies.size(); ++v) {
     const Vary& vary = study_.varies[v];
-    if (!vary.normalisation.empty()) put(normalisation_, vary.normalisation);
+    if (!vary.normalisation.empty()) file_.put(*normalisation_, vary.normalisation);
     if (!vary.labels.empty()) {
-      put(varies_[v], vary.labels);
+      file_.put(varies_[v], vary.labels);
       continue;
     }
     std::vector<double> values;
     for (const TomlValue& value : vary.values) values.push_back(value.real);
-    put(varies_[v], values);
+    file_.put(varies_[v], values);
   }
 }
 
-void SweepFile::write_sample_coordinates(const Block& block) const {
+void SweepFile::write_sample_coordinates(const RunBlock& block) const {
   std::vector<std::vector<Choice>> choices;
   for (std::size_t i = 0; i < block.runs; ++i) choices.push_back(runs_.choices(block.first + i));
-  if (normalisation_ >= 0) {
+  if (normalisation_) {
     std::vector<double> factors;
     for (const std::vector<Choice>& choice : choices) factors.push_back(normalisation_of(study_, choice));
-    check(nc_put_vara_double(id_, normalisation_, block.start.data(), block.count.data(), factors.data()));
+    file_.put(*normalisation_, factors, block.places);
   }
   for (std::size_t v = 0; v < study_.varies.size(); ++v) {
     const Vary& vary = study_.varies[v];
-    std::vector<const char*> texts;
+    std::vector<std::string> texts;
     std::vector<double> values;
     for (const std::vector<Choice>& choice : choices) {
       if (vary.labels.empty()) {
         values.push_back(*chosen_number(vary, choice[vary.axis]));
       } else {
-        texts.push_back(vary.labels[choice[vary.axis].level].c_str());
+        texts.push_back(vary.labels[choice[vary.axis].level]);
       }
     }
     if (vary.labels.empty()) {
-      check(nc_put_vara_double(id_, varies_[v], block.start.data(), block.count.data(), values.data()));
+      file_.put(varies_[v], values, block.places);
     } else {
-      check(nc_put_vara_string(id_, varies_[v], block.start.data(), block.count.data(), texts.data()));
+      file_.put(varies_[v], texts, block.places);
     }
   }
 }
@@ -342,12 +305,12 @@ SweepTotals SweepFile::write(const Journal& journal) {
   SweepTotals totals;
   const auto named = [&](std::string_view name) {
     return std::find_if(runs_.quantities().begin(), runs_.quantities().end(),
-                        [&](const Quantity& quantity) { return quantity.name == name; });
+                        [&](const RowPart& quantity) { return quantity.name == name; });
   };
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
   if (runs_.plan().is_grid()) write_grid_coordinates();
   for (std::size_t first = 0; first < runs_.plan().runs();) {
-    const Block block = block_at(first);
+    const RunBlock block = block_at(first);
     first += block.runs;
     if (!runs_.plan().is_grid()) write_sample_coordinates(block);
     std::vector<RunResult> results = journal.read(block.first, block.runs);
@@ -364,29 +327,25 @@ SweepTotals SweepFile::write(const Journal& journal) {
       }
       result.values.assign(row_size(runs_.quantities()), std::numeric_limits<double>::quiet_NaN());
       if (totals.failed++ == 0) totals.first_failure = fmt::format("run {}: {}", result.run, result.message);
-      std::vector<std::size_t> at(run_sizes_.size());
-      std::size_t rest = result.run;
-      for (std::size_t d = run_sizes_.size(); d-- > 0; rest /= run_sizes_[d]) at[d] = rest % run_sizes_[d];
-      const char* text = result.message.c_str();
-      check(nc_put_var1_string(id_, message_, at.data(), &text));
+      file_.put(message_, std::span(&result.message, 1),
+                {place_of(result.run), std::vector<std::size_t>(run_sizes_.size(), 1)});
     }
-    check(nc_put_vara_schar(id_, status_, block.start.data(), block.count.data(), status.data()));
+    file_.put(status_, status, block.places);
     std::vector<double> values;
     for (std::size_t q = 0; q < quantities_.size(); ++q) {
-      if (quantities_[q] == none_) continue;
-      const Quantity& quantity = runs_.quantities()[q];
+      if (!quantities_[q]) continue;
+      const RowPart& quantity = runs_.quantities()[q];
       values.clear();
       for (const RunResult& result : results) {
         const auto begin = result.values.begin() + static_cast<std::ptrdiff_t>(quantity.first);
         values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(quantity.count));
       }
-      std::vector<std::size_t> start = block.start;
-      std::vector<std::size_t> count = block.count;
-      if (quantity.owner != Owner::run) {
-        start.push_back(0);
-        count.push_back(quantity.count);
+      NetcdfBlock places = block.places;
+      if (quantity.owner != Owner::run && quantity.owner != Owner::building) {
+        places.start.push_back(0);
+        places.count.push_back(quantity.count);
       }
-      check(nc_put_vara_double(id_, quantities_[q], start.data(), count.data(), values.data()));
+      file_.put(*quantities_[q], values, places);
     }
   }
   return totals;
@@ -396,39 +355,12 @@ SweepTotals SweepFile::write(const Journal& journal) {
 
 void check_names(const Study& study, Diagnostics& diagnostics) {
   // Whatever the case has: no name may mean one thing in one study and another in the next.
-  const std::set<std::string> taken = {"point",
-                                       "gap",
-                                       "intensity",
-                                       "record_intensity",
-                                       "scale_factor",
-                                       "normalisation",
-                                       "sample",
-                                       "status",
-                                       "message",
-                                       "point_left",
-                                       "point_right",
-                                       "gap_name",
-                                       "point_elevation",
-                                       "point_width",
-                                       "elevation",
-                                       "impacts",
-                                       "contact_duration",
-                                       "peak_force",
-                                       "peak_force_time",
-                                       "peak_penetration",
-                                       "peak_closing_speed",
-                                       "impulse",
-                                       "energy_lost",
-                                       "peak_tension",
-                                       "restitution_smallest",
-                                       "restitution_largest",
-                                       "gap_minimum_no_contact",
-                                       "gap_needed",
-                                       "unmodelled_contacts",
-                                       "minimum_gap_no_contact",
-                                       "peak_ground_acceleration",
-                                       "events",
-                                       "energy_residual"};
+  std::set<std::string_view> taken = {"point",         "gap",      "intensity", "record_intensity", "scale_factor",
+                                      "normalisation", "sample",   "status",    "message",          "point_left",
+                                      "point_right",   "gap_name", "elevation", "point_elevation"};
+  for (const Quantity& quantity : quantities()) {
+    if (quantity.owner != Owner::impact) taken.insert(quantity.key);
+  }
   const auto is_taken = [&](const std::string& name) {
     const std::size_t end = name.find_last_not_of("0123456789");
     const bool numbered = end != std::string::npos && name[end] == '_' && end + 1 < name.size();

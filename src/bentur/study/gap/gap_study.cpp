@@ -134,11 +134,10 @@ class Work {
             given.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
           }
         }
-        for (const ContactPoint& point : problem.points) {
-          if (point.left == static_cast<int>(gap)) given.widths.push_back(point.width);
-        }
+        const Gap between = gap_at(problem, gap);
+        for (const std::size_t i : between.points) given.widths.push_back(problem.points[i].width);
         if (given.widths.empty()) {
-          for (const std::size_t i : watched_of(problem, gap)) given.widths.push_back(problem.watched[i].width);
+          for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
         }
         for (const RecordNeed& record : needs.records) {
           given.beyond += needs_more(record, problem, static_cast<int>(gap)) ? 1 : 0;
@@ -153,7 +152,7 @@ class Work {
       const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
       return point.left == gap && one.simulated > point.width;
     };
-    const std::vector<std::size_t> floors = watched_of(given, static_cast<std::size_t>(gap));
+    const std::vector<std::size_t> floors = gap_at(given, static_cast<std::size_t>(gap)).watched;
     return std::any_of(record.separations.begin(), record.separations.end(), more) ||
            std::any_of(floors.begin(), floors.end(),
                        [&](std::size_t i) { return record.watched.at(i) > given.watched[i].width; });

@@ -9,7 +9,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/file_identity.h"
-#include "bentur/model/quantities.h"
+#include "bentur/model/quantity_row.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {

@@ -116,7 +116,7 @@ std::string animation_json(const Story& story, const std::vector<std::size_t>& l
                     {"points", points},
                     {"widths", widths},
                     {"impacts", impacts},
-                    {"csv", impacts_csv(story.c.units, story.problem, shown)},
+                    {"csv", impacts_csv({story.problem, shown, story.c.units})},
                     {"buildings", buildings}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

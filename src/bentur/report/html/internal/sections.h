@@ -5,6 +5,7 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/quantities.h"
 #include "bentur/model/remarks.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/internal/words.h"
@@ -14,6 +15,7 @@ namespace bentur::html {
 
 /// Everything that the sections of a report are written from.
 struct Story {
+  RunView run;
   const Case& c;
   const Problem& problem;
   const Response& response;
@@ -54,10 +56,10 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
 /// By peak force, then, as where no force is known, by closing speed.
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
+/// Every quantity of an owner that is for tables, at these places, behind the columns that say where they are.
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
-/// Values from the top floor down, as a building stands.
-[[nodiscard]] std::vector<double> from_top(const Eigen::VectorXd& values);
 /// A heading and what belongs to it.
 [[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
 

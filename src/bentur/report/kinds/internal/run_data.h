@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf_reader.h"
+#include "bentur/files/netcdf.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/kinds/kinds.h"
 

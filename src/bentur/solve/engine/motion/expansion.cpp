@@ -67,9 +67,9 @@ const Polynomial& Expansion::opening(std::size_t i) const {
   opening_known_[i] = 1;
   const auto& point = system_->points[i];
   p.degree = degree_;
-  kernels::open({point.right_size, point.sense_right.data(), c_.data() + point.right_begin},
-                {point.left_size, point.sense_left.data(), c_.data() + point.left_begin}, c_.rows(), degree_,
-                p.coefficients.data());
+  kernels::opening_series({point.right_size, point.sense_right.data(), c_.data() + point.right_begin},
+                          {point.left_size, point.sense_left.data(), c_.data() + point.left_begin}, c_.rows(), degree_,
+                          p.coefficients.data());
   p[0] += widths_[i];
   return p;
 }

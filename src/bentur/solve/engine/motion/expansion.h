@@ -29,7 +29,7 @@ class Expansion {
   void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
   /// Coefficients: coordinates × powers of s.
   [[nodiscard]] Eigen::MatrixXd& coefficients();
-  /// The opening of a point, to be filled by who knows it anyway.
+  /// The opening of a point, for a solver that finds it on the way.
   [[nodiscard]] Polynomial& fill_opening(std::size_t point);
   /// Force of a resting point [force].
   void set_resting_force(std::size_t point, const Polynomial& force);

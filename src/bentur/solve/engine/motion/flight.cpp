@@ -132,9 +132,9 @@ kernels::FlightInput Flight::input(const GroundInput& ground) const {
   return {ground.value, ground.slope, largest, std::abs(ground.slope), end.value};
 }
 
-void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::Leg& leg) const {
+void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::FlightArrays& arrays) const {
   const auto& block = system_->blocks[b];
-  kernels::fly(map_, {block.begin, block.room}, input(ground), leg);
+  kernels::fly(map_, {block.begin, block.padded_size}, input(ground), arrays);
 }
 
 Flights make_flights(const ModalSystem& system, double length) {

@@ -26,7 +26,7 @@ class Flight {
   /// One building; only its coordinates are looked at and written.
   ///   rise               how far q can leave its chord: |q̈| length²/8,
   ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
-  void advance(std::size_t block, const GroundInput& input, const kernels::Leg& leg) const;
+  void advance(std::size_t block, const GroundInput& input, const kernels::FlightArrays& arrays) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
   [[nodiscard]] const kernels::FlightMap& map() const { return map_; }
@@ -43,7 +43,7 @@ class Flight {
 using Flights = std::vector<Flight>;
 
 /// The flights of every segment length of the grid down to a part short enough for one power series: by measurement
-/// (docs/performance.md), no further. Empty where a damping matrix is full.
+/// (bench/tuning.md), no further. Empty where a damping matrix is full.
 using FlightTable = std::vector<Flights>;  // [kind][halvings]
 [[nodiscard]] FlightTable make_flights(const ModalSystem& system, const TimeGrid& grid);
 /// The same of one length [s].

@@ -32,7 +32,7 @@ MatrixXd output_rows(const Building& building) {
   return rows;
 }
 
-Index room_for(Index coordinates) {
+Index padded(Index coordinates) {
   constexpr Index four = 4;
   return (coordinates + four - 1) / four * four;
 }
@@ -42,7 +42,7 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   const Index modes = building.modes.omega.size();
   block.begin = begin;
   block.size = modes + 1;
-  block.room = room_for(block.size);
+  block.padded_size = padded(block.size);
   block.floors = building.model.floors();
   block.outputs = output_rows(building);
   block.acceleration = block.outputs.topRows(block.floors);
@@ -64,7 +64,7 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
 /// Of displacements that are `shapes` over the modes.
 VectorXd sense_row(const VectorXd& shapes, Kinematics kinematics, double sign) {
   const Index modes = shapes.size();
-  VectorXd row = VectorXd::Zero(room_for(modes + 1));
+  VectorXd row = VectorXd::Zero(padded(modes + 1));
   row.head(modes) = sign * shapes;
   row(modes) = kinematics == Kinematics::absolute ? sign : 0.0;
   return row;
@@ -81,7 +81,7 @@ VectorXd push_column(VectorXd sense, Index modes) {
 ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.motion)) {
   for (const Building& building : problem.buildings) {
     blocks.push_back(make_block(building, size));
-    size += blocks.back().room;
+    size += blocks.back().padded_size;
     classical = classical && !blocks.back().damping;
   }
   omega_squared = VectorXd::Zero(size);
@@ -111,9 +111,9 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   const auto opening_between = [&](std::size_t left, const VectorXd& left_shapes, const VectorXd& right_shapes) {
     Point point;
     point.left_begin = blocks[left].begin;
-    point.left_size = blocks[left].room;
+    point.left_size = blocks[left].padded_size;
     point.right_begin = blocks[left + 1].begin;
-    point.right_size = blocks[left + 1].room;
+    point.right_size = blocks[left + 1].padded_size;
     point.sense_left = sense_row(left_shapes, problem.kinematics, -1.0);
     point.sense_right = sense_row(right_shapes, problem.kinematics, 1.0);
     return point;
@@ -173,7 +173,7 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
     const Index begin = block.begin;
-    kernels::accelerate(block.room, omega_squared.data() + begin, two_sigma.data() + begin, gamma.data() + begin,
+    kernels::accelerate(block.padded_size, omega_squared.data() + begin, two_sigma.data() + begin, gamma.data() + begin,
                         inputs[b].value, state.q.data() + begin, state.v.data() + begin, result.data() + begin);
     if (block.damping) {
       const auto speed = state.v.segment(block.begin, block.size);

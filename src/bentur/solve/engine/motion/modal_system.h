@@ -37,9 +37,9 @@ struct ContactForces {
 /// Every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
 struct ModalSystem {
   struct Block {
-    Eigen::Index begin = 0;  ///< first coordinate of the building
-    Eigen::Index size = 0;   ///< modes + 1
-    Eigen::Index room = 0;   ///< size as a multiple of four: what follows the last coordinate is zero and stays so
+    Eigen::Index begin = 0;        ///< first coordinate of the building
+    Eigen::Index size = 0;         ///< modes + 1
+    Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
     Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
     Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
@@ -50,7 +50,7 @@ struct ModalSystem {
     [[nodiscard]] double rate() const;       ///< growth bound of the building on its own [1/s]
   };
   struct Point {
-    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< with the room of the buildings
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks
     Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
     Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates; empty where watched
 
@@ -63,8 +63,8 @@ struct ModalSystem {
     [[nodiscard]] double sense(const Eigen::VectorXd& x) const { return sense(x.data()); }
     /// |sense| · |x|.
     [[nodiscard]] double sense_abs(const double* x) const {
-      return kernels::dot_of_sizes(right_size, sense_right.data(), x + right_begin) +
-             kernels::dot_of_sizes(left_size, sense_left.data(), x + left_begin);
+      return kernels::dot_abs(right_size, sense_right.data(), x + right_begin) +
+             kernels::dot_abs(left_size, sense_left.data(), x + left_begin);
     }
     [[nodiscard]] double sense_abs(const Eigen::VectorXd& x) const { return sense_abs(x.data()); }
   };

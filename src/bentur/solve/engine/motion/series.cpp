@@ -27,9 +27,10 @@ int needed_degree(double rate_times_h) {
   return static_cast<int>(found - longest.begin());
 }
 
-kernels::Ground Series::ground(std::size_t b, const GroundInput& input, double h) const {
+kernels::GroundSeries Series::ground(std::size_t b, const GroundInput& input, double h) const {
   const auto& block = system_->blocks[b];
-  return {block.begin, block.room, input.value * h * h, input.slope * h * h * h, (system_->nu * h) * (system_->nu * h)};
+  return {block.begin, block.padded_size, input.value * h * h, input.slope * h * h * h,
+          (system_->nu * h) * (system_->nu * h)};
 }
 
 void Series::begin(Index first, Index count, const State& state, double h, double rate, Expansion& motion) {
@@ -99,7 +100,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
 void Series::expand_term_by_term(Index first, Index count, const ContactForces& forces, Expansion& motion) {
   resting_force_.resize(forces.resting.size());
   for (int k = 0; k + 2 <= motion.degree(); ++k) {
-    for (kernels::Ground& ground : grounds_) {
+    for (kernels::GroundSeries& ground : grounds_) {
       const double a = ground.next(k);
       force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
     }
@@ -121,10 +122,10 @@ void Series::expand_term_by_term(Index first, Index count, const ContactForces& 
 
 void Series::expand_block(std::size_t b, const State& state, const GroundInput& input, double h, Expansion& motion) {
   const auto& block = system_->blocks[b];
-  begin(block.begin, block.room, state, h, std::max(block.rate(), system_->nu), motion);
+  begin(block.begin, block.padded_size, state, h, std::max(block.rate(), system_->nu), motion);
   grounds_.assign(1, ground(b, input, h));
   if (block.damping) {
-    expand_term_by_term(block.begin, block.room, {}, motion);
+    expand_term_by_term(block.begin, block.padded_size, {}, motion);
     return;
   }
   kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, {}, motion.degree(), system_->size,

@@ -32,7 +32,7 @@ class Series {
   void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
 
  private:
-  [[nodiscard]] kernels::Ground ground(std::size_t block, const GroundInput& input, double h) const;
+  [[nodiscard]] kernels::GroundSeries ground(std::size_t block, const GroundInput& input, double h) const;
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const ContactForces& forces, Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
@@ -42,10 +42,10 @@ class Series {
   const ModalSystem* system_;
   std::vector<double> widths_;
   double h_ = 0;
-  Eigen::MatrixXd* c_ = nullptr;          ///< coefficients of the motion being expanded
-  Eigen::VectorXd stiff_, damp_;          ///< h²Ω², h · diagonal of D
-  Eigen::VectorXd force_;                 ///< γ a_k h² and contact, for one k
-  std::vector<kernels::Ground> grounds_;  ///< room
+  Eigen::MatrixXd* c_ = nullptr;                ///< coefficients of the motion being expanded
+  Eigen::VectorXd stiff_, damp_;                ///< h²Ω², h · diagonal of D
+  Eigen::VectorXd force_;                       ///< γ a_k h² and contact, for one k
+  std::vector<kernels::GroundSeries> grounds_;  ///< scratch
   std::vector<kernels::Pressing> pressing_;
   std::vector<Polynomial> resting_force_;  ///< of the points held, in their order
 };

@@ -69,8 +69,8 @@ class Stepper {
   struct Push {
     Eigen::VectorXd impulse, moment, force, dv, dq;
   };
-  Push push_;    ///< room
-  State there_;  ///< room
+  Push push_;    ///< scratch
+  State there_;  ///< scratch
 };
 
 }  // namespace bentur::engine

@@ -11,7 +11,7 @@ namespace bentur::engine::kernels {
 using Eigen::Index;
 
 /// Where the coordinates of a building are; `size` a multiple of four.
-struct Room {
+struct CoordinateRange {
   Index begin = 0, size = 0;
 };
 
@@ -56,18 +56,18 @@ struct FlightInput {
 
 /// A flight, by lists of all coordinates: from `q` and `v` to what is found at its end, and how far each coordinate and
 /// its acceleration can be from the chord in between.
-struct Leg {
+struct FlightArrays {
   const double *q, *v;
   double *q_end, *v_end, *acceleration_end, *rise, *acceleration_rise;
 };
 
 /// The coordinates of one building over one flight.
-void fly(const FlightMap& map, Room room, const FlightInput& input, const Leg& leg);
+void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays);
 
-/// Flights of all buildings one after the other. Columns of all coordinates: the Leg of flight n is column n, and of
-/// what is found at its end column n + 1.
-struct Legs {
-  std::span<const Room> rooms;
+/// Flights of all buildings one after the other. Columns of all coordinates: the FlightArrays of flight n is column n,
+/// and of what is found at its end column n + 1.
+struct FlightSequence {
+  std::span<const CoordinateRange> ranges;
   std::span<const FlightMap* const> maps;  ///< taken in turn, from the first on
   const FlightInput* inputs;               ///< flights × buildings
   Index stride;                            ///< of the columns
@@ -75,6 +75,6 @@ struct Legs {
 };
 
 /// Flies `count` of them.
-void fly_on(const Legs& legs, Index count);
+void fly_on(const FlightSequence& sequence, Index count);
 
 }  // namespace bentur::engine::kernels

@@ -20,7 +20,7 @@ using Numbers = std::vector<double>;
 /// Two buildings of four and eight coordinates and a map of random numbers.
 struct Two {
   static constexpr Index size = 12;
-  const std::vector<Room> rooms{{0, 4}, {4, 8}};
+  const std::vector<CoordinateRange> ranges{{0, 4}, {4, 8}};
   FlightMap map{size};
   std::vector<FlightInput> inputs;
   Two() {
@@ -45,18 +45,19 @@ TEST(Kernels, FlyingOnIsFlyingAgainAndAgain) {
   std::copy_n(start.begin(), Two::size, q.data());
   std::copy_n(start.begin() + Two::size, Two::size, v.data());
   const FlightMap* maps[] = {&two.map};
-  const Legs legs{two.rooms,           maps,        two.inputs.data(),       Two::size, q.data(), v.data(),
-                  acceleration.data(), rise.data(), acceleration_rise.data()};
-  fly_on(legs, count);
+  const FlightSequence sequence{two.ranges,          maps,        two.inputs.data(),
+                                Two::size,           q.data(),    v.data(),
+                                acceleration.data(), rise.data(), acceleration_rise.data()};
+  fly_on(sequence, count);
   Eigen::VectorXd from = q.col(0), speed = v.col(0), to(Two::size), to_speed(Two::size), to_acceleration(Two::size),
                   rises(Two::size), acceleration_rises(Two::size);
   for (Index n = 0; n < count; ++n) {
     for (std::size_t b = 0; b < 2; ++b) {
       const FlightInput& input = two.inputs[2 * static_cast<std::size_t>(n) + b];
-      fly(two.map, two.rooms[b], input,
+      fly(two.map, two.ranges[b], input,
           {from.data(), speed.data(), to.data(), to_speed.data(), to_acceleration.data(), rises.data(),
            acceleration_rises.data()});
-      for (Index j = two.rooms[b].begin; j < two.rooms[b].begin + two.rooms[b].size; ++j) {
+      for (Index j = two.ranges[b].begin; j < two.ranges[b].begin + two.ranges[b].size; ++j) {
         EXPECT_EQ(to_acceleration(j), input.end * two.map(j, FlightMap::gamma) -
                                           two.map(j, FlightMap::omega_squared) * to(j) -
                                           two.map(j, FlightMap::two_sigma) * to_speed(j));

@@ -32,12 +32,11 @@ BENTUR_INLINE Four load(const double* from) {
 }
 BENTUR_INLINE void store(double* to, Four x) { std::memcpy(to, &x, sizeof x); }
 BENTUR_INLINE Four all(double x) { return Four{x, x, x, x}; }
-BENTUR_INLINE Four size(Four x) {
+BENTUR_INLINE Four abs(Four x) {
   constexpr long long mask = 0x7fffffffffffffff;
   return reinterpret_cast<Four>(reinterpret_cast<Bits>(x) & Bits{mask, mask, mask, mask});
 }
-BENTUR_INLINE Four larger(Four a, Four b) { return a > b ? a : b; }
-BENTUR_INLINE Four smaller(Four a, Four b) { return a < b ? a : b; }
+BENTUR_INLINE Four max(Four a, Four b) { return a > b ? a : b; }
 BENTUR_INLINE Four root(Four x) { return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
 BENTUR_INLINE double sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 BENTUR_INLINE Four product(Index n, const double* a, const double* b) {
@@ -56,9 +55,9 @@ BENTUR_INLINE Four sums_of(Four a, Four b, Four c, Four d) {
 
 /// The largest entry of each of four.
 BENTUR_INLINE Four largest_of(Four a, Four b, Four c, Four d) {
-  const Four ab = larger(__builtin_shufflevector(a, b, 0, 4, 2, 6), __builtin_shufflevector(a, b, 1, 5, 3, 7));
-  const Four cd = larger(__builtin_shufflevector(c, d, 0, 4, 2, 6), __builtin_shufflevector(c, d, 1, 5, 3, 7));
-  return larger(__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+  const Four ab = max(__builtin_shufflevector(a, b, 0, 4, 2, 6), __builtin_shufflevector(a, b, 1, 5, 3, 7));
+  const Four cd = max(__builtin_shufflevector(c, d, 0, 4, 2, 6), __builtin_shufflevector(c, d, 1, 5, 3, 7));
+  return max(__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
 }
 
 BENTUR_INLINE Four factor(const std::array<double, PowerFactors::powers>& list, int k) {

@@ -19,14 +19,14 @@ BENTUR_INLINE Ends ends_of_rows(Index columns, const double* weights, const doub
     const Four weight = load(weights + four * j);
     at.start += weight * all(start[j]);
     at.end += weight * all(end[j]);
-    at.beyond += size(weight) * all(rise[j]);
+    at.beyond += abs(weight) * all(rise[j]);
   }
   return at;
 }
 
 template <Peaks of>
 BENTUR_INLINE Four measure(Four x) {
-  if constexpr (of == Peaks::of_sizes) return size(x);
+  if constexpr (of == Peaks::of_abs) return abs(x);
   return x;
 }
 
@@ -40,8 +40,8 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* start, const doub
     store(reach + r, so_far);
     if (!any(so_far > before)) continue;
     const Ends at = ends_of_rows(rows.columns(), rows.from(r), start, end, rise);
-    const Four most = larger(measure<of>(at.start), measure<of>(at.end));
-    const Four high = larger(before, most);
+    const Four most = max(measure<of>(at.start), measure<of>(at.end));
+    const Four high = max(before, most);
     store(peak + r, high);
     store(reach + r, most + at.beyond);
     beyond_peak |= most + at.beyond > high;
@@ -51,7 +51,7 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* start, const doub
 
 /// Rows r to r + 4 groups - 1 of raise_peaks().
 template <Peaks of, int groups>
-BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, const double* x, Index apart,
+BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, const double* x, Index stride,
                                 double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
   const Index columns = rows.columns();
@@ -64,12 +64,12 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
   const auto take = [&](int g, Index i, Four value) __attribute__((always_inline)) {
     const Four most = measure<of>(value);
     store(values + (r + four * g) * count + four * i, most);
-    high[g] = larger(high[g], most);
+    high[g] = max(high[g], most);
   };
   Index i = 0;
   for (; i + four <= count; i += four) {
     const double* at[four];
-    for (Index k = 0; k < four; ++k) at[k] = x + (i + k) * apart;
+    for (Index k = 0; k < four; ++k) at[k] = x + (i + k) * stride;
     Four value[groups][four] = {};
     for (Index j = 0; j < columns; ++j) {
       Four weight[groups];
@@ -86,7 +86,7 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
   for (; i < count; ++i) {
     for (int g = 0; g < groups; ++g) {
       Four value = all(0.0);
-      for (Index j = 0; j < columns; ++j) value += load(weights[g] + four * j) * all(x[i * apart + j]);
+      for (Index j = 0; j < columns; ++j) value += load(weights[g] + four * j) * all(x[i * stride + j]);
       take(g, i, value);
     }
   }
@@ -95,17 +95,17 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
 }
 
 template <Peaks of>
-BENTUR_INLINE void raise(const PackedRows& rows, Index count, const double* x, Index apart, double* peak,
+BENTUR_INLINE void raise(const PackedRows& rows, Index count, const double* x, Index stride, double* peak,
                          double* values) {
   Index r = 0;
-  for (; r + 2 * four <= rows.rows(); r += 2 * four) raise_groups<of, 2>(rows, r, count, x, apart, peak, values);
-  if (r < rows.rows()) raise_groups<of, 1>(rows, r, count, x, apart, peak, values);
+  for (; r + 2 * four <= rows.rows(); r += 2 * four) raise_groups<of, 2>(rows, r, count, x, stride, peak, values);
+  if (r < rows.rows()) raise_groups<of, 1>(rows, r, count, x, stride, peak, values);
 }
 
 /// Of sums().
-BENTUR_INLINE void sum_products(Index count, const double* x, Index apart, Index n, const double* weights,
+BENTUR_INLINE void sum_products(Index count, const double* x, Index stride, Index n, const double* weights,
                                 double* result) {
-  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * apart); };
+  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * stride); };
   Index i = 0;
   for (; i + four <= count; i += four) store(result + i, sums_of(one(i), one(i + 1), one(i + 2), one(i + 3)));
   for (; i < count; ++i) result[i] = sum(one(i));
@@ -127,7 +127,7 @@ PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
 BENTUR_FOR_ALL_PROCESSORS
 bool reach_of_rows(Peaks of, const PackedRows& rows, const double* start, const double* end, const double* rise,
                    double* peak, const double* before, double* reach_now) {
-  if (of == Peaks::of_sizes) return reach<Peaks::of_sizes>(rows, start, end, rise, peak, before, reach_now);
+  if (of == Peaks::of_abs) return reach<Peaks::of_abs>(rows, start, end, rise, peak, before, reach_now);
   return reach<Peaks::of_values>(rows, start, end, rise, peak, before, reach_now);
 }
 
@@ -144,7 +144,7 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
     const double* weights = rows.from(r);
     Four most = all(0.0);
     Four beyond = all(0.0);
-    for (Index j = 0; j < columns; ++j) beyond += size(load(weights + four * j)) * all(rise[j]);
+    for (Index j = 0; j < columns; ++j) beyond += abs(load(weights + four * j)) * all(rise[j]);
     int i = 0;
     for (; i + 3 <= count; i += 3) {
       const double* at = x + i * columns;
@@ -155,14 +155,14 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
         value[1] += weight * all(at[columns + j]);
         value[2] += weight * all(at[2 * columns + j]);
       }
-      most = larger(most, larger(size(value[0]), larger(size(value[1]), size(value[2]))));
+      most = max(most, max(abs(value[0]), max(abs(value[1]), abs(value[2]))));
     }
     for (; i < count; ++i) {
       Four value = all(0.0);
       for (Index j = 0; j < columns; ++j) value += load(weights + four * j) * all(x[i * columns + j]);
-      most = larger(most, size(value));
+      most = max(most, abs(value));
     }
-    const Four high = larger(before, most);
+    const Four high = max(before, most);
     store(peak + r, high);
     store(reach + r, most + beyond);
     beyond_peak |= most + beyond > high;
@@ -171,10 +171,10 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void raise_peaks(Peaks of, const PackedRows& rows, Index count, const double* x, Index apart, double* peak,
+void raise_peaks(Peaks of, const PackedRows& rows, Index count, const double* x, Index stride, double* peak,
                  double* values) {
-  if (of == Peaks::of_sizes) return raise<Peaks::of_sizes>(rows, count, x, apart, peak, values);
-  raise<Peaks::of_values>(rows, count, x, apart, peak, values);
+  if (of == Peaks::of_abs) return raise<Peaks::of_abs>(rows, count, x, stride, peak, values);
+  raise<Peaks::of_values>(rows, count, x, stride, peak, values);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -196,8 +196,8 @@ void largest_shares(Index n, Index count, const double* values, const double* in
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result) {
-  sum_products(count, x, apart, n, weights, result);
+void sums(Index count, const double* x, Index stride, Index n, const double* weights, double* result) {
+  sum_products(count, x, stride, n, weights, result);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -208,13 +208,13 @@ Index count_above(Index n, const double* x, const double* y) {
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest,
-                 double* open) {
+void mark_unsettled(Index n, const double* x, const double* y, Index stride, const double* peak, double rest,
+                    double* before) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   for (Index r = 0; r < n; r += four) {
-    const Four most = larger(load(x + r * apart), load(y + r * apart));
+    const Four most = max(load(x + r * stride), load(y + r * stride));
     const bool below = every(most <= all(rest) * load(peak + r));  // not what cannot be compared
-    store(open + r, all(below ? 0.0 : unknown));
+    store(before + r, all(below ? 0.0 : unknown));
   }
 }
 
@@ -223,7 +223,7 @@ void lump(const PackedRows& rows, const double* limits, double* largest) {
   for (Index j = 0; j < rows.columns(); ++j) {
     Four most = all(0.0);
     for (Index r = 0; r < rows.rows(); r += four) {
-      const Four share = size(load(rows.from(r) + four * j)) / load(limits + r);
+      const Four share = abs(load(rows.from(r) + four * j)) / load(limits + r);
       most = share > most ? share : most;  // 0/0 is no share
     }
     largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
@@ -231,10 +231,10 @@ void lump(const PackedRows& rows, const double* limits, double* largest) {
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* room,
+void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* scratch,
              double* polynomial) {
-  for (Index j = 0; j < rows.columns(); ++j) room[j] = rows(r, j);
-  sum_products(degree + 1, c, stride, rows.columns(), room, polynomial);
+  for (Index j = 0; j < rows.columns(); ++j) scratch[j] = rows(r, j);
+  sum_products(degree + 1, c, stride, rows.columns(), scratch, polynomial);
 }
 
 }  // namespace bentur::engine::kernels

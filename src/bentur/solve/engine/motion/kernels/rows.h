@@ -23,7 +23,7 @@ using Eigen::Index;
 }
 
 /// Σ |a_j| |b_j|, likewise.
-[[nodiscard]] inline double dot_of_sizes(Index n, const double* a, const double* b) {
+[[nodiscard]] inline double dot_abs(Index n, const double* a, const double* b) {
   std::array<double, 4> sum{};
   for (Index j = 0; j < n; j += 4) {
     for (Index l = 0; l < 4; ++l) sum[static_cast<std::size_t>(l)] += std::abs(a[j + l] * b[j + l]);
@@ -52,7 +52,7 @@ class PackedRows {
 };
 
 /// Peaks are of sizes |Σ_j w_rj x_j|, or of the sums themselves.
-enum class Peaks { of_sizes, of_values };
+enum class Peaks { of_abs, of_values };
 
 /// How far each row can come between two vectors when entry j rises at most `rise` above its chord; raises
 /// `peak` by the ends. Four rows whose reaches were not above their peaks `before` are left alone. Returns whether no
@@ -66,29 +66,30 @@ bool reach_of_rows(Peaks of, const PackedRows& weights, const double* start, con
 bool reach_of_samples(const PackedRows& weights, int count, const double* x, const double* rise, double* peak,
                       const double* before, double* reach);
 
-/// Raises `peak` for every row r by `count` vectors x, `apart` apart; `values` has what rows r to r + 3 (r a multiple
+/// Raises `peak` for every row r by `count` vectors x, `stride` apart; `values` has what rows r to r + 3 (r a multiple
 /// of four) are at vector n from entry r count + 4 n on.
-void raise_peaks(Peaks of, const PackedRows& weights, Index count, const double* x, Index apart, double* peak,
+void raise_peaks(Peaks of, const PackedRows& weights, Index count, const double* x, Index stride, double* peak,
                  double* values);
 
 /// For each of the vectors of such values of n rows, the largest value as a part of a limit, the limits given by what
 /// is inverse to them; rows of zeros have no say.
 void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share);
 
-/// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `apart` apart.
-void sums(Index count, const double* x, Index apart, Index n, const double* weights, double* result);
+/// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `stride` apart.
+void sums(Index count, const double* x, Index stride, Index n, const double* weights, double* result);
 
 /// How many of n numbers x, a multiple of four, are larger than y.
 [[nodiscard]] Index count_above(Index n, const double* x, const double* y);
 
-/// Where |x|, |y| ≤ rest · peak for four numbers each, `open` becomes 0, elsewhere infinite; n is a multiple of four.
-void open_groups(Index n, const double* x, const double* y, Index apart, const double* peak, double rest, double* open);
+/// Where |x|, |y| ≤ rest · peak for four numbers each, `before` becomes 0, elsewhere infinite; n is a multiple of four.
+void mark_unsettled(Index n, const double* x, const double* y, Index stride, const double* peak, double rest,
+                    double* before);
 
 /// The largest |w_rj|/limit_r of every column j; rows of zeros have no say.
 void lump(const PackedRows& weights, const double* limits, double* largest);
 
-/// The polynomial of row r of coordinates whose coefficients begin at `c`. `room` has as many entries as columns.
-void combine(const PackedRows& weights, Index r, const double* c, Index stride, int degree, double* room,
+/// The polynomial of row r of coordinates whose coefficients begin at `c`. `scratch` has as many entries as columns.
+void combine(const PackedRows& weights, Index r, const double* c, Index stride, int degree, double* scratch,
              double* polynomial);
 
 }  // namespace bentur::engine::kernels

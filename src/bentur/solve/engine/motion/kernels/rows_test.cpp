@@ -28,7 +28,7 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
   bool settled = true, ends_settled = true;
   const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
   const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
-  const bool ends_found = reach_of_rows(Peaks::of_sizes, packed, x.data(), x.data() + columns, rise.data(),
+  const bool ends_found = reach_of_rows(Peaks::of_abs, packed, x.data(), x.data() + columns, rise.data(),
                                         ends_peak.data(), ends_reach.data(), ends_reach.data());
   for (Index r = 0; r < rows; ++r) {
     const auto at = static_cast<std::size_t>(r);
@@ -80,22 +80,22 @@ TEST(Kernels, ReachOfValuesIsOneSided) {
 class PeaksOf : public testing::TestWithParam<Peaks> {};
 
 TEST_P(PeaksOf, AllVectorsAndTheirShares) {
-  constexpr Index rows = 6, columns = 8, apart = 11;
+  constexpr Index rows = 6, columns = 8, stride = 11;
   constexpr int count = 9;
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
   const PackedRows packed(matrix, columns);
-  const Numbers x = random_numbers(count * apart, 1);
-  Numbers peak(8, 0.0), inverse(8), share(count), room(8 * count), expected(rows, 0.0);
+  const Numbers x = random_numbers(count * stride, 1);
+  Numbers peak(8, 0.0), inverse(8), share(count), at_vectors(8 * count), expected(rows, 0.0);
   peak[2] = expected[2] = 100.0;  // higher than any
-  raise_peaks(GetParam(), packed, count, x.data(), apart, peak.data(), room.data());
+  raise_peaks(GetParam(), packed, count, x.data(), stride, peak.data(), at_vectors.data());
   for (std::size_t r = 0; r < 8; ++r) inverse[r] = 1.0 / peak[r];
-  largest_shares(8, count, room.data(), inverse.data(), share.data());
+  largest_shares(8, count, at_vectors.data(), inverse.data(), share.data());
   Eigen::MatrixXd values(rows, count);
   for (int i = 0; i < count; ++i) {
     for (Index r = 0; r < rows; ++r) {
       double sum = 0.0;
-      for (Index j = 0; j < columns; ++j) sum += matrix(r, j) * x[static_cast<std::size_t>(i * apart + j)];
-      values(r, i) = GetParam() == Peaks::of_sizes ? std::abs(sum) : sum;
+      for (Index j = 0; j < columns; ++j) sum += matrix(r, j) * x[static_cast<std::size_t>(i * stride + j)];
+      values(r, i) = GetParam() == Peaks::of_abs ? std::abs(sum) : sum;
       double& most = expected[static_cast<std::size_t>(r)];
       most = std::max(most, values(r, i));
     }
@@ -107,19 +107,19 @@ TEST_P(PeaksOf, AllVectorsAndTheirShares) {
       most = std::max(most, values(r, i) * (1.0 / expected[static_cast<std::size_t>(r)]));
     EXPECT_EQ(share[static_cast<std::size_t>(i)], most);
     for (Index r = 0; r < rows; ++r)
-      EXPECT_EQ(room[static_cast<std::size_t>(r / 4 * 4 * count + 4 * i + r % 4)], values(r, i));
+      EXPECT_EQ(at_vectors[static_cast<std::size_t>(r / 4 * 4 * count + 4 * i + r % 4)], values(r, i));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernels, PeaksOf, testing::Values(Peaks::of_sizes, Peaks::of_values));
+INSTANTIATE_TEST_SUITE_P(Kernels, PeaksOf, testing::Values(Peaks::of_abs, Peaks::of_values));
 
 TEST(Kernels, SumsAreDotProducts) {
-  constexpr Index n = 8, apart = 12, count = 7;
-  const Numbers x = random_numbers(count * apart, 1), w = random_numbers(n, 2);
+  constexpr Index n = 8, stride = 12, count = 7;
+  const Numbers x = random_numbers(count * stride, 1), w = random_numbers(n, 2);
   Numbers result(count);
-  sums(count, x.data(), apart, n, w.data(), result.data());
+  sums(count, x.data(), stride, n, w.data(), result.data());
   for (Index i = 0; i < count; ++i) {
-    EXPECT_EQ(result[static_cast<std::size_t>(i)], dot(n, w.data(), x.data() + i * apart));
+    EXPECT_EQ(result[static_cast<std::size_t>(i)], dot(n, w.data(), x.data() + i * stride));
   }
 }
 
@@ -127,7 +127,7 @@ TEST(Kernels, GroupsAreOpenWhereOneOfFourComesNear) {
   const Numbers x{1, 1, 1, 1, /**/ 0, 0, 0, 0}, y{0.5, 0.5, 0.5, 0.5, /**/ 0, 0, 0, 3};
   const Numbers peak{2, 2, 2, 2, /**/ 3, 3, 3, 3};
   Numbers open(8, -1.0);
-  open_groups(8, x.data(), y.data(), 1, peak.data(), 0.9, open.data());
+  mark_unsettled(8, x.data(), y.data(), 1, peak.data(), 0.9, open.data());
   for (std::size_t r = 0; r < 4; ++r) EXPECT_EQ(open[r], 0.0);
   for (std::size_t r = 4; r < 8; ++r) EXPECT_EQ(open[r], std::numeric_limits<double>::infinity());
 }
@@ -137,7 +137,7 @@ TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double rest : {-infinity, std::numeric_limits<double>::quiet_NaN()}) {
     Numbers open(4, -1.0);
-    open_groups(4, x.data(), x.data(), 1, peak.data(), rest, open.data());
+    mark_unsettled(4, x.data(), x.data(), 1, peak.data(), rest, open.data());
     EXPECT_EQ(open, Numbers(4, infinity));
   }
 }
@@ -160,9 +160,9 @@ TEST(Kernels, CombineIsTheRowOfEveryPower) {
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, columns);
   const PackedRows packed(matrix, columns);
   const Numbers c = random_numbers(stride * (degree + 1), 2);
-  Numbers room(columns), polynomial(degree + 1);
+  Numbers scratch(columns), polynomial(degree + 1);
   for (Index r = 0; r < 6; ++r) {
-    combine(packed, r, c.data(), stride, degree, room.data(), polynomial.data());
+    combine(packed, r, c.data(), stride, degree, scratch.data(), polynomial.data());
     const Eigen::VectorXd row = matrix.row(r).transpose();
     for (int k = 0; k <= degree; ++k)
       EXPECT_EQ(polynomial[static_cast<std::size_t>(k)], dot(columns, row.data(), c.data() + k * stride));

@@ -6,18 +6,19 @@ namespace bentur::engine::kernels {
 namespace {
 
 /// sense · x, summed as ModalSystem::Point::sense does.
-BENTUR_INLINE double open(const Pressing& p, const double* x) {
+BENTUR_INLINE double opening_of(const Pressing& p, const double* x) {
   return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
          sum(product(p.left_size, p.sense_left, x + p.left_begin));
 }
 
 /// (T-2) for any number of buildings and points.
 BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* stiff, const double* damp,
-                              const double* gamma, std::span<Ground> grounds, int degree, Index stride, double* c) {
+                              const double* gamma, std::span<GroundSeries> grounds, int degree, Index stride,
+                              double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
   const Index begin = grounds.front().begin;
   const Index end = grounds.back().begin + grounds.back().size;
-  for (const Pressing& p : pressing) p.opening[0] = open(p, c) + p.width;
+  for (const Pressing& p : pressing) p.opening[0] = opening_of(p, c) + p.width;
   for (int k = 0; k + 2 <= degree; ++k) {
     const Four scale = factor(power_factors.scale, k);
     const Four step = factor(power_factors.next, k);
@@ -28,7 +29,7 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
       return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
     };
     if (k < 2 || driven) {
-      for (Ground& ground : grounds) {
+      for (GroundSeries& ground : grounds) {
         const Four a = all(ground.next(k));
         for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
           store(c2 + j, load(gamma + j) * a - own(j));
@@ -38,7 +39,7 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
       for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
     }
     for (const Pressing& p : pressing) {
-      const double opening = open(p, c1);
+      const double opening = opening_of(p, c1);
       p.opening[k + 1] = opening;
       double force = -p.stiffness * p.opening[k] - p.damping * step[0] * opening;
       if (k == 0) force += p.base;
@@ -50,13 +51,13 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
     }
     for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
   }
-  for (const Pressing& p : pressing) p.opening[degree] = open(p, c + degree * stride);
+  for (const Pressing& p : pressing) p.opening[degree] = opening_of(p, c + degree * stride);
 }
 
 /// The same for two buildings of four coordinates each and one point. All stays in registers, and where nothing damps
 /// the contact no power waits for the one before.
 BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, const double* damp, const double* gamma,
-                                      std::span<Ground> grounds, int degree, Index stride, double* c) {
+                                      std::span<GroundSeries> grounds, int degree, Index stride, double* c) {
   const Index l = p.left_begin;
   const Index r = p.right_begin;
   const bool driven = grounds[0].nu_squared > 0.0;
@@ -67,11 +68,11 @@ BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, con
                 load(p.sense_left), load(c + l),    load(c + stride + l)};
   Building right{load(stiff + r),     load(damp + r), load(gamma + r),     load(p.push_right),
                  load(p.sense_right), load(c + r),    load(c + stride + r)};
-  const auto open = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
+  const auto opening_of = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
     return sum(right.sense * of_right) + sum(left.sense * of_left);
   };
-  double opening = open(left.c0, right.c0) + p.width;
-  double next_opening = open(left.c1, right.c1);
+  double opening = opening_of(left.c0, right.c0) + p.width;
+  double next_opening = opening_of(left.c1, right.c1);
   p.opening[0] = opening;
   p.opening[1] = next_opening;
   for (int k = 0; k + 2 <= degree; ++k) {
@@ -94,7 +95,7 @@ BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, con
     store(c2 + l, left.c1);
     store(c2 + r, right.c1);
     opening = next_opening;
-    next_opening = open(left.c1, right.c1);
+    next_opening = opening_of(left.c1, right.c1);
     p.opening[k + 2] = next_opening;
   }
 }
@@ -140,7 +141,7 @@ BENTUR_INLINE Four leave_chords_of(const double* c, Index stride, int degree, co
     const Four far = all(power_factors.rise[static_cast<std::size_t>(k)] * power);
     const Four second_far = all(power_factors.second_rise[static_cast<std::size_t>(k)] * power);
     for (int g = 0; g < groups; ++g) {
-      const Four term = size(load(c + k * stride + four * g));
+      const Four term = abs(load(c + k * stride + four * g));
       x[g] += far * term;
       y[g] += second_far * term;
     }
@@ -192,7 +193,7 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
+void expand(const double* stiff, const double* damp, const double* gamma, std::span<GroundSeries> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c) {
   const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
   if (pressing.size() == 1 && two_of_four) {
@@ -219,7 +220,7 @@ void bound(Index n, const double* c, Index stride, int degree, double end, doubl
     Four y = all(0.0);
     double power = 1.0;  // end^(k − 2)
     for (int k = 2; k <= degree; ++k) {
-      const Four term = factor(power_factors.second, k) * (all(power) * size(load(c + k * stride + j)));
+      const Four term = factor(power_factors.second, k) * (all(power) * abs(load(c + k * stride + j)));
       x += term;
       y += factor(power_factors.fourth, k) * term;
       power *= end;
@@ -280,7 +281,7 @@ void accelerate(Index n, const double* omega_squared, const double* two_sigma, c
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void open(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial) {
+void opening_series(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial) {
   const auto sums = [stride](SensedBy by, int k) __attribute__((always_inline)) {
     Four total[four] = {};  // NOLINT(modernize-avoid-c-arrays): registers
     for (Index j = 0; j < by.size; j += four) {
@@ -311,7 +312,7 @@ Inspection inspect(const double* p, int degree, double mid, double b) {
       });
   in_fours(
       p, degree, b, [&](int k, Four term) __attribute__((always_inline)) {
-        const Four most = size(term);
+        const Four most = abs(term);
         end += term;
         second += load(power_factors.second.data() + k) * most;
         third += load(power_factors.third.data() + k) * most;
@@ -326,7 +327,7 @@ Survey survey(const double* p, int degree, double end) {
   Four second = all(0.0);
   in_fours(
       p, degree, end, [&](int k, Four term) __attribute__((always_inline)) {
-        const Four most = size(term);
+        const Four most = abs(term);
         value += term;
         rise += load(power_factors.rise.data() + k) * most;
         second += load(power_factors.second.data() + k) * most;

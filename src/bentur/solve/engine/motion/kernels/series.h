@@ -19,7 +19,7 @@ struct Pressing {
 };
 
 /// The ground acceleration of one building as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
-struct Ground {
+struct GroundSeries {
   Index begin, size;
   double even, odd;   ///< a_0 h², a_1 h²; then those last asked for
   double nu_squared;  ///< ν² h²
@@ -41,7 +41,7 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 
 /// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled. `stiff` h²Ω²,
 /// `damp` h D, columns `stride` apart.
-void expand(const double* stiff, const double* damp, const double* gamma, std::span<Ground> grounds,
+void expand(const double* stiff, const double* damp, const double* gamma, std::span<GroundSeries> grounds,
             std::span<const Pressing> pressing, int degree, Index stride, double* c);
 
 /// Position, dq/ds and d²q/ds² at s, of n coordinates whose coefficients begin at `c`.
@@ -74,7 +74,7 @@ struct SensedBy {
   Index size;
   const double *sense, *c;
 };
-void open(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial);
+void opening_series(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial);
 
 /// What tells how a polynomial p of s behaves on an interval that ends at b > 0 and has its middle at mid > 0: p(b),
 /// the first two derivatives at mid, and bounds of the second and third ones on [0, b].

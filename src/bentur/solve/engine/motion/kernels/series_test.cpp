@@ -25,8 +25,8 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   Numbers sense = random_numbers(n, 4), push = random_numbers(n, 5);
   Numbers c = random_numbers(n * (degree + 1), 6), opening(degree + 1);
   Numbers expected = c;
-  std::vector<Ground> grounds = {{0, 4, 0.3, -0.2, 0.09}, {4, 4, -0.5, 0.7, 0.09}};
-  std::vector<Ground> again = grounds;
+  std::vector<GroundSeries> grounds = {{0, 4, 0.3, -0.2, 0.09}, {4, 4, -0.5, 0.7, 0.09}};
+  std::vector<GroundSeries> again = grounds;
   const Pressing pressing{0,   4,   4,   4,   sense.data(),  sense.data() + 4, push.data(), push.data() + 4,
                           0.2, 0.1, 1.3, 0.4, opening.data()};
   expand(stiff.data(), damp.data(), gamma.data(), grounds, {&pressing, 1}, degree, n, c.data());
@@ -37,7 +37,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   };
   for (int k = 0; k + 2 <= degree; ++k) {
     const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-    double force = -1.3 * open(k) - 0.4 * (k + 1.0) * open(k + 1);
+    double force = -1.3 * opening_series(k) - 0.4 * (k + 1.0) * opening_series(k + 1);
     if (k == 0) force += 0.1;
     const double input[] = {again[0].next(k), again[1].next(k)};
     for (Index j = 0; j < n; ++j) {
@@ -49,7 +49,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
     }
   }
   EXPECT_EQ(c, expected);
-  for (int k = 0; k <= degree; ++k) EXPECT_EQ(opening[static_cast<std::size_t>(k)], open(k)) << k;
+  for (int k = 0; k <= degree; ++k) EXPECT_EQ(opening[static_cast<std::size_t>(k)], opening_series(k)) << k;
 }
 
 TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
@@ -147,7 +147,7 @@ TEST(Kernels, OpeningsAreSummedAsTwoProducts) {
   const Numbers right = random_numbers(4, 1), left = random_numbers(8, 2), c = random_numbers(stride * 27, 3);
   for (const int degree : {6, 7, 8, 9, 26}) {
     Numbers polynomial(27, 0.0);
-    open({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
+    opening_series({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
     for (int k = 0; k < 27; ++k) {
       const double* x = c.data() + k * stride;
       EXPECT_EQ(polynomial[static_cast<std::size_t>(k)],

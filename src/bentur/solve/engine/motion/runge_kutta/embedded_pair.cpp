@@ -190,7 +190,7 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
   inputs_ = &inputs;
   h_ = h;
   begin_ = system_->blocks[range.first].begin;
-  count_ = system_->blocks[range.end - 1].begin + system_->blocks[range.end - 1].room - begin_;
+  count_ = system_->blocks[range.end - 1].begin + system_->blocks[range.end - 1].padded_size - begin_;
   start_ = from;
   at_ = from;
   for (int i = 0; i <= stages; ++i) stage(i, forces);

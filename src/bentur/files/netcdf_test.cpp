@@ -1,0 +1,83 @@
+#include "bentur/files/netcdf.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "bentur/files/result_netcdf.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+namespace {
+
+std::string example_histories() {
+  Diagnostics diagnostics;
+  const auto c = read_case(BENTUR_SOURCE_DIR "/examples/free-impact.toml", diagnostics);
+  const Problem problem = make_problem(c.value());
+  SolveOptions options;
+  options.output_step = 0.01;
+  const Response response = solve(problem, ExactSolver{}, options);
+  RunResults results = run_results(*c, problem, response);
+  results.figures = figure_data(problem, response, ExactSolver{});
+  return histories_netcdf(results, "1");
+}
+
+TEST(NetcdfReaderTest, ReadsWhatIsWritten) {
+  const NetcdfReader reader(example_histories(), "histories.nc");
+  EXPECT_EQ(reader.texts("building_name"), (std::vector<std::string>{"Left", "Right"}));
+  const NetcdfVariable& opening = reader.at("opening");
+  EXPECT_EQ(opening.dimensions, (std::vector<std::string>{"time", "point"}));
+  EXPECT_EQ(opening.shape, (std::vector<std::size_t>{reader.numbers("time").size(), 1}));
+  EXPECT_EQ(opening.units, "m");
+  EXPECT_EQ(opening.coordinates.front(), "point_elevation");
+  EXPECT_EQ(reader.numbers("opening").size(), opening.shape[0]);
+  EXPECT_EQ(reader.numbers("point_width"), std::vector<double>{0.01});
+  EXPECT_EQ(reader.numbers("base_elevation_1"), std::vector<double>{0});
+  EXPECT_EQ(reader.attribute("Conventions"), "CF-1.8");
+  EXPECT_EQ(reader.attribute("nothing"), "");
+  EXPECT_EQ(reader.attribute("opening", "units"), "m");
+  EXPECT_EQ(reader.attribute("opening", "nothing"), "");
+  EXPECT_EQ(reader.find("nothing"), nullptr);
+}
+
+TEST(NetcdfReaderTest, APlaceOfTheFirstDimensionIsPartOfTheWhole) {
+  const NetcdfReader reader(example_histories(), "histories.nc");
+  const std::vector<double> all = reader.numbers("displacement_1");
+  const std::size_t each = reader.at("displacement_1").shape[1];
+  ASSERT_GT(all.size(), 2 * each);
+  const auto second = all.begin() + static_cast<std::ptrdiff_t>(each);
+  EXPECT_EQ(reader.numbers("displacement_1", 1),
+            std::vector<double>(second, second + static_cast<std::ptrdiff_t>(each)));
+  EXPECT_THROW(static_cast<void>(reader.numbers("displacement_1", all.size() / each)), NetcdfError);
+}
+
+TEST(NetcdfReaderTest, AFileOnDiskIsTheSame) {
+  const TemporaryFolder folder;
+  const std::string bytes = example_histories();
+  std::ofstream(folder.path() / "a.nc", std::ios::binary) << bytes;
+  const NetcdfReader disk(folder.path() / "a.nc");
+  const NetcdfReader memory(bytes, "a.nc");
+  ASSERT_EQ(disk.variables().size(), memory.variables().size());
+  EXPECT_EQ(disk.numbers("force"), memory.numbers("force"));
+}
+
+TEST(NetcdfReaderTest, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.nc") << "no results";
+  try {
+    const NetcdfReader reader(folder.path() / "a.nc");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("a.nc: is not a NetCDF file"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(NetcdfReader(folder.path() / "none.nc"), std::runtime_error);
+  const NetcdfReader reader(example_histories(), "h.nc");
+  EXPECT_THROW(static_cast<void>(reader.numbers("nothing")), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(reader.numbers("building_name")), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(reader.texts("time")), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace bentur

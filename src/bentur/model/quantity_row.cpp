@@ -1,0 +1,67 @@
+#include "bentur/model/quantity_row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+
+std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {
+  std::vector<RowPart> parts;
+  const auto add = [&](const Quantity& quantity, std::size_t count) -> RowPart& {
+    parts.push_back({.name = std::string(quantity.key),
+                     .units = udunits(quantity.units, units),
+                     .long_name = std::string(quantity.long_name),
+                     .owner = quantity.owner,
+                     .count = count,
+                     .first = row_size(parts),
+                     .quantity = &quantity});
+    return parts.back();
+  };
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    for (const Owner owner : {Owner::floor, Owner::building}) {
+      for (const Quantity* quantity : quantities_of(owner)) {
+        RowPart& part = add(*quantity, owner == Owner::floor ? building.model.elevations.size() : 1);
+        part.name += fmt::format("_{}", b + 1);
+        part.long_name += fmt::format(", building \"{}\"", building.name);
+        part.building = b;
+      }
+    }
+  }
+  for (const Owner owner : {Owner::point, Owner::gap, Owner::run}) {
+    for (const Quantity* quantity : quantities_of(owner)) {
+      if (quantity->audit_only && !energy_audit) continue;
+      add(*quantity, place_count(owner, problem, {}));
+    }
+  }
+  return parts;
+}
+
+std::size_t row_size(const std::vector<RowPart>& parts) {
+  return parts.empty() ? 0 : parts.back().first + parts.back().count;
+}
+
+bool same_places(const Problem& a, const Problem& b) {
+  const auto floors = [](const Building& x, const Building& y) { return x.model.floors() == y.model.floors(); };
+  const auto left = [](const ContactPoint& x, const ContactPoint& y) { return x.left == y.left; };
+  return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), floors) &&
+         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), left);
+}
+
+void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<double> row) {
+  if (row.size() != row_size(parts)) {
+    throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
+  }
+  for (const RowPart& part : parts) {
+    for (std::size_t i = 0; i < part.count; ++i) {
+      const bool of_building = part.owner == Owner::floor || part.owner == Owner::building;
+      const QuantityPlace at = of_building ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
+      row[part.first + i] = value_of(*part.quantity, run, at);
+    }
+  }
+}
+
+}  // namespace bentur

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bentur/model/quantities.h"
+
+namespace bentur {
+
+/// The values of one quantity in the row of numbers that a study keeps of each run.
+struct RowPart {
+  std::string name;          ///< "peak_force"; of buildings and floors with their number, "peak_displacement_1"
+  std::string units;         ///< as UDUNITS reads it; "1" where there is none
+  std::string long_name;     ///< for a legend
+  Owner owner = Owner::run;  ///< one value, or one for each floor, point or gap
+  std::size_t building = 0;  ///< of buildings and floors
+  std::size_t count = 1;     ///< how many values
+  std::size_t first = 0;     ///< place of the first one in the row
+  const Quantity* quantity = nullptr;
+};
+
+/// The parts of a row, in its order: every quantity but those of impacts, building by building first. The numbers of
+/// floors, points and gaps are those of the problem; every problem of a study must have the same.
+[[nodiscard]] std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit);
+
+/// Values of a row: the sum of all counts.
+[[nodiscard]] std::size_t row_size(const std::vector<RowPart>& parts);
+
+/// Whether the floors, points and gaps of two problems are as many, so that their rows are alike.
+[[nodiscard]] bool same_places(const Problem& a, const Problem& b);
+
+/// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.
+/// @throws InvalidParameter unless the row is as long as these parts need.
+void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<double> row);
+
+}  // namespace bentur

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/close_up.h"
+#include "bentur/model/quantities.h"
+#include "bentur/model/remarks.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
+
+namespace bentur {
+
+/// What figures show beyond the histories; kept with them so that the figures can be drawn again.
+struct FigureData {
+  std::optional<CloseUp> close_up;
+  double spectrum_damping = 0.05;         ///< ζ [-]
+  std::vector<double> spectrum_periods;   ///< T [s]; empty: no spectrum
+  std::vector<OscillatorPeaks> spectrum;  ///< one per period
+};
+
+/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
+[[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
+
+/// A run, just solved or read again from its results: what everything that is told of it is made from.
+struct RunResults {
+  Case c;
+  Problem problem;
+  Response response;
+  std::vector<Remark> remarks;
+  FigureData figures = {};
+
+  [[nodiscard]] RunView view() const { return {problem, response, c.units}; }
+};
+
+/// Those of a run that has been solved, without data for figures.
+[[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
+
+}  // namespace bentur

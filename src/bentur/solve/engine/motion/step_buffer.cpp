@@ -1,0 +1,157 @@
+#include "bentur/solve/engine/motion/step_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bentur::engine {
+namespace {
+
+using Eigen::Index;
+
+constexpr double whole_slack = 1e-9;  // of a segment: one that ends so little after the analysis is whole
+constexpr double jump_slack = 1e-14;  // of ground accelerations: less is round-off
+
+}  // namespace
+
+FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double duration, bool exact)
+    : flights(exact ? make_flights(system, grid) : FlightTable(grid.kinds())) {
+  if (flights.front().empty()) return;
+  std::vector<GroundInput> ground;
+  for (long period = 0;; ++period) {
+    for (std::size_t kind = 0; kind < flights.size(); ++kind, ++segments) {
+      const double left = duration - grid.start(period, kind);
+      if (left < grid.length(kind) * (1.0 - whole_slack)) {
+        if (left > grid.length(kind) * whole_slack) rest = make_flights(system, left);
+        return;
+      }
+      grid.input(period, kind, ground);
+      bool jumps_here = false;
+      for (const GroundInput& input : ground) {
+        inputs.push_back(flights[kind].front().input(input));
+        if (segments == 0) continue;
+        const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
+        jumps_here = jumps_here || std::abs(input.value - before.end) > jump_slack * before.largest;
+      }
+      if (jumps_here) jumps.push_back(segments);
+    }
+  }
+}
+
+StepBuffer::StepBuffer(const ModalSystem& system, const FlightPlan& plan) : system_(&system), plan_(&plan) {
+  for (const auto& block : system.blocks) ranges_.push_back({block.begin, block.padded_size});
+  if (plan.segments > 0) {
+    for (int twice = 0; twice < 2; ++twice) {
+      for (const Flights& flights : plan.flights) maps_.push_back(&flights.front().map());
+    }
+  }
+  for (auto* columns : {&q_, &v_, &acceleration_, &rise_, &acceleration_rise_}) columns->resize(system.size, most + 1);
+  steps_.resize(most);
+  inputs_.resize(most * system.blocks.size());
+}
+
+void StepBuffer::clear() {
+  last_ = -1;
+  joined_ = false;
+  kept_count_ = 0;
+}
+
+/// Where the start of the next step is to be noted: nowhere (false) if that is known.
+bool StepBuffer::next_instant() {
+  if (joined_) return false;
+  joined_ = true;
+  ++last_;
+  if (last_ > 0) {  // after a jump, from where the last step ended
+    const auto jump = static_cast<std::size_t>(last_ - 1);
+    steps_[jump] = {};
+    steps_[jump].segment = jump > 0 ? steps_[jump - 1].segment : 0;
+    rise_.col(last_ - 1).setZero();
+    acceleration_rise_.col(last_ - 1).setZero();
+  }
+  return true;
+}
+
+void StepBuffer::begin(const State& state, const std::vector<GroundInput>& inputs) {
+  if (!next_instant()) return;
+  q_.col(last_) = state.q;
+  v_.col(last_) = state.v;
+  system_->acceleration(state, inputs, no_forces_, start_acceleration_);
+  acceleration_.col(last_) = start_acceleration_;
+}
+
+/// Of the step that starts at the last instant.
+void StepBuffer::note_inputs(const std::vector<GroundInput>& inputs) {
+  std::copy(inputs.begin(), inputs.end(), inputs_.begin() + last_ * static_cast<Index>(inputs.size()));
+}
+
+void StepBuffer::fly_on(long segment, Index count) {
+  const auto kind = static_cast<std::size_t>(segment) % plan_->flights.size();
+  kernels::fly_on({ranges_, std::span(maps_).subspan(kind, plan_->flights.size()),
+                   plan_->inputs.data() + static_cast<std::size_t>(segment) * ranges_.size(), system_->size,
+                   q_.col(last_).data(), v_.col(last_).data(), acceleration_.col(last_).data(), rise_.col(last_).data(),
+                   acceleration_rise_.col(last_).data()},
+                  count);
+}
+
+void StepBuffer::accept(long segment, Index count) {
+  const kernels::FlightInput* input = plan_->inputs.data() + static_cast<std::size_t>(segment) * ranges_.size();
+  auto at = inputs_.begin() + last_ * static_cast<Index>(ranges_.size());
+  std::size_t kind = static_cast<std::size_t>(segment) % plan_->flights.size();
+  for (const Index end = last_ + count; last_ < end; ++last_, ++segment) {
+    const Flights& flights = plan_->flights[kind];
+    if (++kind == plan_->flights.size()) kind = 0;
+    Step& step = steps_[static_cast<std::size_t>(last_)];
+    step.segment = segment;
+    step.flights = &flights;
+    step.halvings = 0;
+    step.length = flights.front().length();
+    step.offset = 0.0;
+    for (std::size_t b = 0; b < ranges_.size(); ++b, ++input) *at++ = {input->value, input->slope};
+  }
+}
+
+void StepBuffer::fly(const Flights& flights, std::size_t halvings, const std::vector<GroundInput>& inputs) {
+  const kernels::FlightArrays arrays{q_.col(last_).data(),
+                                     v_.col(last_).data(),
+                                     q_.col(last_ + 1).data(),
+                                     v_.col(last_ + 1).data(),
+                                     acceleration_.col(last_ + 1).data(),
+                                     rise_.col(last_).data(),
+                                     acceleration_rise_.col(last_).data()};
+  for (std::size_t b = 0; b < inputs.size(); ++b) flights[halvings].advance(b, inputs[b], arrays);
+}
+
+void StepBuffer::accept(long segment, double offset, const Flights& flights, std::size_t halvings,
+                        const std::vector<GroundInput>& inputs) {
+  note_inputs(inputs);
+  steps_[static_cast<std::size_t>(last_)] = {segment, &flights, halvings, flights[halvings].length(), offset, 0,
+                                             0,       0,        0};
+  ++last_;
+}
+
+void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
+  const Expansion& motion = taken.motion;
+  if (next_instant()) {
+    q_.col(last_) = taken.from.q;
+    v_.col(last_) = taken.from.v;
+    acceleration_.col(last_) = 2.0 / (motion.h() * motion.h()) * motion.coefficients().col(2);
+  }
+  note_inputs(taken.inputs);
+  const Index count = system_->size * (motion.degree() + 1);
+  if (kept_count_ + count > kept_.size()) kept_.conservativeResize(2 * (kept_count_ + count));
+  std::copy_n(motion.coefficients().data(), count, kept_.data() + kept_count_);
+  steps_[static_cast<std::size_t>(last_)] = {
+      segment, nullptr, 0, taken.cut * motion.h(), offset, motion.h(), taken.cut, motion.degree(), kept_count_};
+  kept_count_ += count;
+  if (taken.cut < 1.0) {
+    motion.find_rises(taken.cut, rise_.col(last_).data(), acceleration_rise_.col(last_).data());
+  } else {
+    rise_.col(last_) = motion.rise();
+    acceleration_rise_.col(last_) = motion.acceleration_rise();
+  }
+  ++last_;
+  q_.col(last_) = taken.to.q;
+  v_.col(last_) = taken.to.v;
+  acceleration_.col(last_) = 1.0 / (motion.h() * motion.h()) * motion.curved();
+}
+
+}  // namespace bentur::engine

@@ -1,0 +1,52 @@
+#include "bentur/solve/engine/run/bounded_outputs.h"
+
+#include "bentur/solve/engine/motion/step_buffer.h"
+
+namespace bentur::engine {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+BoundedOutputs::BoundedOutputs(const Eigen::MatrixXd& weights, Index columns, kernels::Peaks of)
+    : of_(of),
+      weights_(weights, columns),
+      lumped_(VectorXd::Zero(columns)),
+      shares_(StepBuffer::most + 1),
+      betweens_(StepBuffer::most) {
+  peak.setZero(weights_.rows());
+  inverse_.setZero(weights_.rows());
+  values_.resize(weights_.rows() * (StepBuffer::most + 1));
+}
+
+void BoundedOutputs::limit(const VectorXd& limits) {
+  inverse_ = limits.cwiseInverse();
+  kernels::lump(weights_, limits.data(), lumped_.data());
+}
+
+void BoundedOutputs::raise(Index steps, const double* x, const double* rise, Index stride) {
+  take_ends(steps, x, stride);
+  limit(peak);
+  measure(steps, rise, stride);
+}
+
+void BoundedOutputs::compare(Index steps, const double* x, const double* rise, Index stride) {
+  take_ends(steps, x, stride);
+  measure(steps, rise, stride);
+}
+
+void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
+  ends_ = steps + 1;
+  kernels::raise_peaks(of_, weights_, ends_, x, stride, peak.data(), values_.data());
+}
+
+void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {
+  kernels::largest_shares(size(), ends_, values_.data(), inverse_.data(), shares_.data());
+  kernels::sums(steps, rise, stride, weights_.columns(), lumped_.data(), betweens_.data());
+}
+
+void BoundedOutputs::mark_unsettled(Index step, double* before) const {
+  const double* at = values_.data() + 4 * step;
+  kernels::mark_unsettled(size(), at, at + 4, ends_, peak.data(), 1.0 - betweens_(step), before);
+}
+
+}  // namespace bentur::engine

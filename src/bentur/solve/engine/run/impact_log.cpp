@@ -1,0 +1,154 @@
+#include "bentur/solve/engine/run/impact_log.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <tuple>
+
+namespace bentur::engine {
+namespace {
+
+using Gauss = boost::math::quadrature::gauss<double, 15>;  // exact to degree 29; a step spans less than 2.4/rate
+
+using ShortGauss = boost::math::quadrature::gauss<double, 7>;  // on the steps of an embedded pair, which are shorter
+
+double depth(const ImpactLog::Stretch& stretch, double s) { return -value(stretch.opening, s); }
+double closing_speed(const ImpactLog::Stretch& stretch, double s) {
+  return -first_derivative(stretch.opening, s) / stretch.h;
+}
+
+/// Raises the peaks of penetration and force of a spring alone: both are where the opening is lowest.
+void raise_peaks_of_spring(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
+  double lowest = std::max(-branch.base / branch.stiffness, 0.0);  // deeper counts
+  lowest = std::max(lowest, std::min(impact.peak_penetration, (impact.peak_force - branch.base) / branch.stiffness));
+  double where = 0.0;
+  if (!raise_to_maximum(-at.opening, at.end, lowest, where)) return;
+  impact.peak_penetration = std::max(impact.peak_penetration, lowest);
+  const double force = branch.base + branch.stiffness * lowest;
+  if (force > impact.peak_force) {
+    impact.peak_force = force;
+    impact.peak_force_time = at.time + where * at.h;
+  }
+}
+
+/// F = base + k δ + c δ̇: everything is a polynomial.
+void accumulate_linear(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
+  Polynomial force = at.opening;
+  for (int k = 0; k <= force.degree; ++k) force[k] *= -branch.stiffness;
+  force[0] += branch.base;
+  double where = 0.0;
+  if (branch.damping == 0.0 && branch.stiffness > 0.0) {
+    raise_peaks_of_spring(at, branch, impact);
+  } else {
+    raise_to_maximum(-at.opening, at.end, impact.peak_penetration, where);
+    for (int k = 0; k < force.degree; ++k) force[k] -= branch.damping * (k + 1.0) * at.opening[k + 1] / at.h;
+    if (raise_to_maximum(force, at.end, impact.peak_force, where)) impact.peak_force_time = at.time + where * at.h;
+    double pull = std::max(impact.peak_tension, at.force_band);
+    if (raise_to_maximum(-force, at.end, pull, where)) impact.peak_tension = pull;
+  }
+  impact.impulse += integral(force, at.end) * at.h;
+  // What goes in and is not stored: of the spring nothing, unless the law stores less than it takes.
+  const auto kept = [&](double s) {
+    const double d = depth(at, s);
+    return 0.5 * branch.stiffness * d * d + branch.base * d - at.law.stored_energy(at.state, d);
+  };
+  impact.energy_lost += kept(at.end) - kept(0.0);
+  if (branch.damping != 0.0) {
+    const auto power = [&](double s) { return closing_speed(at, s) * closing_speed(at, s); };
+    impact.energy_lost += branch.damping * at.h * Gauss::integrate(power, 0.0, at.end);
+  }
+}
+
+void accumulate_nonlinear(const ImpactLog::Stretch& at, Impact& impact) {
+  const auto force = [&](double s) { return at.law.force(at.state, depth(at, s), closing_speed(at, s)); };
+  // As stored energy is what force(δ, 0) takes in, the rest is lost.
+  const double half = 0.5 * at.end;
+  const auto add = [&](double s, double weight) {
+    const double d = depth(at, s);
+    const double speed = closing_speed(at, s);
+    const double f = at.law.force(at.state, d, speed);
+    impact.impulse += weight * f;
+    impact.energy_lost += weight * (f - at.law.force(at.state, d, 0.0)) * speed;
+  };
+  for (std::size_t n = 0; n < ShortGauss::abscissa().size(); ++n) {
+    const double x = ShortGauss::abscissa()[n];
+    const double weight = half * at.h * ShortGauss::weights()[n];
+    add(half * (1.0 + x), weight);
+    if (x != 0.0) add(half * (1.0 - x), weight);
+  }
+
+  // The peak: the force has one turning point in a step at most, as steps are short against a contact.
+  constexpr std::size_t samples = 5;
+  std::array<double, samples> f{};
+  const auto place = [&](std::size_t n) { return at.end * static_cast<double>(n) / (samples - 1.0); };
+  for (std::size_t n = 0; n < samples; ++n) f[n] = force(place(n));
+  const auto best = static_cast<std::size_t>(std::max_element(f.begin(), f.end()) - f.begin());
+  const std::size_t low = best == 0 ? 0 : best - 1;
+  const std::size_t high = std::min(best + 1, samples - 1);
+  if (f[best] + std::max(f[best] - f[low], f[best] - f[high]) <= impact.peak_force) return;
+  double top = f[best];
+  double where = place(best);
+  constexpr int bits = 26;  // of the place; the value is then known to twice as many
+  const auto [s, minus] =
+      boost::math::tools::brent_find_minima([&](double x) { return -force(x); }, place(low), place(high), bits);
+  if (-minus > top) {
+    top = -minus;
+    where = s;
+  }
+  if (top > impact.peak_force) {
+    impact.peak_force = top;
+    impact.peak_force_time = at.time + where * at.h;
+  }
+}
+
+}  // namespace
+
+ImpactLog::ImpactLog(std::size_t points) : under_way_(points) {}
+
+void ImpactLog::begin(std::size_t point, double start, double closing_speed) {
+  Impact& impact = under_way_[point] = Impact{};
+  impact.point = static_cast<int>(point);
+  impact.start = start;
+  impact.peak_force_time = start;
+  impact.closing_speed = closing_speed;
+}
+
+void ImpactLog::end(std::size_t point, double time, double separation_speed) {
+  Impact& impact = under_way_[point];
+  impact.end = time;
+  impact.separation_speed = separation_speed;
+  impacts_.push_back(impact);
+}
+
+void ImpactLog::accumulate(std::size_t point, const Stretch& stretch) {
+  Impact& impact = under_way_[point];
+  const Branch branch = stretch.law.branch(stretch.state);
+  if (branch.linear) {
+    accumulate_linear(stretch, branch, impact);
+  } else {
+    double where = 0.0;
+    raise_to_maximum(-stretch.opening, stretch.end, impact.peak_penetration, where);
+    accumulate_nonlinear(stretch, impact);
+  }
+}
+
+void ImpactLog::rest(std::size_t point, const Polynomial& force, double h, double time, double end) {
+  Impact& impact = under_way_[point];
+  double where = 0.0;
+  if (raise_to_maximum(force, end, impact.peak_force, where)) impact.peak_force_time = time + where * h;
+  impact.impulse += integral(force, end) * h;
+}
+
+void ImpactLog::finish(const std::vector<Branch>& branches, double time) {
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    if (!branches[i].touching) continue;
+    under_way_[i].open_ended = true;
+    end(i, time, 0.0);
+  }
+  std::sort(impacts_.begin(), impacts_.end(),
+            [](const Impact& a, const Impact& b) { return std::tie(a.start, a.point) < std::tie(b.start, b.point); });
+}
+
+}  // namespace bentur::engine

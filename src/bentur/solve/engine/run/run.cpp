@@ -1,0 +1,346 @@
+#include "bentur/solve/engine/run/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bentur::engine {
+namespace {
+
+constexpr double end_slack = 1e-9;                 // of a segment: a remainder shorter than this is not run
+constexpr double instant = 0x1p-46;                // of the duration: what is over so soon has not been
+constexpr long events_per_step_limit = 100000;     // more than this in one record step cannot be a pounding problem
+constexpr long events_by_bisection_limit = 10000;  // where each takes fifty steps
+constexpr long stalled_steps_limit = 1000;         // that are too short to tell one time from the next
+constexpr long segments_between_reports = 256;
+constexpr long steps_between_reports = 4096;  // where segments take long
+constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
+constexpr const char* not_finite = "the response is no longer a finite number";
+
+}  // namespace
+
+Run::Run(const Setup& setup)
+    : system_(setup.system),
+      problem_(setup.problem),
+      stepper_(setup.system, setup.problem, setup.solver),
+      motion_(setup.system, gap_widths(setup.problem)),
+      state_{system_.initial_q, system_.initial_v},
+      next_(state_),
+      inputs_(system_.blocks.size()),
+      buffer_(system_, setup.plan),
+      search_(system_),
+      floors_(system_, setup.grid),
+      grid_(setup.grid),
+      plan_(setup.plan),
+      largest_ground_(system_.blocks.size(), 0.0),
+      most_steps_(setup.most_steps) {}
+
+void Run::resume(const Checkpoint& checkpoint) {
+  segment_ = checkpoint.segment;
+  steps_ = checkpoint.steps;
+  state_ = checkpoint.state;
+  search_.watch().resume(checkpoint.peaks);
+  floors_.resume(checkpoint.nearest);
+}
+
+Status Run::to_end(const std::function<bool(double)>& progress) {
+  progress_ = &progress;
+  for (long reported = segment_ - segments_between_reports;;) {
+    const double start = grid_.start(segment_);
+    const std::size_t kind = static_cast<std::size_t>(segment_) % grid_.kinds();
+    const double left = problem_.duration - start;
+    const double length = grid_.length(kind);
+    if (left <= end_slack * length) break;
+    if (plan_.may_jump(segment_)) buffer_.break_off();
+    if (segment_ >= plan_.segments) {
+      grid_.input(segment_, inputs_);
+      if (plan_.rest.empty()) {
+        take_steps(start, left >= length * (1.0 - end_slack) ? length : left);
+      } else {
+        advance(plan_.rest, 0, start, left);
+      }
+      ++segment_;
+    } else if (!may_fly() || !cruise()) {
+      grid_.input(segment_, inputs_);
+      halve(plan_.flights[kind], 0, start, length);
+      ++segment_;
+    }
+    if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
+    if (status() != Status::done) return status();
+    if (search_.much_is_unsettled()) settle_peaks();
+    if (floors_.much_is_unsettled()) settle_floors();
+    if (progress && segment_ - reported >= segments_between_reports) {
+      reported = segment_;
+      if (!progress(start / problem_.duration)) return Status::stopped;
+    }
+  }
+  flush_buffer();
+  settle_peaks();
+  settle_floors();
+  settle();
+  return status();
+}
+
+Status Run::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
+
+/// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
+bool Run::go_on(long steps) {
+  const long before = taken_;
+  taken_ += steps;
+  if (most_steps_ > 0 && taken_ > most_steps_ && trouble_.empty()) {
+    fail(fmt::format("the limit of {} steps is reached", most_steps_), grid_.start(segment_));
+  }
+  if (taken_ / steps_between_reports != before / steps_between_reports && *progress_ && !stopped_) {
+    stopped_ = !(*progress_)(std::min(grid_.start(segment_) / problem_.duration, 1.0));
+  }
+  return status() == Status::done;
+}
+
+void Run::flush_buffer() {
+  take_buffer(buffer_);
+  buffer_.clear();
+}
+
+/// For a step that starts at a state of its own.
+void Run::ensure_space() {
+  if (buffer_.space() < 2) flush_buffer();
+}
+
+/// Flies over whole segments as long as nothing can happen; returns whether it came any further.
+bool Run::cruise() {
+  ensure_space();
+  grid_.input(segment_, inputs_);
+  buffer_.begin(state_, inputs_);
+  const Eigen::Index first = buffer_.size();
+  long last = std::min<long>(plan_.segments, segment_ + buffer_.space());
+  const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), segment_);
+  if (jump != plan_.jumps.end()) last = std::min(last, *jump);
+  for (Eigen::Index ahead = first_ahead; segment_ < last; ahead *= 2) {
+    const Eigen::Index count = std::min<Eigen::Index>(ahead, last - segment_);
+    buffer_.fly_on(segment_, count);
+    const Eigen::Index passed = quiet(count);
+    buffer_.accept(segment_, passed);
+    segment_ += passed;
+    if (passed < count) break;
+  }
+  const Eigen::Index steps = buffer_.size();
+  if (steps == first) return false;
+  const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
+  const auto finite = [&](Eigen::Index n) { return all(buffer_.q(n)).allFinite() && all(buffer_.v(n)).allFinite(); };
+  if (!finite(steps)) {
+    Eigen::Index n = first;
+    while (finite(n + 1)) ++n;
+    fail(not_finite, grid_.start(buffer_.step(n).segment));
+    return true;
+  }
+  if (notes_flights()) pass_flights(first);
+  for (Eigen::Index n = first + 1; n <= steps; ++n) note_ground(buffer_.q(n));
+  state_.q = all(buffer_.q(steps));
+  state_.v = all(buffer_.v(steps));
+  steps_ += steps - first;
+  (void)go_on(steps - first);
+  if (buffer_.space() == 0) {
+    flush_buffer();
+    if (settle_before(segment_)) {
+      settle_peaks();
+      settle_floors();
+      settled_before(segment_);
+    }
+  }
+  return true;
+}
+
+/// Tells of whole segments.
+void Run::pass_flights(Eigen::Index first) {
+  for (Eigen::Index n = first; n < buffer_.size(); ++n) {
+    std::copy_n(buffer_.q(n), system_.size, state_.q.data());
+    std::copy_n(buffer_.v(n), system_.size, state_.v.data());
+    inputs_.assign(buffer_.inputs(n), buffer_.inputs(n) + system_.blocks.size());
+    pass(grid_.start(buffer_.step(n).segment), *buffer_.step(n).flights, 0);
+  }
+}
+
+/// Part of a segment, after so many halvings.
+void Run::advance(const Flights& flights, std::size_t halvings, double start, double length) {
+  if (!go_on()) return;
+  if (may_fly() && fly(flights, halvings, start, length)) return;
+  halve(flights, halvings, start, length);
+}
+
+void Run::halve(const Flights& flights, std::size_t halvings, double start, double length) {
+  if (halvings + 1 >= flights.size()) {
+    take_steps(start, length);
+    return;
+  }
+  const double half = 0.5 * length;
+  advance(flights, halvings + 1, start, half);
+  advance(flights, halvings + 1, start + half, half);
+}
+
+/// False, and nothing has changed, when something may happen.
+bool Run::fly(const Flights& flights, std::size_t halvings, double start, double length) {
+  ensure_space();
+  buffer_.begin(state_, inputs_);
+  const Eigen::Index n = buffer_.size();
+  buffer_.fly(flights, halvings, inputs_);
+  if (quiet(1) == 0) return false;
+  buffer_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
+  pass(start, flights, halvings);
+  std::copy_n(buffer_.q(n + 1), system_.size, next_.q.data());
+  std::copy_n(buffer_.v(n + 1), system_.size, next_.v.data());
+  end_inputs_ = inputs_;
+  system_.advance(end_inputs_, length);
+  arrive();
+  return true;
+}
+
+/// By steps, cut at events.
+void Run::take_steps(double start, double length) {
+  double elapsed = 0.0;
+  long cuts = 0;
+  long stalled = 0;
+  while (elapsed < length && go_on()) {
+    if (search_.much_is_unsettled()) settle_peaks();
+    if (floors_.much_is_unsettled()) settle_floors();
+    const double left = length - elapsed;
+    const double time = start + elapsed;
+    if (!step(time, left)) return;
+    const double whole = motion_.h();
+    const double cut = look(time);
+    const double h = motion_.h();
+    if (cut < 1.0 || (stepper_.is_series() && motion_.place() != cut)) motion_.evaluate(cut, next_);
+    end_inputs_ = inputs_;
+    system_.advance(end_inputs_, cut * h);
+    if (lasts(cut * h)) {
+      watch_step(time, cut);
+    } else {
+      buffer_.break_off();
+    }
+    const bool at_end = whole == left && h == whole && cut == 1.0;
+    const bool event = cut < 1.0 || h != whole;
+    // A contact that begins at next to no speed makes the first steps so short; they grow again. Any number of contacts
+    // may change at one instant.
+    if (at_end || elapsed + cut * h > elapsed) {
+      stalled = 0;
+    } else if (!event) {
+      ++stalled;
+    }
+    if (stalled > stalled_steps_limit) {
+      fail("steps have become too short to tell one time from the next", time);
+      return;
+    }
+    elapsed = at_end ? length : elapsed + cut * h;
+    arrive();
+    arrived(start + elapsed);
+    const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
+    if (event && ++cuts > limit) {
+      fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion", limit), time);
+    }
+  }
+}
+
+bool Run::step(double time, double longest) {
+  if (!stepper_.advance(here(), longest, !may_fly(), motion_, next_)) {
+    fail("no step is short enough to follow the contact force", time);
+    return false;
+  }
+  if (!motion_.find_rises()) {
+    fail(not_finite, time);
+    return false;
+  }
+  return true;
+}
+
+/// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes
+/// and the other does not, is none of the motion.
+bool Run::lasts(double length) const { return length > instant * problem_.duration; }
+
+/// Takes [0, cut] of the expanded step into the peaks.
+void Run::watch_step(double time, double cut) {
+  if (stepper_.is_series()) {
+    ensure_space();
+    buffer_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
+    return;
+  }
+  force_at()(state_, inputs_, forces_);
+  system_.acceleration(state_, inputs_, forces_, start_acceleration_);
+  force_at()(next_, end_inputs_, forces_);
+  system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
+  search_.take({motion_, cut, state_, next_, start_acceleration_, end_acceleration_});
+  floors_.take(motion_, cut, state_, next_, time);
+  buffer_.break_off();
+}
+
+void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
+  if (!go_on()) return;
+  if (stretch.flights == nullptr || stretch.halvings + 1 >= stretch.flights->size()) {
+    replayed_.q.resize(system_.size);
+    replayed_.v.resize(system_.size);
+    stepper_.series().expand(stretch.from, stretch.inputs, stretch.length, {}, motion_);
+    motion_.evaluate(1.0, replayed_);
+    each(stretch.start, stretch.from, stretch.inputs, replayed_);
+    return;
+  }
+  const auto zeros = [this] { return Eigen::VectorXd::Zero(system_.size); };
+  while (halvings_.size() < stretch.flights->size()) {
+    halvings_.push_back({{zeros(), zeros()}, {zeros(), zeros()}, {}, zeros(), zeros(), zeros()});
+  }
+  const Flight& half = (*stretch.flights)[stretch.halvings + 1];
+  Halving& at = halvings_[stretch.halvings];
+  at.inputs = stretch.inputs;
+  double start = stretch.start;
+  const State* from = &stretch.from;
+  for (State* to : {&at.middle, &at.end}) {
+    for (std::size_t b = 0; b < at.inputs.size(); ++b) {
+      half.advance(b, at.inputs[b],
+                   {from->q.data(), from->v.data(), to->q.data(), to->v.data(), at.acceleration.data(), at.rise.data(),
+                    at.acceleration_rise.data()});
+    }
+    if (wanted({start, half.length(), *from, *to, at.rise})) {
+      replay({stretch.flights, stretch.halvings + 1, start, half.length(), *from, at.inputs}, wanted, each);
+    }
+    from = to;
+    start += half.length();
+    system_.advance(at.inputs, half.length());
+  }
+}
+
+/// Looks into what bounds left open, so that what is nearest so far is known.
+void Run::settle_peaks() {
+  search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
+}
+
+void Run::settle_floors() {
+  for (const FloorWatch::Unsettled& flight : floors_.take_unsettled()) {
+    if (floors_.settled(flight)) continue;
+    replay(
+        {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
+        [this](const Part& part) { return floors_.may_come_nearer(part.from, part.to, part.rise); },
+        [this](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
+          (void)motion_.find_rises();
+          floors_.take(motion_, 1.0, from, to, time);
+        });
+  }
+}
+
+/// next_ becomes state_.
+void Run::arrive() {
+  ++steps_;
+  inputs_.swap(end_inputs_);
+  state_.q.swap(next_.q);
+  state_.v.swap(next_.v);
+  note_ground(state_.q.data());
+}
+
+void Run::note_ground(const double* q) {
+  if (problem_.kinematics != Kinematics::absolute) return;
+  for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+    const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
+    largest_ground_[b] = std::max(largest_ground_[b], std::abs(q[ground]));
+  }
+}
+
+void Run::fail(const std::string& reason, double time) { trouble_ = fmt::format("{} at t = {:.6g} s", reason, time); }
+
+}  // namespace bentur::engine

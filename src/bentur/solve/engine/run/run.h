@@ -1,0 +1,166 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bentur/solve/engine/motion/step_buffer.h"
+#include "bentur/solve/engine/motion/stepper.h"
+#include "bentur/solve/engine/run/floors/floor_watch.h"
+#include "bentur/solve/engine/run/peak_search.h"
+#include "bentur/solve/response.h"
+
+namespace bentur::engine {
+
+/// What the free response and the response with contact have in common: the way along the time grid. A segment is one
+/// flight where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be
+/// halved any more, or all of it where there are no flights, are taken by the solver's own steps.
+class Run {
+ public:
+  /// What all runs of one problem share.
+  struct Setup {
+    const ModalSystem& system;
+    const Problem& problem;
+    const Solver& solver;
+    const TimeGrid& grid;
+    const FlightPlan& plan;
+    long most_steps = 0;  ///< more are a failure; 0: no limit
+  };
+  explicit Run(const Setup& setup);
+  virtual ~Run() = default;
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// What there is to go on with from the start of a segment; no contact is under way.
+  struct Checkpoint {
+    long segment = 0, steps = 0;
+    State state;
+    Eigen::VectorXd peaks;                     ///< so far
+    std::vector<FloorWatch::Nearest> nearest;  ///< so far
+  };
+  /// Goes on from there, before to_end().
+  void resume(const Checkpoint& checkpoint);
+
+  /// Runs to the end of the analysis. `progress(fraction)`, where given, returning false stops.
+  Status to_end(const std::function<bool(double)>& progress);
+
+  [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
+  [[nodiscard]] const std::vector<FloorWatch::Nearest>& nearest() const { return floors_.nearest(); }
+  /// Why and when the numbers failed; empty while all is well.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] double largest_ground_displacement(std::size_t block) const { return largest_ground_[block]; }
+
+ protected:
+  /// What the contact points do.
+  [[nodiscard]] virtual const ContactForces& forces() const = 0;
+  [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
+  /// Whether no contact is under way or remembered, so that every building is free.
+  [[nodiscard]] virtual bool may_fly() const = 0;
+  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, what the run looks for
+  /// cannot have happened.
+  [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) = 0;
+  /// Takes in the steps of the buffer, which is emptied after that.
+  virtual void take_buffer(const StepBuffer& buffer) {
+    search_.take(buffer);
+    floors_.take(buffer);
+  }
+  /// Whether to find all peaks so far where a segment begins that only flights have come before.
+  [[nodiscard]] virtual bool settle_before(long segment) = 0;
+  /// Called when they have been found.
+  virtual void settled_before(long /*segment*/) {}
+  /// Whether pass() is to be told of every flight.
+  [[nodiscard]] virtual bool notes_flights() const { return false; }
+  /// Looks at the step from state_ to next_ (motion_), which began at `time`; returns where it must be cut (1:
+  /// nowhere).
+  virtual double look(double time) = 0;
+  /// After the state has been moved to the cut.
+  virtual void arrived(double /*time*/) {}
+  /// When the run is over.
+  virtual void settle() {}
+  /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
+  virtual void pass(double /*start*/, const Flights& /*flights*/, std::size_t /*halvings*/) {}
+
+  /// The segment under way.
+  [[nodiscard]] long segment() const { return segment_; }
+  [[nodiscard]] Checkpoint checkpoint() const {
+    return {segment_, steps_, state_, search_.watch().peaks(), floors_.nearest()};
+  }
+  /// What the next step starts from.
+  [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
+
+  /// A stretch without events, by flights[halvings]; without flights it is no longer than one power series.
+  struct Stretch {
+    const Flights* flights;
+    std::size_t halvings;
+    double start, length;  ///< [s]
+    const State& from;
+    const std::vector<GroundInput>& inputs;  ///< at its start
+  };
+  /// A part of it: both ends, and how far coordinates leave their chords in between.
+  struct Part {
+    double start, length;  ///< [s]
+    const State &from, &to;
+    const Eigen::VectorXd& rise;
+  };
+  /// Goes over a stretch again: it is halved until one power series spans a part, and what is not wanted is left out on
+  /// the way, so that a fast mode costs no more than the logarithm of its frequency. The series is in motion_; `each`
+  /// is given when it begins [s], state and inputs there, and the state at its end.
+  using Wanted = std::function<bool(const Part&)>;
+  using EachStep = std::function<void(double, const State&, const std::vector<GroundInput>&, const State&)>;
+  void replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
+  void fail(const std::string& reason, double time);
+  /// Whether a state that lasts so long [s] is one of the motion's.
+  [[nodiscard]] bool lasts(double length) const;
+
+  const ModalSystem& system_;
+  const Problem& problem_;
+  Stepper stepper_;
+  Expansion motion_;
+  State state_, next_;
+  std::vector<GroundInput> inputs_;  ///< at state_
+  StepBuffer buffer_;
+
+ private:
+  void ensure_space();
+  void flush_buffer();
+  [[nodiscard]] bool cruise();
+  void advance(const Flights& flights, std::size_t halvings, double start, double length);
+  void halve(const Flights& flights, std::size_t halvings, double start, double length);
+  [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
+  void take_steps(double start, double length);
+  [[nodiscard]] bool step(double time, double longest);
+  void watch_step(double time, double cut);
+  void settle_peaks();
+  void settle_floors();
+  void arrive();
+  void note_ground(const double* q);
+  void pass_flights(Eigen::Index first);
+  [[nodiscard]] bool go_on(long steps = 1);
+  [[nodiscard]] Status status() const;
+
+  /// Scratch of one halving: the instants at the middle and the end.
+  struct Halving {
+    State middle, end;
+    std::vector<GroundInput> inputs;
+    Eigen::VectorXd acceleration, rise, acceleration_rise;
+  };
+
+  PeakSearch search_;
+  FloorWatch floors_;
+  const TimeGrid& grid_;
+  const FlightPlan& plan_;
+  Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< scratch
+  std::vector<GroundInput> end_inputs_;                             ///< at next_
+  std::vector<double> largest_ground_;
+  std::string trouble_;
+  long segment_ = 0;  ///< under way
+  long steps_ = 0;
+  long taken_ = 0, most_steps_;  ///< steps, those gone over again included
+  bool stopped_ = false;
+  const std::function<bool(double)>* progress_ = nullptr;
+  std::vector<Halving> halvings_;  ///< scratch
+  State replayed_;                 ///< scratch
+};
+
+}  // namespace bentur::engine

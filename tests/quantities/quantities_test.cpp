@@ -1,0 +1,156 @@
+// A quantity is one line of a table. Here one of each owner is added to it, and found in everything that is told of a
+// run or a study.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/files/netcdf.h"
+#include "bentur/files/result_netcdf.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/model/quantity_row.h"
+#include "bentur/model/run_results.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/runner/sweep.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::string example = std::string(BENTUR_SOURCE_DIR) + "/examples/free-impact.toml";
+
+/// 100 · item + floor + 7, so that each place has a value of its own.
+double made_up(const RunView&, const QuantityPlace& at) {
+  return 100.0 * static_cast<double>(at.item) + static_cast<double>(at.floor) + 7;
+}
+
+struct Added {
+  Owner owner;
+  std::string key;
+};
+const std::vector<Added> added = {{Owner::run, "made_up_of_run"},     {Owner::building, "made_up_of_building"},
+                                  {Owner::floor, "made_up_of_floor"}, {Owner::point, "made_up_of_point"},
+                                  {Owner::gap, "made_up_of_gap"},     {Owner::impact, "made_up_of_impact"}};
+
+class NewQuantity : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    for (const Added& one : added) {
+      add_quantity({.key = one.key,
+                    .owner = one.owner,
+                    .units = "F s",
+                    .symbol = "M",
+                    .long_name = "made up",
+                    .label = {"Made up", "Buatan"},
+                    .source = made_up});
+    }
+    Diagnostics diagnostics;
+    Case c = read_case(example, diagnostics).value();
+    Problem problem = make_problem(c);
+    Response response = solve(problem, c.analysis.solver, {.output_step = 0.01});
+    ASSERT_FALSE(response.impacts.empty());
+    results = new RunResults(run_results(std::move(c), std::move(problem), std::move(response)));
+  }
+  static void TearDownTestSuite() { delete results; }
+
+  static RunResults* results;
+};
+RunResults* NewQuantity::results = nullptr;
+
+TEST_F(NewQuantity, IsInTheSummary) {
+  const Json json = Json::parse(summary_json(*results, "1"));
+  EXPECT_EQ(json.at("made_up_of_run"), 7);
+  EXPECT_EQ(json.at("buildings").at(1).at("made_up_of_building"), 107);
+  EXPECT_EQ(json.at("buildings").at(1).at("made_up_of_floor").at(0), 107);
+  EXPECT_EQ(json.at("gaps").at(0).at("made_up_of_gap"), 7);
+  EXPECT_EQ(json.at("gaps").at(0).at("points").at(0).at("made_up_of_point"), 7);
+}
+
+TEST_F(NewQuantity, IsInTheListOfImpacts) {
+  const std::string csv = impacts_csv(results->view());
+  const std::string unit = results->c.units.force + " s";
+  EXPECT_NE(csv.find(",made_up_of_impact [" + unit + "]\n"), std::string::npos) << csv.substr(0, csv.find('\n'));
+  EXPECT_NE(csv.find(",7\n"), std::string::npos);
+}
+
+TEST_F(NewQuantity, IsInTheHistories) {
+  const NetcdfReader file(histories_netcdf(*results, "1"), "histories.nc");
+  for (const std::string name : {"made_up_of_run", "made_up_of_building_1", "made_up_of_floor_1", "made_up_of_gap",
+                                 "made_up_of_point", "impact_made_up_of_impact"}) {
+    EXPECT_EQ(file.numbers(name).at(0), 7) << name;
+    EXPECT_EQ(file.at(name).units, results->c.units.force + " s") << name;
+    EXPECT_EQ(file.at(name).long_name.rfind("made up", 0), 0U) << name;
+    EXPECT_EQ(file.attribute(name, "symbol"), "M") << name;
+  }
+}
+
+TEST_F(NewQuantity, HasItsColumnInTables) {
+  for (const std::size_t language : {0U, 1U}) {
+    for (const Owner owner : {Owner::floor, Owner::point, Owner::impact}) {
+      const std::vector<TableColumn> columns = table_columns(owner, results->view(), {{0, 0}}, language);
+      EXPECT_EQ(columns.back().label, language == 0 ? "Made up" : "Buatan");
+      EXPECT_EQ(columns.back().unit, results->c.units.force + "·s");
+      EXPECT_EQ(columns.back().cells, std::vector<std::string>{"7"});
+    }
+  }
+}
+
+TEST_F(NewQuantity, IsInTheReport) {
+  EXPECT_NE(report_html(*results, {.language = "en", .version = "1"}).find("Made up"), std::string::npos);
+  EXPECT_NE(report_html(*results, {.language = "id", .version = "1"}).find("Buatan"), std::string::npos);
+}
+
+TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
+  const TemporaryFolder folder;
+  const fs::path study = folder.path() / "study.toml", output = folder.path() / "study.nc";
+  std::ofstream(study) << "case = '" << example << "'\n[[vary]]\nparameter = 'gap[0].width'\nfrom = 0.01\nto = 0.02\n"
+                       << "count = 3\n";
+  Diagnostics diagnostics;
+  Ranks alone;
+  SweepOptions options;
+  options.output = output;
+  options.threads = 1;
+  const auto report = sweep(study, options, alone, diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
+  const NetcdfReader file(output);
+  for (const Added& one : added) {
+    if (one.owner == Owner::impact) continue;  // as many as there happen to be
+    const bool numbered = one.owner == Owner::building || one.owner == Owner::floor;
+    EXPECT_EQ(file.numbers(one.key + (numbered ? "_1" : "")).at(0), 7) << one.key;
+    EXPECT_FALSE(make_figure(file, one.key).panels.empty()) << one.key;
+  }
+}
+
+/// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
+std::string row_of(const Quantity& quantity) {
+  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact"};
+  std::string unit = unit_text(quantity.units, {.length = "length", .force = "force"}), symbol;
+  for (const char c : quantity.symbol) symbol += c == '|' ? "\\|" : std::string(1, c);
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.key, owners[static_cast<int>(quantity.owner)],
+                     unit.empty() ? "–" : unit, symbol.empty() ? "–" : symbol, quantity.long_name);
+}
+
+TEST(Quantities, EveryOneIsInTheDocuments) {
+  std::ifstream stream(std::string(BENTUR_SOURCE_DIR) + "/docs/result-files.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  for (const Quantity& quantity : quantities()) {
+    if (quantity.long_name == "made up") continue;
+    EXPECT_NE(page.find(row_of(quantity)), std::string::npos) << row_of(quantity);
+  }
+}
+
+}  // namespace
+}  // namespace bentur
