@@ -11,7 +11,8 @@ namespace {
 /// Where a_g of any building changes its slope or jumps, with 0 and the end.
 std::vector<double> breakpoints_of(const Problem& problem, const SampledMotion& motion) {
   std::vector<double> times{0, problem.duration};
-  for (const double delay : problem.delays) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const double delay = delay_of(problem, b);
     for (std::size_t i = 0; i < motion.acceleration.size(); ++i) {
       const double time = delay + static_cast<double>(i) * motion.time_step;
       if (time > 0 && time < problem.duration) times.push_back(time);
@@ -69,9 +70,10 @@ Equations::Equations(const Problem& problem, double length)
     const double begin = breakpoints_[j], before = step;
     step = breakpoints_[j + 1] - begin;
     bool jump = false;
-    for (const double delay : problem.delays) {  // from within, as a_g may jump at the ends
-      const double early = acceleration_at(problem.motion, begin + 0.25 * step - delay);
-      const double late = acceleration_at(problem.motion, begin + 0.75 * step - delay);
+    for (std::size_t b = 0; b < buildings_; ++b) {  // from within, as a_g may jump at the ends
+      const double since = begin - delay_of(problem, b);
+      const double early = acceleration_at(problem.motion, since + 0.25 * step);
+      const double late = acceleration_at(problem.motion, since + 0.75 * step);
       inputs_.push_back({early - 0.5 * (late - early), 2 * (late - early) / step});
       if (j == 0) continue;
       const Input& last = inputs_[inputs_.size() - 1 - buildings_];

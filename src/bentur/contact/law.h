@@ -18,11 +18,16 @@ struct ContactState {
 };
 
 /// A branch lasts while  constant + penetration δ + speed δ̇ + decaying exp(−rate (t − since)) ≥ 0.
+///
+/// Zero belongs to the branch: it ends where the sum becomes negative, and a sum that only touches zero ends nothing.
+/// A solver lets it go below zero by round-off: 2⁻⁴⁶ of the displacements and speeds that δ and δ̇ are differences of,
+/// each times its factor, and of `constant`. The guard δ ≥ 0 alone of a touching branch has no such tolerance.
+/// All terms have one dimension [X], which the law chooses, but it is [length] where a term decays.
 struct Guard {
-  double constant = 0;
-  double penetration = 0;  ///< factor of δ
-  double speed = 0;        ///< factor of δ̇
-  double decaying = 0;     ///< amplitude of a term that dies away …
+  double constant = 0;     ///< [X]
+  double penetration = 0;  ///< factor of δ [X/length]
+  double speed = 0;        ///< factor of δ̇ [X·s/length]
+  double decaying = 0;     ///< amplitude [length] of a term that dies away …
   double rate = 0;         ///< … at this rate [1/s] ≥ 0
 };
 

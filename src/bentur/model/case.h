@@ -37,7 +37,7 @@ struct BuildingSpec {
   std::variant<PlaneFrame, Stick, MatricesSpec> structure;
   Damping damping;
   std::optional<double> calibrate_period;  ///< [s]
-  double base_elevation = 0;               ///< [length]
+  double base_elevation = 0;               ///< of the base above the ground datum [length]
   std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
 };
 

@@ -121,6 +121,10 @@ bool overlap(double width, double left, double right) {
   return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
 }
 
+double delay_of(const Problem& problem, std::size_t building) {
+  return problem.delays.empty() ? 0.0 : problem.delays.at(building);
+}
+
 std::string gap_name(const Problem& problem, std::size_t gap) {
   return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
 }
@@ -140,8 +144,8 @@ void validate(const Problem& problem) {
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
   check_floors_of_points(problem);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
-  require(problem.delays.size() == problem.buildings.size(), "delays", fmt::format("{} entries", problem.delays.size()),
-          "must have one entry per building");
+  require(problem.delays.empty() || problem.delays.size() == problem.buildings.size(), "delays",
+          fmt::format("{} entries", problem.delays.size()), "must be empty or have one entry per building");
   for (const double delay : problem.delays) {
     require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
   }

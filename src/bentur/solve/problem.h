@@ -42,12 +42,15 @@ struct Problem {
   std::vector<ContactPoint> points;        ///< ordered by left building, then elevation
   std::vector<WatchedFloor> watched = {};  ///< ordered likewise
   GroundMotion motion;
-  std::vector<double> delays;  ///< τ_b [s] ≥ 0, one per building
+  std::vector<double> delays = {};  ///< τ_b [s] ≥ 0, one per building; empty: all zero
   Kinematics kinematics = Kinematics::relative;
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per building, dofs [length, rad]; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< per building, dofs [length/s, rad/s]; empty: at rest
   double duration = 0;                                ///< [s] > 0
 };
+
+/// τ_b [s] of a building: 0 where the problem gives no delays.
+[[nodiscard]] double delay_of(const Problem& problem, std::size_t building);
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, std::size_t gap);

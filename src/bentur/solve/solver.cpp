@@ -178,6 +178,8 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   parts_ = parts;
 }
 
+const Response& FreeResponse::response() const { return parts_->response; }
+
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
   require_same_but_gaps(parts_->problem, problem);

@@ -64,6 +64,11 @@ class FreeResponse {
   /// @throws InvalidParameter when anything else differs.
   [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
 
+  /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
+  /// buildings, and of points and watched floors what they need (`minimum_gap_no_contact`, `needed`); all else of them
+  /// is zero. It lives as long as this object and its copies.
+  [[nodiscard]] const Response& response() const;
+
  private:
   std::shared_ptr<const engine::FreeParts> parts_;
 };

@@ -12,6 +12,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/free_masses.h"
+#include "tests/support/same_response.h"
 
 namespace bentur {
 namespace {
@@ -248,6 +249,35 @@ TEST_P(EverySolver, AFreeResponseServesOtherGapsToTheBit) {
     EXPECT_EQ(one.impacts[i].peak_force, other.impacts[i].peak_force);
   }
   EXPECT_EQ(one.points[1].minimum_gap_no_contact, other.points[1].minimum_gap_no_contact);
+}
+
+TEST_P(EverySolver, AFreeResponseIsThatOfGapsThatNeverClose) {
+  const FreeResponse free(sticks(), GetParam().solver);
+  const Response far = run(sticks(1e6));
+  const Response& response = free.response();
+  ASSERT_EQ(far.status, Status::done);
+  ASSERT_EQ(response.status, Status::done);
+  EXPECT_TRUE(response.impacts.empty());
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_EQ(response.buildings[b].displacement, far.buildings[b].displacement_no_contact);
+    EXPECT_EQ(response.buildings[b].displacement_no_contact, far.buildings[b].displacement_no_contact);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_GT(response.points[i].minimum_gap_no_contact, 0);
+    EXPECT_EQ(response.points[i].minimum_gap_no_contact, far.points[i].minimum_gap_no_contact);
+  }
+}
+
+TEST_P(EverySolver, NoDelaysAreDelaysOfZero) {
+  Problem said = sticks();
+  said.delays = {0, 0};
+  Problem unsaid = said;
+  unsaid.delays.clear();
+  const FreeResponse free(unsaid, GetParam().solver);
+  expect_same(free.solve(said), run(said));
+  expect_same(run(unsaid), run(said));
+  unsaid.delays = {0};
+  EXPECT_THROW((void)run(unsaid), InvalidParameter);
 }
 
 TEST_P(EverySolver, AnInfiniteMotionIsAFailureWithATime) {

@@ -8,7 +8,7 @@ namespace bentur {
 
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:
 /// docs/theory/structure.md). Degrees of freedom: one sway per floor first (bottom to top), then any joint rotations
-/// that were kept. p(t) = −load · a_g(t), load = M r + m_g reduced as T-transpose (theory 2).
+/// that were kept. p(t) = −load · a_g(t); load = Tᵀ(M r + m_g) (docs/theory/structure.md, Load and Condensation).
 struct StructuralModel {
   std::vector<double> elevations;      ///< [length] of the floors above the ground datum, bottom to top; size floors
   std::vector<double> storey_heights;  ///< [length], bottom to top; size floors

@@ -104,7 +104,7 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   model.mass = Eigen::MatrixXd::Zero(dofs, dofs);
   model.floor_masses.assign(frame.storey_heights.size(), 0.0);   // half of the columns that meet there, and `moving`
   std::vector<double> moving(frame.storey_heights.size(), 0.0);  // beams and floor_masses of each floor [mass]
-  Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);   // m_g of theory 2 [mass]
+  Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);   // m_g [mass]
 
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     const auto i = static_cast<std::size_t>(floor);

@@ -31,15 +31,18 @@ struct PlaneFrame {
   std::vector<double> floor_masses;    ///< [mass] added to each floor's sway; one per floor, or empty for none
   MassMatrix mass_matrix = MassMatrix::consistent;
   Condensation condensation = Condensation::static_;
-  bool base_coupling = true;  ///< m_g of theory 2; false reproduces the monograph's (2-1)
+  bool base_coupling = true;  ///< m_g (docs/theory/structure.md, Load); false: without, as the monograph's (2-1)
 };
 
 /// Mass, stiffness and load of the frame with all joint rotations: dofs = floors + floors × (bays + 1), sways first,
 /// then rotations floor by floor, left to right. Element stiffness (2-48), consistent mass (2-50).
+/// `base_elevation` [length] is that of the base above the ground datum; nothing but `elevations` depends on it.
 /// @throws InvalidParameter when list lengths disagree or a value is outside its range.
 [[nodiscard]] StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation = 0.0);
 
 /// The frame reduced as its `condensation` says. Lumped mass leaves rotations massless, so that every choice is static.
+/// `base_elevation` [length] and errors as assemble_plane_frame(); also std::runtime_error when the iteration of
+/// dynamic condensation does not settle.
 [[nodiscard]] StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation = 0.0);
 
 }  // namespace bentur

@@ -13,7 +13,9 @@ struct Stick {
   std::vector<double> stiffnesses;     ///< [force/length] of each storey
 };
 
-/// @throws InvalidParameter when list lengths disagree or a value is not positive.
+/// One sway per floor: M diagonal, K tridiagonal, load = the masses. `base_elevation` as assemble_plane_frame().
+/// @throws InvalidParameter when list lengths disagree, or a value is not finite and > 0 (`base_elevation`: not
+/// finite).
 [[nodiscard]] StructuralModel stick_model(const Stick& stick, double base_elevation = 0.0);
 
 }  // namespace bentur

@@ -71,6 +71,7 @@ void require_same_but_gaps(const Problem& problem, const Problem& other) {
     require_same(alike_at(b, problem.initial_displacement, other.initial_displacement), "initial_displacement",
                  building.name);
     require_same(alike_at(b, problem.initial_velocity, other.initial_velocity), "initial_velocity", building.name);
+    require_same(delay_of(problem, b) == delay_of(other, b), "delays", "others");
   }
   require_as_many(other.points.size(), problem.points.size(), "points");
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
@@ -84,7 +85,6 @@ void require_same_but_gaps(const Problem& problem, const Problem& other) {
                  fmt::format("floor {} of gap {}", other.watched[i].floor, other.watched[i].left));
   }
   require_same(alike(problem.motion, other.motion), "motion", "another one");
-  require_same(problem.delays == other.delays, "delays", "others");
   require_same(problem.kinematics == other.kinematics, "kinematics",
                other.kinematics == Kinematics::absolute ? "absolute" : "relative");
   require_same(problem.duration == other.duration, "duration", fmt::format("{}", other.duration));

@@ -29,8 +29,8 @@ double grid_period(const Problem& problem, bool fine) {
 TimeGrid::TimeGrid(const Problem& problem, bool fine)
     : motion_(&problem.motion), period_(grid_period(problem, fine)), offsets_{0.0} {
   std::vector<double> phases;
-  for (const double given : problem.delays) {
-    const double delay = std::min(given, problem.duration + period_);  // from there on nothing arrives at all
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const double delay = std::min(delay_of(problem, b), problem.duration + period_);  // from there on nothing arrives
     double steps = std::floor(delay / period_);
     double phase = delay - steps * period_;
     if (phase > period_ * (1.0 - merge)) {
