@@ -52,7 +52,7 @@ std::vector<double> read_periods(const std::string& text) {
 }
 
 /// The unit of the file's numbers: stated in the file, by the user, or both alike.
-std::string settle_unit(const SpectrumArguments& arguments, const Record& record) {
+std::string settle_unit(const SpectrumArguments& arguments, const StrongMotionRecord& record) {
   if (record.unit.empty() && arguments.unit.empty()) {
     std::string known;
     for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
@@ -68,7 +68,7 @@ std::string settle_unit(const SpectrumArguments& arguments, const Record& record
 
 SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units, RecordEcho& echo) {
   Diagnostics diagnostics;
-  std::optional<Record> record = read_record(arguments.file, arguments.options, diagnostics);
+  std::optional<StrongMotionRecord> record = read_record(arguments.file, arguments.options, diagnostics);
   if (!record) throw Failure(diagnostics);
   const std::optional<double> step = arguments.options.time_step;
   if (step && std::abs(*step / record->time_step - 1) > 0.01) {

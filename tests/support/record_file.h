@@ -16,7 +16,7 @@ namespace bentur::test {
 /// A record file that lives as long as the test.
 class RecordFile : public ::testing::Test {
  protected:
-  std::optional<Record> read(const std::string& text, const RecordOptions& options = {}) {
+  std::optional<StrongMotionRecord> read(const std::string& text, const RecordOptions& options = {}) {
     std::ofstream(file_, std::ios::binary) << text;
     diagnostics_ = Diagnostics();
     return read_record(file_, options, diagnostics_);

@@ -44,9 +44,10 @@ void Diagnostics::error(SourcePosition position, std::string message) {
 
 std::vector<Diagnostic> Diagnostics::errors() const {
   std::vector<Diagnostic> sorted = errors_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::tie(a.position.file, a.position.line, a.position.column) <
-           std::tie(b.position.file, b.position.line, b.position.column);
+  // What was put in has no line and comes before what the file itself has wrong, the last one first.
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& one, const Diagnostic& other) {
+    const SourcePosition &a = one.position, &b = other.position;
+    return std::tie(a.file, a.line, b.origin, a.column) < std::tie(b.file, b.line, a.origin, b.column);
   });
   return sorted;
 }

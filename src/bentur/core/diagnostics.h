@@ -10,6 +10,7 @@ struct SourcePosition {
   std::string file;
   int line = 0;
   int column = 0;
+  int origin = 0;  ///< 0: the file; else what stands there was put in by whoever gave this number, to know it by
 };
 
 /// One finding about a user's input, as the user reads it.
@@ -27,7 +28,7 @@ class Diagnostics {
   void error(SourcePosition position, std::string message);
 
   [[nodiscard]] bool ok() const noexcept { return errors_.empty(); }
-  /// Sorted by file, line, column; what stands at the same place keeps the order it was found in.
+  /// Sorted by file, line, origin, column; what stands at the same place keeps the order it was found in.
   [[nodiscard]] std::vector<Diagnostic> errors() const;
 
  private:

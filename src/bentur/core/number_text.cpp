@@ -63,4 +63,8 @@ std::vector<std::string> column(const std::vector<double>& values) {
   return cells;
 }
 
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 }  // namespace bentur

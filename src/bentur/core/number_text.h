@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,5 +12,8 @@ namespace bentur {
 /// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits.
 /// A value that does not exist (NaN) becomes a dash.
 [[nodiscard]] std::vector<std::string> column(const std::vector<double>& values);
+
+/// "1 column", "3 columns". @param many where it is not `one` with an s.
+[[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& many = {});
 
 }  // namespace bentur

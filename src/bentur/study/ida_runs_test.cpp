@@ -40,7 +40,7 @@ StudyRuns runs_of(const std::string& text) {
 ReadCase case_of(const StudyRuns& runs, std::size_t run, double scale) {
   TomlValue root = runs.study().case_root;
   put_choices(runs.study(), runs.choices(run), root);
-  put_value(root, {"excitation", "scale"}, toml_number(scale), 0, 0);
+  put_value(root, {"excitation", "scale"}, toml_number(scale));
   Diagnostics diagnostics;
   const std::string name = runs.study().case_file.string();
   ReadCase read =

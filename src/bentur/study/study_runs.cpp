@@ -52,12 +52,6 @@ void set_widths(const WidthPlace& place, const TomlValue& value, Problem& proble
   }
 }
 
-std::vector<Building> made_buildings(const ReadCase& read) {
-  std::vector<Building> buildings;
-  for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
-  return buildings;
-}
-
 }  // namespace
 
 struct StudyRuns::Group {
@@ -107,19 +101,13 @@ std::vector<Choice> StudyRuns::choices(std::size_t run) const {
 
 std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) const {
   Diagnostics found;
-  TomlValue root = study_.case_root;
   const std::vector<Choice> chosen = choices(run);
-  put_choices(study_, chosen, root);
-  if (study_.ida) {
-    put_value(root, {"excitation", "scale"},
-              toml_number(record_factor(facts_.intensities, facts_.intensities.place(chosen),
-                                        study_.ida->levels[chosen[study_.ida->axis].level])),
-              0, 0);
-  }
-  const std::string name = study_.case_file.string();
-  ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, memo_.get());
+  TomlValue root = chosen_case(study_, chosen);
+  if (const auto& ida = study_.ida)
+    put_intensity(facts_.intensities, chosen, ida->levels[chosen[ida->axis].level], root);
+  ReadCase read = read_chosen(study_, root, *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
-  Problem problem = make_problem(read.c, made_buildings(read));
+  Problem problem = read.problem();
   if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors or contact points");
   FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
   return std::make_shared<const Group>(
@@ -195,17 +183,13 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
         result.values.resize(row_size(quantities_));
         fill_row(quantities_, {bench.problem, response, facts_.units}, result.values);
       } else {
-        result.status = RunStatus::failed;
-        result.message = response.message;
+        result = {run, RunStatus::failed, response.message, {}};
       }
     } catch (const NotACase& error) {
-      result.status = RunStatus::invalid;
-      result.message = error.what();
+      result = {run, RunStatus::invalid, error.what(), {}};
     } catch (const InvalidParameter& error) {
-      result.status = RunStatus::invalid;
-      result.message = error.what();
+      result = {run, RunStatus::invalid, error.what(), {}};
     }
-    if (result.status != RunStatus::done) result.values.clear();
     results.push_back(std::move(result));
   }
   return results;

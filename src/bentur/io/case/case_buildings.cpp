@@ -13,24 +13,22 @@ namespace {
 void read_stick(const TomlView& view, ReadBuilding& building) {
   if (!view.is_table_of({"storey_heights", "masses", "stiffnesses"})) return;
   Stick stick;
-  const auto heights = view.get("storey_heights", Need::required);
+  const auto heights = view.get("storey_heights");
   const Length per_storey = {heights ? heights->size() : 0, "one per storey"};
-  if (heights) stick.storey_heights = heights->as_numbers(Rule::positive).value_or(std::vector<double>{});
-  stick.masses = view.numbers("masses", Rule::positive, per_storey).value_or(std::vector<double>{});
-  stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey).value_or(std::vector<double>{});
-  building.floors = building.modes = stick.storey_heights.size();
-  building.elevations.resize(building.floors);
-  std::partial_sum(stick.storey_heights.begin(), stick.storey_heights.end(), building.elevations.begin());
+  if (heights) stick.storey_heights = heights->as_numbers(Rule::positive);
+  stick.masses = view.numbers("masses", Rule::positive, per_storey);
+  stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey);
+  building.modes = stick.storey_heights.size();
+  building.elevations = floor_elevations(stick.storey_heights);
   building.spec.structure = std::move(stick);
 }
 
 Damping read_rayleigh(const TomlView& view) {
   RayleighDamping damping;
   if (!view.is_table_of({"ratios", "periods"})) return damping;
-  damping.ratios = view.numbers("ratios", Rule::ratio, {2, "for two modes"}).value_or(std::vector<double>{});
-  const auto periods = view.get("periods", Need::required);
-  if (periods)
-    damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"}).value_or(std::vector<double>{});
+  damping.ratios = view.numbers("ratios", Rule::ratio, {2, "for two modes"});
+  const auto periods = view.get("periods");
+  if (periods) damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"});
   if (damping.periods.size() == 2 && damping.periods[0] == damping.periods[1])
     periods->error("must be two different periods");
   return damping;
@@ -46,9 +44,7 @@ Damping read_damping(const TomlView& view, std::size_t modes) {
   const std::vector<std::string> forms = {"modal", "rayleigh", "mass_proportional"};
   (void)view.is_table_of(forms);
   const auto form = view.exactly_one(forms);
-  if (form == "modal") {
-    return ModalDamping{view.numbers("modal", Rule::ratio, {modes, "one per mode"}).value_or(std::vector<double>{})};
-  }
+  if (form == "modal") return ModalDamping{view.numbers("modal", Rule::ratio, {modes, "one per mode"})};
   if (form == "rayleigh") return read_rayleigh(*view.find("rayleigh"));
   if (form == "mass_proportional")
     return MassProportionalDamping{view.number("mass_proportional", Rule::ratio).value_or(0)};
@@ -56,17 +52,12 @@ Damping read_damping(const TomlView& view, std::size_t modes) {
 }
 
 void read_structure(const TomlView& view, double gravity, ReadBuilding& building) {
-  const std::vector<std::string> kinds = {"frame", "stick", "matrices"};
-  const auto kind = view.exactly_one(kinds);
-  for (const std::string& key : kinds) {
-    const auto found = view.find(key);
-    if (!found) continue;
-    if (key == "frame") read_frame(*found, gravity, building);
-    if (key == "stick") read_stick(*found, building);
-    if (key == "matrices") read_matrices(*found, building);
-  }
+  const auto kind = view.exactly_one({"frame", "stick", "matrices"});
+  if (const auto frame = view.find("frame")) read_frame(*frame, gravity, building);
+  if (const auto stick = view.find("stick")) read_stick(*stick, building);
+  if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
   if (!kind) {  // what was read does not say which floors are meant
-    building.floors = building.modes = 0;
+    building.modes = 0;
     building.elevations.clear();
   }
 }
@@ -129,28 +120,25 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
 
 }  // namespace
 
+std::vector<double> floor_elevations(const std::vector<double>& storey_heights) {
+  std::vector<double> elevations(storey_heights.size());
+  std::partial_sum(storey_heights.begin(), storey_heights.end(), elevations.begin());
+  return elevations;
+}
+
 double height_of(const ReadBuilding& building) {
   return building.elevations.empty() ? 0 : building.elevations.back() - building.spec.base_elevation;
 }
 
 std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseMemo* memo) {
   std::vector<ReadBuilding> buildings;
-  const auto list = root.find("building");
-  if (!list) {
-    root.error_missing("building", "two or more [[building]] tables");
-    return buildings;
+  const auto list = root.tables("building", "two or more [[building]] tables");
+  if (!list) return buildings;
+  for (const TomlView& table : list->items()) {
+    const auto known = memo != nullptr ? memo->building(table.value(), units, buildings) : nullptr;
+    buildings.push_back(known ? *known : read_building(table, units, buildings));
   }
-  if (!list->is(TomlValue::Kind::list)) {
-    list->error_value("must be a list of tables, each headed [[building]]");
-    return buildings;
-  }
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const auto known = memo != nullptr ? memo->building(list->item(i).value(), units, buildings) : nullptr;
-    buildings.push_back(known ? *known : read_building(list->item(i), units, buildings));
-  }
-  if (list->size() < 2) {
-    list->error(fmt::format("has {} {}, expected two or more", list->size(), list->size() == 1 ? "entry" : "entries"));
-  }
+  if (list->size() < 2) list->error("has " + list->entries() + ", expected two or more");
   return buildings;
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,6 @@
 namespace bentur {
 namespace {
 
-std::vector<std::string> rule_names() {
-  std::vector<std::string> names;
-  for (const CodeRule& rule : code_rules()) names.emplace_back(rule.name);
-  return names;
-}
-
 /// true or false for all gaps, or a list with one for each.
 std::optional<std::vector<bool>> read_flags(const TomlView& value, std::size_t gaps) {
   if (!value.is(TomlValue::Kind::list)) {
@@ -22,7 +17,7 @@ std::optional<std::vector<bool>> read_flags(const TomlView& value, std::size_t g
   }
   if (!value.is_list_of("true or false", {gaps, "one per gap"})) return std::nullopt;
   std::vector<bool> flags;
-  for (std::size_t i = 0; i < value.size(); ++i) flags.push_back(value.item(i).as_flag().value_or(false));
+  for (const TomlView& one : value.items()) flags.push_back(one.as_flag().value_or(false));
   return flags;
 }
 
@@ -32,8 +27,7 @@ void read_words(const TomlView& value, const CodeKey& key, const Length& length,
   if (!value.is(TomlValue::Kind::list)) {
     words.push_back(value.as_word(known).value_or(known.front()));
   } else if (value.is_list_of("words", length)) {
-    for (std::size_t i = 0; i < value.size(); ++i)
-      words.push_back(value.item(i).as_word(known).value_or(known.front()));
+    for (const TomlView& one : value.items()) words.push_back(one.as_word(known).value_or(known.front()));
   }
 }
 
@@ -42,7 +36,8 @@ void read_key(const TomlView& value, const CodeKey& key, std::size_t buildings, 
   const Length length{buildings, "one per building"};
   switch (key.kind) {
     case CodeKey::Kind::factor:
-      if (const auto numbers = value.as_number_or_numbers(Rule::positive, length)) spec.numbers[name] = *numbers;
+      if (auto numbers = value.as_number_or_numbers(Rule::positive, length); !numbers.empty())
+        spec.numbers[name] = std::move(numbers);
       break;
     case CodeKey::Kind::whole:
       if (const auto number = value.as_number(Rule::finite)) {
@@ -83,7 +78,9 @@ CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildi
   CodeSpec code;
   const auto view = root.find("code");
   if (!view) return code;
-  std::vector<std::string> known = rule_names();
+  std::vector<std::string> rules;
+  for (const CodeRule& rule : code_rules()) rules.emplace_back(rule.name);
+  std::vector<std::string> known = rules;
   known.insert(known.end(), {"floors_aligned", "same_owner"});
   if (!view->is_table_of(known)) return code;
   const std::size_t gaps = buildings.empty() ? 0 : buildings.size() - 1;
@@ -96,11 +93,7 @@ CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildi
       code.rules.push_back(read_rule(*table, rule, buildings.size()));
     }
   }
-  if (code.rules.empty()) {
-    std::string names;
-    for (const CodeRule& rule : code_rules()) names += fmt::format("{}{}", names.empty() ? "" : ", ", rule.name);
-    view->error("names no rule, there are " + names);
-  }
+  if (code.rules.empty()) view->error(fmt::format("names no rule, there are {}", fmt::join(rules, ", ")));
   return code;
 }
 

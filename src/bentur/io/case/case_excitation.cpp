@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,7 @@ void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
   (void)view.is_table_of(known);
   const auto refuse = [&](const std::vector<std::string>& keys, const char* owner) {
     if (!kind || *kind == owner) return;
-    for (const std::string& key : keys) {
-      if (const auto found = view.find(key)) {
-        found->error(fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owner, *kind));
-      }
-    }
+    view.refuse(keys, fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owner, *kind));
   };
   refuse(record_keys, "record");
   refuse(harmonic_keys, "harmonic");
@@ -40,31 +37,24 @@ void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
 std::optional<int> read_place(const TomlView& view, const char* key, int least, const char* what, bool& good) {
   const auto place = view.find(key);
   if (!place) return std::nullopt;
-  const TomlValue& value = place->value();
-  if (value.kind == TomlValue::Kind::integer && value.integer >= least && value.integer <= 1000000) {
-    return static_cast<int>(value.integer);
-  }
-  place->error_value(fmt::format("must be a whole number from {} ({})", least, what));
-  good = false;
-  return std::nullopt;
+  const auto number = place->as_whole(least, 1000000, fmt::format("must be a whole number from {} ({})", least, what));
+  good = good && number;
+  return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
 /// The unit of the file's numbers. A file that says it needs no unit in the case, and must not be contradicted.
-std::optional<std::string> settle_unit(const TomlView& view, const Record& record, const std::string& name) {
+std::optional<std::string> settle_unit(const TomlView& view, const StrongMotionRecord& record,
+                                       const std::string& name) {
   const auto given = view.find("unit");
   const auto unit = view.word("unit", acceleration_units(), Need::optional);
   if (record.unit.empty()) {
     if (!given) {
-      std::string known;
-      for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
-      view.error_missing("unit", fmt::format("{} does not say it; one of {}", in_quotes(name), known));
+      view.error_missing(
+          "unit", fmt::format("{} does not say it; one of {}", in_quotes(name), fmt::join(acceleration_units(), ", ")));
     }
     return unit;
   }
-  if (unit && *unit != record.unit) {
-    given->error_value(fmt::format("but the file says \"{}\"", record.unit));
-    return std::nullopt;
-  }
+  if (unit && *unit != record.unit) return given->error_value(fmt::format("but the file says \"{}\"", record.unit));
   return record.unit;
 }
 
@@ -92,7 +82,7 @@ void apply_scale(const TomlView& view, double unit_factor, SampledMotion& motion
 std::optional<SampledMotion> read_record_motion(const TomlView& view, const Units& units,
                                                 const std::filesystem::path& folder, RecordEcho& echo,
                                                 Diagnostics& diagnostics, CaseMemo* memo) {
-  const auto file = view.get("file", Need::required);
+  const auto file = view.get("file");
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
   const auto format = view.word("format", record_formats(), Need::optional);
@@ -106,7 +96,7 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   options.skip_lines =
       read_place(view, "skip_lines", 0, "how many lines at the beginning to pass over", places_usable).value_or(0);
 
-  std::optional<Record> record;
+  std::optional<StrongMotionRecord> record;
   if (name && format_usable && step_usable && places_usable) {
     const std::filesystem::path path = folder / *name;
     const std::string problem = input_problem(path, record_input);
@@ -164,7 +154,7 @@ std::vector<double> wave_delays(const TomlView& view, const std::vector<ReadBuil
     if (building.spec.width) continue;
     known = false;
     // A frame without a width has wrong bay_widths, and a building without floors is wrong as a whole: said already.
-    if (!building.is_frame && building.floors > 0) {
+    if (!building.is_frame && !building.elevations.empty()) {
       view.find("wave_velocity")->error(fmt::format("needs {}.width, which is missing", building.path));
     }
   }
@@ -183,8 +173,8 @@ std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuil
   const auto key = view.exactly_one({"delays", "wave_velocity"}, Need::optional);
   if (key == "wave_velocity") return wave_delays(view, buildings, gaps);
   if (key == "delays") {
-    if (auto delays = view.numbers("delays", Rule::not_negative, {buildings.size(), "one per building"}))
-      return *delays;
+    auto delays = view.numbers("delays", Rule::not_negative, {buildings.size(), "one per building"});
+    if (!delays.empty()) return delays;
   }
   return std::vector<double>(buildings.size(), 0.0);
 }
@@ -200,7 +190,7 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
                                const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                Diagnostics& diagnostics, CaseMemo* memo) {
   ExcitationSpec spec;
-  const auto view = root.get("excitation", Need::required);
+  const auto view = root.get("excitation");
   if (!view) return spec;
   if (!view->is(TomlValue::Kind::table)) {
     view->error_value("must be a table");

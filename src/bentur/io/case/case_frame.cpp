@@ -47,13 +47,13 @@ Section read_section(const TomlView& view, double gravity) {
 /// storey".
 std::vector<Section> read_sections(const TomlView& frame, const std::string& key, std::size_t count,
                                    const std::string& each, double gravity) {
-  const auto list = frame.get(key, Need::required);
+  const auto list = frame.get(key);
   if (!list || !list->is_list_of("sections")) return {};
   if (count > 0 && list->size() != 1 && list->size() != count) {
     list->error(fmt::format("has {} entries, expected 1 or {} ({})", list->size(), count, each));
   }
   std::vector<Section> given;
-  for (std::size_t i = 0; i < list->size(); ++i) given.push_back(read_section(list->item(i), gravity));
+  for (const TomlView& section : list->items()) given.push_back(read_section(section, gravity));
   std::vector<Section> sections;
   for (std::size_t i = 0; i < count; ++i) sections.push_back(given[std::min(i, given.size() - 1)]);
   return sections;
@@ -63,10 +63,8 @@ std::vector<Section> read_sections(const TomlView& frame, const std::string& key
 std::vector<double> read_per_floor(const TomlView& view, const std::string& key, Rule rule, std::size_t floors,
                                    Need need) {
   const auto value = view.get(key, need);
-  auto numbers = value ? value->as_number_or_numbers(rule, {floors, "one per floor"}) : std::nullopt;
-  if (!numbers) return std::vector<double>(floors, 0.0);
-  if (numbers->size() == 1) numbers->assign(floors, numbers->front());
-  return *numbers;
+  const auto numbers = value ? value->as_number_or_numbers(rule, {floors, "one per floor"}) : std::vector<double>();
+  return numbers.size() > 1 ? numbers : std::vector<double>(floors, numbers.empty() ? 0 : numbers.front());
 }
 
 /// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ
@@ -117,8 +115,8 @@ void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
   }
   PlaneFrame frame;
   frame.elastic_modulus = view.number("elastic_modulus", Rule::positive).value_or(0);
-  frame.storey_heights = view.numbers("storey_heights", Rule::positive).value_or(std::vector<double>{});
-  frame.bay_widths = view.numbers("bay_widths", Rule::positive).value_or(std::vector<double>{});
+  frame.storey_heights = view.numbers("storey_heights", Rule::positive);
+  frame.bay_widths = view.numbers("bay_widths", Rule::positive);
 
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
@@ -135,7 +133,7 @@ void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
 
   if (storeys > 0) {
     check_masses(view, frame);
-    building.floors = building.modes = storeys;
+    building.modes = storeys;
     // Lumped masses, or none at all on members, leave rotations massless, so that they are condensed anyway.
     const auto has_mass = [](const Section& section) { return section.mass + section.line_mass > 0; };
     const bool rotary = frame.mass_matrix == MassMatrix::consistent &&
@@ -144,8 +142,7 @@ void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
     if (frame.condensation == Condensation::none && rotary) {
       building.modes = frame.bay_widths.empty() ? 0 : storeys * (frame.bay_widths.size() + 2);
     }
-    building.elevations.resize(storeys);
-    std::partial_sum(frame.storey_heights.begin(), frame.storey_heights.end(), building.elevations.begin());
+    building.elevations = floor_elevations(frame.storey_heights);
   }
   if (!frame.bay_widths.empty()) building.spec.width = length;
   building.spec.structure = std::move(frame);

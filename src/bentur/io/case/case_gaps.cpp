@@ -59,7 +59,7 @@ bool models_no_contact(const TomlView& elevations) {
 
 void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
                   const std::vector<ReadBuilding>& buildings) {
-  const auto between = gap.get("between", Need::required);
+  const auto between = gap.get("between");
   if (!between || !between->is_list_of("building names", {2, "the neighbours, left and right"})) return;
   std::vector<std::string> names;
   for (const ReadBuilding& building : buildings) {
@@ -69,11 +69,11 @@ void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuild
     names.push_back(name);
   }
   std::vector<std::string> given;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto name = between->item(i).as_text();
+  for (const TomlView& entry : between->items()) {
+    const auto name = entry.as_text();
     if (!name) return;
     if (std::find(names.begin(), names.end(), *name) == names.end()) {
-      between->item(i).error_value("there is no such building, " + suggestion(*name, names, "the buildings are"));
+      entry.error_value("there is no such building, " + suggestion(*name, names, "the buildings are"));
       return;
     }
     given.push_back(*name);
@@ -126,18 +126,18 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
     return {};
   }
   if (given && models_no_contact(*given)) return {};
-  const auto wanted = given ? given->as_numbers(Rule::finite) : std::nullopt;
-  if (wanted && std::adjacent_find(wanted->begin(), wanted->end(), std::greater_equal<>()) != wanted->end()) {
+  const std::vector<double> wanted = given ? given->as_numbers(Rule::finite) : std::vector<double>();
+  if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
     given->error("must ascend");
     return {};
   }
-  if (left.elevations.empty() || right.elevations.empty() || (given && !wanted)) return {};
+  if (left.elevations.empty() || right.elevations.empty() || (given && wanted.empty())) return {};
   const std::vector<LevelPair> pairs = level_floors(a, b, tolerance);
   if (pairs.empty()) {
     gap.error(no_common_elevation(left, right));
     return {};
   }
-  if (given) return named_elevations(*given, *wanted, pairs, a, b);
+  if (given) return named_elevations(*given, wanted, pairs, a, b);
   std::vector<double> common;
   for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
   return common;
@@ -175,12 +175,9 @@ const LawEntry* read_law(const TomlView& contact) {
   (void)contact.is_table_of(all_contact_keys());
   if (law == nullptr) return nullptr;
   const std::vector<std::string> own = contact_keys(*law);
-  for (const std::string& key : all_contact_keys()) {
-    const auto other = contact.find(key);
-    if (other && std::find(own.begin(), own.end(), key) == own.end()) {
-      other->error(fmt::format("is not for law = \"{}\"", law->name));
-    }
-  }
+  std::vector<std::string> others = all_contact_keys();
+  std::erase_if(others, [&](const std::string& key) { return std::find(own.begin(), own.end(), key) != own.end(); });
+  contact.refuse(others, fmt::format("is not for law = \"{}\"", law->name));
   return law;
 }
 
@@ -214,9 +211,10 @@ bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, 
     }
     return spec.axial;
   }
-  const auto numbers = value.as_number_or_numbers(rule_of(key.range), sides.points());
-  if (numbers) spec.numbers[std::string(key.name)] = *numbers;
-  return numbers.has_value();
+  const std::vector<double> numbers = value.as_number_or_numbers(rule_of(key.range), sides.points());
+  if (numbers.empty()) return false;
+  spec.numbers[std::string(key.name)] = numbers;
+  return true;
 }
 
 /// What the law needs: each required key, exactly one of those that exclude one another.
@@ -302,11 +300,11 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
   const auto given = gap.find("elevations");
   const bool no_contact = given && models_no_contact(*given);
   const GapSides sides{left, right, spec.elevations};
-  if (const auto width = gap.get("width", Need::required)) {
+  if (const auto width = gap.get("width")) {
     if (no_contact) {
       if (const auto number = width->as_number(Rule::not_negative)) spec.widths = {*number};
     } else {
-      spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points()).value_or(std::vector<double>{});
+      spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points());
     }
     if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
   }
@@ -321,19 +319,11 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
 
 std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   std::vector<GapSpec> gaps;
-  const auto list = root.find("gap");
-  if (!list) {
-    root.error_missing("gap", "one [[gap]] table between each pair of neighbours");
-    return gaps;
-  }
-  if (!list->is(TomlValue::Kind::list)) {
-    list->error_value("must be a list of tables, each headed [[gap]]");
-    return gaps;
-  }
+  const auto list = root.tables("gap", "one [[gap]] table between each pair of neighbours");
+  if (!list) return gaps;
   const std::size_t expected = buildings.empty() ? 0 : buildings.size() - 1;
   if (list->size() != expected && buildings.size() > 1) {
-    list->error(fmt::format("has {} {}, expected {} (one between each pair of neighbours)", list->size(),
-                            list->size() == 1 ? "entry" : "entries", expected));
+    list->error(fmt::format("has {}, expected {} (one between each pair of neighbours)", list->entries(), expected));
   }
   for (std::size_t i = 0; i < std::min(list->size(), expected); ++i) {
     gaps.push_back(read_gap(list->item(i), buildings[i], buildings[i + 1], buildings));

@@ -18,16 +18,16 @@ Eigen::MatrixXd read_matrix(const TomlView& view, std::size_t n, bool diagonal_a
   if (!view.is_list_of(what, {n, "one per elevation"})) return {};
   const auto size = static_cast<Eigen::Index>(view.size());
   if (diagonal_allowed && view.item(0).is_number()) {
-    const auto diagonal = view.as_numbers(Rule::positive);
-    return diagonal ? Eigen::MatrixXd(Eigen::Map<const Eigen::VectorXd>(diagonal->data(), size).asDiagonal())
-                    : Eigen::MatrixXd();
+    const std::vector<double> diagonal = view.as_numbers(Rule::positive);
+    if (diagonal.empty()) return {};
+    return Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
   }
   Eigen::MatrixXd matrix(size, size);
   bool good = true;
   for (std::size_t i = 0; i < view.size(); ++i) {
-    const auto row = view.item(i).as_numbers(Rule::finite, {view.size(), "a square matrix"});
-    good = good && row.has_value();
-    if (row) matrix.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(row->data(), size);
+    const std::vector<double> row = view.item(i).as_numbers(Rule::finite, {view.size(), "a square matrix"});
+    good = good && !row.empty();
+    if (good) matrix.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), size);
   }
   if (!good) return {};
   const double tolerance = symmetry_tolerance * matrix.cwiseAbs().maxCoeff();
@@ -65,23 +65,21 @@ void check_definite(const TomlView& view, const Eigen::MatrixXd& matrix, bool se
 void read_matrices(const TomlView& view, ReadBuilding& building) {
   if (!view.is_table_of({"elevations", "mass", "stiffness", "damping"})) return;
   MatricesSpec spec;
-  const auto list = view.get("elevations", Need::required);
-  const auto elevations = list ? list->as_numbers(Rule::positive) : std::nullopt;
-  if (elevations) {
-    spec.elevations = *elevations;
-    if (std::adjacent_find(elevations->begin(), elevations->end(), std::greater_equal<>()) != elevations->end()) {
-      list->error("must ascend");
-    } else {
-      building.floors = building.modes = elevations->size();
-      building.elevations = *elevations;
-    }
+  const auto list = view.get("elevations");
+  if (list) spec.elevations = list->as_numbers(Rule::positive);
+  const std::vector<double>& floors = spec.elevations;
+  if (std::adjacent_find(floors.begin(), floors.end(), std::greater_equal<>()) != floors.end()) {
+    list->error("must ascend");
+  } else if (!floors.empty()) {
+    building.modes = floors.size();
+    building.elevations = floors;
   }
   const std::size_t n = list ? list->size() : 0;
-  if (const auto mass = view.get("mass", Need::required)) {
+  if (const auto mass = view.get("mass")) {
     spec.mass = read_matrix(*mass, n, true);
     check_definite(*mass, spec.mass, false);
   }
-  if (const auto stiffness = view.get("stiffness", Need::required)) {
+  if (const auto stiffness = view.get("stiffness")) {
     spec.stiffness = read_matrix(*stiffness, n, false);
     check_definite(*stiffness, spec.stiffness, false);
   }

@@ -21,18 +21,7 @@ void append_bytes(const Number& number, std::string& key) {
   key.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-std::string building_key(const TomlValue& table, const Units& units, std::span<const ReadBuilding> before) {
-  std::string key;
-  append_text(units.length, key);
-  append_text(units.force, key);
-  append_bytes(units.gravity, key);
-  for (const ReadBuilding& building : before) append_text(building.spec.name, key);
-  append_content(table, key);
-  return key;
-}
-
-}  // namespace
-
+/// Appends what a value says, without its place in a file: two values have one key if and only if they say the same.
 void append_content(const TomlValue& value, std::string& key) {
   key += static_cast<char>('a' + static_cast<int>(value.kind));
   switch (value.kind) {
@@ -65,6 +54,18 @@ void append_content(const TomlValue& value, std::string& key) {
   }
 }
 
+std::string building_key(const TomlValue& table, const Units& units, std::span<const ReadBuilding> before) {
+  std::string key;
+  append_text(units.length, key);
+  append_text(units.force, key);
+  append_bytes(units.gravity, key);
+  for (const ReadBuilding& building : before) append_text(building.spec.name, key);
+  append_content(table, key);
+  return key;
+}
+
+}  // namespace
+
 std::shared_ptr<const ReadBuilding> CaseMemo::building(const TomlValue& table, const Units& units,
                                                        const std::vector<ReadBuilding>& before) const {
   const std::string key = building_key(table, units, before);
@@ -84,8 +85,8 @@ void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<
   }
 }
 
-std::optional<Record> CaseMemo::record(const std::filesystem::path& file, const RecordOptions& options,
-                                       Diagnostics& diagnostics) {
+std::optional<StrongMotionRecord> CaseMemo::record(const std::filesystem::path& file, const RecordOptions& options,
+                                                   Diagnostics& diagnostics) {
   std::string key;
   append_text(file.string(), key);
   append_text(options.format, key);
@@ -98,14 +99,14 @@ std::optional<Record> CaseMemo::record(const std::filesystem::path& file, const 
     const auto found = records_.find(key);
     if (found != records_.end()) return *found->second;
   }
-  std::optional<Record> record = read_record(file, options, diagnostics);
+  std::optional<StrongMotionRecord> record = read_record(file, options, diagnostics);
   if (!record) return record;
   const std::lock_guard lock(mutex_);
   if (values_ + record->values.size() > most_values) {
     records_.clear();
     values_ = 0;
   }
-  if (records_.emplace(std::move(key), std::make_shared<const Record>(*record)).second) {
+  if (records_.emplace(std::move(key), std::make_shared<const StrongMotionRecord>(*record)).second) {
     values_ += record->values.size();
   }
   return record;

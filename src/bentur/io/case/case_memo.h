@@ -14,9 +14,6 @@
 
 namespace bentur {
 
-/// Appends what a value says, without its place in a file: two values have one key if and only if they say the same.
-void append_content(const TomlValue& value, std::string& key);
-
 /// What many readings of nearly the same case share: buildings that are given alike, with their modes, and records.
 /// Only what was found right is kept, and only so much of it; anything else is read again. For many threads.
 class CaseMemo {
@@ -28,13 +25,13 @@ class CaseMemo {
   void keep(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings);
 
   /// As read_record().
-  [[nodiscard]] std::optional<Record> record(const std::filesystem::path& file, const RecordOptions& options,
-                                             Diagnostics& diagnostics);
+  [[nodiscard]] std::optional<StrongMotionRecord> record(const std::filesystem::path& file,
+                                                         const RecordOptions& options, Diagnostics& diagnostics);
 
  private:
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const ReadBuilding>> buildings_;
-  std::map<std::string, std::shared_ptr<const Record>> records_;
+  std::map<std::string, std::shared_ptr<const StrongMotionRecord>> records_;
   std::size_t values_ = 0;  // of all records
 };
 

@@ -21,7 +21,6 @@ struct ReadBuilding {
   BuildingSpec spec;
   std::string path;  ///< building["Model 1"], or building[0] where there is no usable name
   bool is_frame = false;
-  std::size_t floors = 0;                ///< 0: not known
   std::size_t modes = 0;                 ///< how many; 0: not known
   std::vector<double> elevations;        ///< [length] of the floors above the ground datum; empty: not known
   std::optional<StructuralModel> model;  ///< assembled; nothing where what was read makes none
@@ -30,6 +29,9 @@ struct ReadBuilding {
 
 /// Height of the building above its own base [length].
 [[nodiscard]] double height_of(const ReadBuilding& building);
+
+/// Elevations of floors above their building's base, from the heights of its storeys [length].
+[[nodiscard]] std::vector<double> floor_elevations(const std::vector<double>& storey_heights);
 
 [[nodiscard]] Units read_units(const TomlView& root);
 
@@ -55,13 +57,18 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
 /// The ways round that a record can be applied: as-recorded reversed.
 [[nodiscard]] const std::vector<std::string>& polarities();
 
-/// code/case_code.cpp
+/// case_code.cpp
 [[nodiscard]] CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
 /// A case together with what was learnt in reading it.
 struct ReadCase {
   Case c;
   std::vector<ReadBuilding> buildings;
+
+  /// The buildings of a case that is right, as make_problem() takes them.
+  [[nodiscard]] std::vector<Building> made_buildings() const;
+  /// make_problem() of a case that is right. @throws InvalidParameter
+  [[nodiscard]] Problem problem() const { return make_problem(c, made_buildings()); }
 };
 
 /// case_toml.cpp: a whole case; its parts are usable only when `diagnostics` has no error. `memo` is for many readings

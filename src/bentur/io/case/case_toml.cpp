@@ -34,7 +34,7 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
   std::vector<std::string> names;
   for (const ReadBuilding& building : buildings) names.push_back(building.spec.name);
   std::vector<std::vector<double>> lists;
-  for (const ReadBuilding& building : buildings) lists.emplace_back(building.floors, 0.0);
+  for (const ReadBuilding& building : buildings) lists.emplace_back(building.elevations.size(), 0.0);
   for (const TomlMember& member : table->value().members) {
     const TomlView given = *table->find(member.key);
     const auto found = std::find(names.begin(), names.end(), member.key);
@@ -43,10 +43,10 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
       continue;
     }
     const auto b = static_cast<std::size_t>(found - names.begin());
-    const auto values = given.as_numbers(Rule::finite, {buildings[b].floors, "one per floor"});
-    if (!values) continue;
-    lists[b] = *values;
-    moves = moves || std::any_of(values->begin(), values->end(), [](double x) { return x != 0; });
+    const auto values = given.as_numbers(Rule::finite, {lists[b].size(), "one per floor"});
+    if (values.empty()) continue;
+    lists[b] = values;
+    moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
   }
   return lists;
 }
@@ -128,7 +128,7 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
 }
 
 /// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
-void check_assembled(const TomlView& root, std::vector<ReadBuilding>& buildings) {
+void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuilding>& buildings) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     if (buildings[b].made) continue;
     try {
@@ -136,20 +136,17 @@ void check_assembled(const TomlView& root, std::vector<ReadBuilding>& buildings)
       buildings[b].made = std::make_shared<const Building>(
           buildings[b].model ? make_building(spec.name, *buildings[b].model, spec.damping) : make_building(spec));
     } catch (const std::exception& error) {
-      root.find("building")
-          ->item(b)
-          .renamed(buildings[b].path)
-          .error(std::string("cannot be computed with: ") + error.what());
+      views[b].error(std::string("cannot be computed with: ") + error.what());
     }
   }
 }
 
 /// Buildings whose contact takes no time cannot start inside one another.
-void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+void check_overlaps(const TomlView& root, const ReadCase& read) {
+  const Case& c = read.c;
   const auto hard = [](const GapSpec& gap) { return gap.contact.law == "restitution"; };
   if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
-  std::vector<Building> made;
-  for (const ReadBuilding& building : buildings) made.push_back(*building.made);
+  const std::vector<Building> made = read.made_buildings();
   for (const ContactPoint& point : contact_points(c, made)) {
     const auto left = static_cast<std::size_t>(point.left);
     const double left_at = c.initial.displacements[left][static_cast<std::size_t>(point.left_floor)];
@@ -164,24 +161,23 @@ void check_overlaps(const TomlView& root, const Case& c, const std::vector<ReadB
 }
 
 /// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
-void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+void check_times(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read) {
+  const Case& c = read.c;
   const double shortest = c.analysis.duration * shortest_time;
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
-    const double fastest = buildings[b].made->modes.omega.maxCoeff();
-    const double damping = buildings[b].made->modal_damping.norm();
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    const Building& building = *read.buildings[b].made;
+    const double fastest = building.modes.omega.maxCoeff();
+    const double damping = building.modal_damping.norm();
     if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
     const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
     if (!std::isfinite(damping)) {
-      root.find("building")->item(b).renamed(buildings[b].path).error("has damping beyond what can be computed with");
+      views[b].error("has damping beyond what can be computed with");
       continue;
     }
-    root.find("building")
-        ->item(b)
-        .renamed(buildings[b].path)
-        .error(
-            fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
-                        "the case?",
-                        what, std::max(fastest, damping), c.analysis.duration));
+    views[b].error(
+        fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                    "the case?",
+                    what, std::max(fastest, damping), c.analysis.duration));
   }
   const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
   if (harmonic == nullptr) return;
@@ -195,6 +191,12 @@ void check_times(const TomlView& root, const Case& c, const std::vector<ReadBuil
 }
 
 }  // namespace
+
+std::vector<Building> ReadCase::made_buildings() const {
+  std::vector<Building> made;
+  for (const ReadBuilding& building : buildings) made.push_back(*building.made);
+  return made;
+}
 
 ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
                          CaseMemo* memo) {
@@ -218,10 +220,12 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
-  check_assembled(root, buildings);
+  std::vector<TomlView> views = root.find("building")->items();
+  for (std::size_t b = 0; b < views.size(); ++b) views[b] = views[b].renamed(buildings[b].path);
+  check_assembled(views, buildings);
   if (diagnostics.ok()) {
-    check_overlaps(root, c, buildings);
-    check_times(root, c, buildings);
+    check_overlaps(root, read);
+    check_times(root, views, read);
   }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
@@ -255,24 +259,18 @@ std::optional<Case> read_parsed(const std::string& text, const std::filesystem::
 
 /// Puts a harmonic motion in place of a record. @return whether there was one.
 bool take_record_out(TomlValue& root) {
-  for (TomlMember& table : root.members) {
-    if (table.key != "excitation") continue;
-    std::vector<TomlMember>& members = table.value.members;
-    const auto is_record = [](const TomlMember& one) { return one.key == "kind" && one.value.text == "record"; };
-    if (std::none_of(members.begin(), members.end(), is_record)) return false;
-    std::erase_if(members, [](const TomlMember& one) {
+  TomlValue* const excitation = root.find("excitation");
+  if (excitation != nullptr) {
+    const TomlValue* const kind = excitation->find("kind");
+    if (kind == nullptr || kind->text != "record") return false;
+    std::erase_if(excitation->members, [](const TomlMember& one) {
       return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
     });
   }
-  TomlValue kind;
-  kind.kind = TomlValue::Kind::text;
-  kind.text = "harmonic";
-  put_value(root, {"excitation", "kind"}, kind, 0, 0);
-  for (const char* key : {"period", "displacement_amplitude"}) {
-    put_value(root, {"excitation", key}, toml_number(1), 0, 0);
-  }
+  put_value(root, {"excitation", "kind"}, toml_text("harmonic"));
+  for (const char* key : {"period", "displacement_amplitude"}) put_value(root, {"excitation", key}, toml_number(1));
   // The duration is a record's own where none is given.
-  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1), 0, 0);
+  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1));
   return true;
 }
 

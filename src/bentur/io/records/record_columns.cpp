@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <span>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/records/internal/column_rows.h"
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 /// What the columns of a file mean, once it is known.
@@ -48,12 +49,12 @@ class ColumnReader {
     columns_ = found.cells(found.rows.front()).size();
   }
 
-  std::optional<Record> read() {
+  std::optional<StrongMotionRecord> read() {
     read_numbers();
     if (numbers_.size() == 0) return std::nullopt;
     const auto meaning = settled();
     if (!meaning) return std::nullopt;
-    Record record;
+    StrongMotionRecord record;
     record.header_lines = found_.header_lines;
     if (*meaning == Meaning::values) {
       record.format = columns_ == 1 ? "one-column" : "values";
@@ -101,22 +102,19 @@ class ColumnReader {
     const std::string& format = options_.format;
     if (format == "values") return values_without_column();
     if (format == "one-column" && columns_ > 1 && !options_.column) {
-      fail(
+      return errors_.error(
           fmt::format("has {} numbers in a line: say in {} which column holds the accelerations; where every number is "
                       "an acceleration of one record, row by row, give {}",
                       columns_, options_.name("column"), as_values()));
-      return std::nullopt;
     }
     if (format == "one-column") return Meaning::channels;
     if (format == "two-column") {
       if (columns_ >= 2) return Meaning::time_first;
-      errors_.error(found_.rows.front().number, 1, "has 1 column, a two-column file has time and acceleration");
-      return std::nullopt;
+      return errors_.error(found_.rows.front(), "has 1 column, a two-column file has time and acceleration");
     }
     if (columns_ == 1) return Meaning::channels;
     if (format == "csv" && found_.separator == ' ' && found_.rows.front().text.find('\t') == std::string_view::npos) {
-      fail("has no commas, semicolons or tabs between its numbers, as a csv file has");
-      return std::nullopt;
+      return errors_.error("has no commas, semicolons or tabs between its numbers, as a csv file has");
     }
     if (!errors_.ok() || goes_up(numbers_.column(0))) return Meaning::time_first;
     return without_time();
@@ -124,8 +122,8 @@ class ColumnReader {
 
   std::optional<Meaning> values_without_column() {
     if (!options_.column) return Meaning::values;
-    fail(fmt::format("is read row by row with {}: {} has no meaning then", as_values(), options_.name("column")));
-    return std::nullopt;
+    return errors_.error(
+        fmt::format("is read row by row with {}: {} has no meaning then", as_values(), options_.name("column")));
   }
 
   /// Several numbers in a line, of which the first is no time.
@@ -138,29 +136,26 @@ class ColumnReader {
     if (columns_ == 2 && !step_) return Meaning::time_first;  // more likely bad times than no times
     if (!block) {
       check_widths();
-      fail(fmt::format("is no table of columns: where every number is an acceleration, row by row, give {}{}",
-                       as_values(), step_ ? "" : " and " + options_.name("time_step")));
-      return std::nullopt;
+      return errors_.error(
+          fmt::format("is no table of columns: where every number is an acceleration, row by row, give {}{}",
+                      as_values(), step_ ? "" : " and " + options_.name("time_step")));
     }
     if (ragged) {
-      fail(fmt::format("has {} numbers in a line, row by row, and no time: give {}", columns_,
-                       options_.name("time_step")));
-      return std::nullopt;
+      return errors_.error(fmt::format("has {} numbers in a line, row by row, and no time: give {}", columns_,
+                                       options_.name("time_step")));
     }
     const std::string step = step_ ? "" : options_.name("time_step") + " and ";
-    fail(
+    return errors_.error(
         fmt::format("has {} numbers in a line, and the first is no time: give {}either {}, where all are "
                     "accelerations of one record, row by row, or {}, where each column is a channel",
                     columns_, step, as_values(), options_.name("column")));
-    return std::nullopt;
   }
 
   void check_widths() {
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       if (numbers_[i].size() == columns_) continue;
-      errors_.error(found_.rows[i].number, 1,
-                    fmt::format("has {} {}, the first row has {}", numbers_[i].size(),
-                                numbers_[i].size() == 1 ? "column" : "columns", columns_));
+      errors_.error(found_.rows[i],
+                    fmt::format("has {}, the first row has {}", counted(numbers_[i].size(), "column"), columns_));
     }
   }
 
@@ -168,23 +163,23 @@ class ColumnReader {
   std::optional<std::size_t> chosen_column(bool timed) {
     if (!options_.column) {
       if (columns_ == (timed ? 2 : 1)) return columns_ - 1;
-      fail(fmt::format("has {} columns, time and {} more: say in {} (2 to {}) which one holds the accelerations",
-                       columns_, columns_ - 1, options_.name("column"), columns_));
-      return std::nullopt;
+      return errors_.error(
+          fmt::format("has {} columns, time and {} more: say in {} (2 to {}) which one holds the accelerations",
+                      columns_, columns_ - 1, options_.name("column"), columns_));
     }
     const auto column = static_cast<std::size_t>(*options_.column);
     if (column >= (timed ? 2U : 1U) && column <= columns_) return column - 1;
     const std::string asked = options_.setting("column", std::to_string(column));
-    fail(timed           ? fmt::format("has columns 1 (time) to {}, {} is not one of accelerations", columns_, asked)
-         : columns_ == 1 ? fmt::format("has one column, {} is not there", asked)
-                         : fmt::format("has {} columns, {} is not there", columns_, asked));
-    return std::nullopt;
+    return errors_.error(
+        timed           ? fmt::format("has columns 1 (time) to {}, {} is not one of accelerations", columns_, asked)
+        : columns_ == 1 ? fmt::format("has one column, {} is not there", asked)
+                        : fmt::format("has {} columns, {} is not there", columns_, asked));
   }
 
   double needed_step() {
     if (step_) return *step_;
-    fail(fmt::format("has {} and so no time: give {}", columns_ == 1 ? "one column" : "no column of times",
-                     options_.name("time_step")));
+    errors_.error(fmt::format("has {} and so no time: give {}", columns_ == 1 ? "one column" : "no column of times",
+                              options_.name("time_step")));
     return 0;
   }
 
@@ -193,17 +188,17 @@ class ColumnReader {
     std::size_t bad = 0;
     const auto step = even_step(times, bad);
     if (step && found_.stated && std::abs(*step / found_.stated->time_step - 1) > 0.01) {
-      fail(fmt::format("says a step of {:.6g} s in its heading, but its times go forward by {:.6g} s",
-                       found_.stated->time_step, *step));
+      errors_.error(fmt::format("says a step of {:.6g} s in its heading, but its times go forward by {:.6g} s",
+                                found_.stated->time_step, *step));
     }
     if (step) return *step;
     if (times.size() < 2) {
-      fail("holds one value only, a record needs two or more");
+      errors_.error("holds one value only, a record needs two or more");
     } else if (bad == 0) {
-      errors_.error(found_.rows.back().number, 1, "time does not go forward from the first line to the last");
+      errors_.error(found_.rows.back(), "time does not go forward from the first line to the last");
     } else {
       const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-      errors_.error(found_.rows[bad].number, 1,
+      errors_.error(found_.rows[bad],
                     fmt::format("time step {:.6g} s differs from the mean step {:.6g} s by more than 1 %",
                                 times[bad] - times[bad - 1], mean));
     }
@@ -212,12 +207,10 @@ class ColumnReader {
 
   void check_count(std::size_t count) {
     if (!errors_.ok() || !found_.stated || static_cast<std::size_t>(found_.stated->count) == count) return;
-    fail(fmt::format("says {} values in its heading, but holds {}", found_.stated->count, count));
+    errors_.error(fmt::format("says {} values in its heading, but holds {}", found_.stated->count, count));
   }
 
   [[nodiscard]] std::string as_values() const { return options_.setting("format", "values"); }
-
-  void fail(const std::string& message) { errors_.error(0, 0, message); }
 
   const ColumnRows& found_;
   const RecordOptions& options_;
@@ -245,10 +238,10 @@ void check_heading(const std::vector<Line>& lines, const ColumnRows& found, Reco
 
 }  // namespace
 
-std::optional<Record> read_columns(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
+std::optional<StrongMotionRecord> read_columns(const std::vector<Line>& lines, const RecordOptions& options,
+                                               RecordErrors& errors) {
   if (options.channel) {
-    errors.error(0, 0,
-                 fmt::format("is a file of columns: {} has no meaning, give {}", options.name("channel"),
+    errors.error(fmt::format("is a file of columns: {} has no meaning, give {}", options.name("channel"),
                              options.name("column")));
   }
   const auto found = find_rows(lines, options, errors);
@@ -257,4 +250,4 @@ std::optional<Record> read_columns(const std::vector<Line>& lines, const RecordO
   return ColumnReader(*found, options, errors).read();
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

@@ -7,46 +7,35 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 constexpr double cosmos_missing = -999;
 
 /// A counted header: "100 Integer-header values follow on  10 lines, Format= (10I8)" at line `at`.
 std::vector<double> cosmos_header(const std::vector<Line>& lines, std::size_t at, RecordErrors& errors) {
-  const auto words = words_of(lines[at], " \t");
+  const auto words = words_of(lines[at]);
   const double count = words.empty() ? 0 : number_of(words[0].text).value_or(0);
   const double rows = number_after(lines[at].text, "follow on").value_or(0);
   const std::size_t width = field_width(lines[at].text);
-  std::vector<double> values;
   if (!(count >= 0 && rows >= 1 && rows < static_cast<double>(lines.size() - at)) || width == 0) {
-    errors.error(lines[at].number, 1,
+    errors.error(lines[at],
                  "must say how many values follow, on how many lines and in which format, as in \"100 Real-header "
                  "values follow on  17 lines, Format= (6F13.6)\"");
-    return values;
+    return {};
   }
-  const int last = lines[at].number + static_cast<int>(rows);
-  (void)read_fields(
-      lines, at + 1, width, [last](const Line& line) { return line.number > last; }, values, errors);
-  return values;
+  return read_numbers(std::span(lines).subspan(at + 1, static_cast<std::size_t>(rows)), width, errors);
 }
 
-bool contains(const Line& line, std::string_view text) { return upper(line.text).find(text) != std::string::npos; }
-
 bool ends_cosmos_block(const Line& line) {
-  return contains(line, "END-OF-DATA") || contains(line, "END OF DATA") || contains(line, "(FORMAT V") ||
-         contains(line, " PTS,");
+  return line.says("END-OF-DATA") || line.says("END OF DATA") || line.says("(FORMAT V") || line.says(" PTS,");
 }
 
 /// "Sta Chan  1: 360 deg" up to what the recorder calls it.
 std::string cosmos_title(std::string_view line) {
   const std::string text = upper(line);
   const std::size_t end = std::min(text.find("(RCRDR"), text.find("LOCATION:"));
-  std::string title;
-  for (const Token& word : words_of({line.substr(0, std::min(end, std::size_t{50})), 0}, " \t")) {
-    if (upper(word.text) != "STA") title += (title.empty() ? "" : " ") + std::string(word.text);
-  }
-  return title;
+  return single_spaced(line.substr(0, std::min(end, std::size_t{50})), "STA");
 }
 
 /// The headers of a channel, as far as they are needed.
@@ -60,14 +49,14 @@ struct CosmosHeaders {
 Channel cosmos_block(const Line& line, const CosmosHeaders& headers, RecordErrors& errors) {
   const std::string text = upper(line.text);
   Channel channel;
-  const auto words = words_of({text, line.number}, " \t");
+  const auto words = words_of({text, line.number});
   if (words.size() < 3 || words[1].text != "ACCELERATION" || !words[2].text.starts_with("PTS")) return channel;
   channel.count = static_cast<long>(number_of(words[0].text).value_or(0));
   channel.width = field_width(text);
   channel.time_step = headers.step / 1000;
   channel.title = headers.title;
   if (channel.count < 1 || channel.width == 0) {
-    errors.error(line.number, 1, "must give the number of values and their format, as in \"Format=(8F10.5)\"");
+    errors.error(line, "must give the number of values and their format, as in \"Format=(8F10.5)\"");
   }
   // The unit as a code in parentheses here, and as integer 3 of the headers.
   const std::size_t units = text.find("UNITS=");
@@ -84,36 +73,35 @@ Channel cosmos_block(const Line& line, const CosmosHeaders& headers, RecordError
   if (code == 4 || code == 10) channel.unit = "gal";
   if (code == 11) channel.unit = "mg";
   if (code >= 50 && code < 60) {
-    errors.error(line.number, 1, "the values are counts or volts of the instrument, not accelerations");
+    errors.error(line, "the values are counts or volts of the instrument, not accelerations");
   }
   return channel;
 }
 
 }  // namespace
 
-bool looks_like_cosmos(const std::vector<Line>& lines) { return !lines.empty() && contains(lines[0], "(FORMAT V"); }
+bool looks_like_cosmos(const std::vector<Line>& lines) { return !lines.empty() && lines[0].says("(FORMAT V"); }
 
-std::optional<Record> read_cosmos(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "cosmos", errors);
+std::optional<StrongMotionRecord> read_cosmos(const std::vector<Line>& lines, const RecordOptions& options,
+                                              RecordErrors& errors) {
   std::vector<Channel> channels;
   CosmosHeaders headers;
   std::size_t begin = 0;  // of the channel
   for (std::size_t i = 0; i < lines.size() && errors.ok(); ++i) {
-    const std::string text = upper(lines[i].text);
-    if (text.find("(FORMAT V") != std::string::npos) {
+    if (lines[i].says("(FORMAT V")) {
       headers = {};
       begin = i;
     }
     if (i == begin + 8) headers.title = cosmos_title(lines[i].text);
-    if (text.find("INTEGER-HEADER") != std::string::npos) {
+    if (lines[i].says("INTEGER-HEADER")) {
       const auto integers = cosmos_header(lines, i, errors);
       if (integers.size() >= 3) headers.unit = integers[2];
     }
-    if (text.find("REAL-HEADER") != std::string::npos) {
+    if (lines[i].says("REAL-HEADER")) {
       const auto reals = cosmos_header(lines, i, errors);
       if (reals.size() >= 62) headers.step = reals[61];
     }
-    if (text.find(" PTS,") == std::string::npos) continue;
+    if (!lines[i].says(" PTS,")) continue;
     Channel block = cosmos_block(lines[i], headers, errors);
     block.first_line = i + 1;
     block.header_lines = static_cast<int>(i + 1 - begin);
@@ -121,9 +109,9 @@ std::optional<Record> read_cosmos(const std::vector<Line>& lines, const RecordOp
   }
   if (!errors.ok()) return std::nullopt;
   static constexpr ChannelFormat format = {
-      "cosmos", "\"7000 acceleration pts, approx 70 secs, units=cm/sec2(04),Format=(8F10.5)\"",
+      "\"7000 acceleration pts, approx 70 secs, units=cm/sec2(04),Format=(8F10.5)\"",
       "real 62 of the headers before this must be the step in milliseconds", ends_cosmos_block};
   return read_channel(lines, channels, format, options, errors);
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

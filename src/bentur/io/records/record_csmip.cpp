@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 bool is_count(std::optional<double> count) { return count && *count >= 1 && *count == std::floor(*count); }
@@ -15,7 +16,7 @@ bool is_count(std::optional<double> count) { return count && *count >= 1 && *cou
 /// "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)" or, of volume 1, "13200 Accelerogram
 /// points at 200 pts/sec in units of g .      Format: (8f9.6)". @param text in capitals.
 std::optional<Channel> csmip_block(const std::string& text) {
-  const auto words = words_of({text, 0}, " \t");
+  const auto words = words_of({text, 0});
   const auto count = words.empty() ? std::nullopt : number_of(words[0].text);
   if (!is_count(count)) return std::nullopt;
   Channel channel;
@@ -49,35 +50,26 @@ std::string csmip_title(std::string_view line) {
   const std::size_t at = text.find("CHAN ");
   if (at == std::string::npos || text.find(':', at) == std::string::npos) return "";
   const std::size_t end = text.find(" FROM", at);
-  std::string title;
-  for (const Token& word : words_of({line.substr(at, end == std::string::npos ? 40 : end - at), 0}, " \t")) {
-    title += (title.empty() ? "" : " ") + std::string(word.text);
-  }
-  return title;
+  return single_spaced(line.substr(at, end == std::string::npos ? 40 : end - at));
 }
 
 /// A line behind the values of a block: another block, the end of a channel or the beginning of the next.
 bool ends_csmip_block(const Line& line) {
-  const std::string text = upper(line.text);
-  return text.find("/&") != std::string::npos || text.find("POINTS OF") != std::string::npos ||
-         text.find("ACCELEROGRAM") != std::string::npos;
+  return line.says("/&") || line.says("POINTS OF") || line.says("ACCELEROGRAM");
 }
 
 }  // namespace
 
 bool looks_like_csmip(const std::vector<Line>& lines) {
-  if (lines.size() < 10 || upper(lines[0].text).find("CORRECTED ACCELEROGRAM") == std::string::npos) return false;
-  for (const Line& line : lines) {
-    const std::string text = upper(line.text);
-    if (text.find("POINTS OF ") != std::string::npos || text.find("ACCELEROGRAM POINTS AT") != std::string::npos) {
-      return true;
-    }
-  }
-  return false;
+  const auto heads_block = [](const Line& line) {
+    return line.says("POINTS OF ") || line.says("ACCELEROGRAM POINTS AT");
+  };
+  return lines.size() >= 10 && lines[0].says("CORRECTED ACCELEROGRAM") &&
+         std::any_of(lines.begin(), lines.end(), heads_block);
 }
 
-std::optional<Record> read_csmip(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "csmip", errors);
+std::optional<StrongMotionRecord> read_csmip(const std::vector<Line>& lines, const RecordOptions& options,
+                                             RecordErrors& errors) {
   std::vector<Channel> channels;
   std::string title;
   std::size_t begin = 0;  // of the channel
@@ -91,9 +83,9 @@ std::optional<Record> read_csmip(const std::vector<Line>& lines, const RecordOpt
       channels.push_back(std::move(*block));
     }
   }
-  static constexpr ChannelFormat format = {"csmip", "\"3000 points of accel data equally spaced at .020 sec\"",
+  static constexpr ChannelFormat format = {"\"3000 points of accel data equally spaced at .020 sec\"",
                                            "must say how far apart the values are, more than 0 s", ends_csmip_block};
   return read_channel(lines, channels, format, options, errors);
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

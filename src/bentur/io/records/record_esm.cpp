@@ -6,7 +6,7 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 /// Index of the first line that is no "KEY: value": keys are capitals, digits and signs without a blank.
@@ -40,13 +40,12 @@ bool looks_like_esm(const std::vector<Line>& lines) {
   return esm_value(lines, end, "SAMPLING_INTERVAL_S").line > 0 && esm_value(lines, end, "NDATA").line > 0;
 }
 
-std::optional<Record> read_esm(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "esm", errors);
-  refuse_channel(options, "esm", errors);
+std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const RecordOptions& /*options*/,
+                                           RecordErrors& errors) {
   const std::size_t end = esm_header_end(lines);
   const auto value = [&](std::string_view key) {
     const Token token = esm_value(lines, end, key);
-    if (token.line == 0) errors.error(0, 0, fmt::format("is no esm file: it has no header line {}", key));
+    if (token.line == 0) errors.error(fmt::format("is no esm file: it has no header line {}", key));
     return token;
   };
   const Token interval = value("SAMPLING_INTERVAL_S"), count = value("NDATA"), units = value("UNITS");
@@ -63,22 +62,18 @@ std::optional<Record> read_esm(const std::vector<Line>& lines, const RecordOptio
   if (!(expected >= 1)) errors.error(count, shown(count.text) + " must be the number of values");
   if (!errors.ok()) return std::nullopt;
 
-  Record record;
-  record.format = "esm";
+  StrongMotionRecord record;
   record.unit = unit->unit;
   record.time_step = step;
   record.header_lines = static_cast<int>(end);
-  for (std::size_t i = end; i < lines.size() && !errors.full(); ++i) {
-    for (const Token& token : words_of(lines[i], " \t")) {
-      if (const auto number = finite_number(token, false, errors)) record.values.push_back(*number * unit->factor);
-    }
-  }
+  record.values = read_numbers(std::span(lines).subspan(end), 0, errors);
+  for (double& number : record.values) number *= unit->factor;
   if (!errors.ok()) return std::nullopt;
   if (static_cast<double>(record.values.size()) != expected) {
-    errors.error(count, fmt::format("NDATA is {}, but the file holds {} values", count.text, record.values.size()));
-    return std::nullopt;
+    return errors.error(count,
+                        fmt::format("NDATA is {}, but the file holds {} values", count.text, record.values.size()));
   }
   return record;
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

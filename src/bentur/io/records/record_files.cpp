@@ -4,32 +4,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 struct RecordFormat {
   std::string_view name;
   bool (*looks_like)(const std::vector<Line>& lines);
   RecordReader* read;
+  bool channels = false;  ///< a file may have several
 };
 
 /// Those with marks of their own, in the order they are tried; columns are what is left.
 constexpr RecordFormat marked_formats[] = {
-    {"cosmos", looks_like_cosmos, read_cosmos}, {"csmip", looks_like_csmip, read_csmip},
-    {"smc", looks_like_smc, read_smc},          {"knet", looks_like_knet, read_knet},
-    {"esm", looks_like_esm, read_esm},          {"peer-at2", looks_like_peer, read_peer},
+    {"cosmos", looks_like_cosmos, read_cosmos, true},
+    {"csmip", looks_like_csmip, read_csmip, true},
+    {"smc", looks_like_smc, read_smc},
+    {"knet", looks_like_knet, read_knet},
+    {"esm", looks_like_esm, read_esm},
+    {"peer-at2", looks_like_peer, read_peer},
 };
 
-RecordReader* reader_of(const std::string& format, const std::vector<Line>& lines) {
-  for (const RecordFormat& one : marked_formats) {
-    if (format == one.name || (format == "auto" && one.looks_like(lines))) return one.read;
+std::optional<StrongMotionRecord> read_lines(const std::vector<Line>& lines, const RecordOptions& options,
+                                             RecordErrors& errors) {
+  const auto* const format = std::find_if(std::begin(marked_formats), std::end(marked_formats), [&](const auto& one) {
+    return options.format == one.name || (options.format == "auto" && one.looks_like(lines));
+  });
+  if (format == std::end(marked_formats)) return read_columns(lines, options, errors);
+  if (options.column) {
+    errors.error(fmt::format("is a {} file, which has no columns to choose from", format->name));
   }
-  return read_columns;
+  if (!format->channels && options.channel.value_or(1) != 1) {
+    errors.error(fmt::format("is a {} file, which has one channel: {} is not there", format->name,
+                             options.setting("channel", std::to_string(*options.channel))));
+  }
+  std::optional<StrongMotionRecord> record = format->read(lines, options, errors);
+  if (record) record->format = format->name;
+  return record;
 }
 
 /// Why a file is no text, or nothing.
@@ -42,6 +59,9 @@ std::string not_text(std::string_view text) {
 }
 
 }  // namespace
+}  // namespace bentur::records
+
+namespace bentur {
 
 std::string RecordOptions::name(const std::string& key) const {
   if (!of_command) return "excitation." + key;
@@ -62,51 +82,42 @@ const std::vector<std::string>& record_formats() {
   return formats;
 }
 
-std::optional<Record> read_record(const std::filesystem::path& file, const RecordOptions& options,
-                                  Diagnostics& diagnostics) {
+std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file, const RecordOptions& options,
+                                              Diagnostics& diagnostics) {
+  using namespace records;
   RecordErrors errors(file.string(), diagnostics);
   std::string problem;
   auto bytes = read_input(file, record_input, problem);
-  if (!bytes) {
-    errors.error(0, 0, problem);
-    return std::nullopt;
-  }
+  if (!bytes) return errors.error(problem);
   const std::string text = decoded(*std::move(bytes));
   std::vector<Line> lines = lines_of(text);
   const auto skipped = std::min(static_cast<std::size_t>(options.skip_lines), lines.size());
   lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
   if (lines.size() > most_lines) {
-    errors.error(0, 0, fmt::format("has more than {} lines, which no record has", most_lines));
-    return std::nullopt;
+    return errors.error(fmt::format("has more than {} lines, which no record has", most_lines));
   }
   for (const Line& line : lines) {
     if (line.text.size() <= longest_line) continue;
-    errors.error(line.number, 1, fmt::format("is a line of more than {} MiB, which no record has", longest_line >> 20));
-    return std::nullopt;
+    return errors.error(line, fmt::format("is a line of more than {} MiB, which no record has", longest_line >> 20));
   }
   const bool blank = std::all_of(lines.begin(), lines.end(), [](const Line& line) {
     return line.text.find_first_not_of(" \t") == std::string_view::npos;
   });
   if (blank) {
-    errors.error(0, 0,
-                 skipped > 0
-                     ? fmt::format("holds nothing behind the {} lines of {}", skipped, options.name("skip_lines"))
-                     : "is empty");
-    return std::nullopt;
+    return errors.error(
+        skipped > 0 ? fmt::format("holds nothing behind the {} lines of {}", skipped, options.name("skip_lines"))
+                    : "is empty");
   }
   problem = not_text(text);
-  if (!problem.empty()) {
-    errors.error(0, 0, problem);
-    return std::nullopt;
-  }
-  std::optional<Record> record = reader_of(options.format, lines)(lines, options, errors);
-  if (record && record->values.size() < 2) errors.error(0, 0, "holds one value only, a record needs two or more");
+  if (!problem.empty()) return errors.error(problem);
+  auto record = read_lines(lines, options, errors);
+  if (record && record->values.size() < 2) errors.error("holds one value only, a record needs two or more");
   if (!record || !errors.ok()) return std::nullopt;
   record->header_lines += static_cast<int>(skipped);
   return record;
 }
 
-RecordEcho echo_of(const Record& record, const std::string& file, const std::string& unit) {
+RecordEcho echo_of(const StrongMotionRecord& record, const std::string& file, const std::string& unit) {
   RecordEcho echo;
   echo.file = file;
   echo.format = record.format;
@@ -124,9 +135,7 @@ RecordEcho echo_of(const Record& record, const std::string& file, const std::str
 std::string echo_notes(const RecordEcho& echo) {
   std::string text;
   if (!echo.channel.empty()) text += ", " + echo.channel;
-  if (echo.header_lines > 0) {
-    text += fmt::format(", {} header {}", echo.header_lines, echo.header_lines == 1 ? "line" : "lines");
-  }
+  if (echo.header_lines > 0) text += ", " + counted(static_cast<std::size_t>(echo.header_lines), "header line");
   if (echo.reversed) text += ", reversed";
   if (echo.mean_removed != 0) text += fmt::format(", mean {:.4g} {} removed", echo.mean_removed, echo.unit);
   return text;

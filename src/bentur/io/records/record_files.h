@@ -11,7 +11,7 @@
 namespace bentur {
 
 /// Accelerations as a strong-motion file has them, before any unit or scaling.
-struct Record {
+struct StrongMotionRecord {
   std::string format;          ///< one of record_formats(), but for auto and csv
   std::string unit;            ///< as acceleration_units(), where the file says it; else empty
   double time_step = 0;        ///< [s]
@@ -29,6 +29,7 @@ struct RecordOptions {
   int skip_lines = 0;               ///< so many lines at the beginning are not looked at
   bool of_command = false;          ///< messages call these --time-step and so on, not excitation.time_step
 
+  /// `excitation.format`, or `--format`.
   [[nodiscard]] std::string name(const std::string& key) const;
   /// `excitation.format = "values"`, or `--format values`.
   [[nodiscard]] std::string setting(const std::string& key, const std::string& value) const;
@@ -38,11 +39,12 @@ struct RecordOptions {
 [[nodiscard]] const std::vector<std::string>& record_formats();
 
 /// Reads a record (docs/record-files.md). What is wrong goes to `diagnostics` with the record file's line and column.
-[[nodiscard]] std::optional<Record> read_record(const std::filesystem::path& file, const RecordOptions& options,
-                                                Diagnostics& diagnostics);
+/// @return two values or more, or nothing where there was an error.
+[[nodiscard]] std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
+                                                            const RecordOptions& options, Diagnostics& diagnostics);
 
 /// What was read, as users are told it; `unit` is the file's own or the one that the user gives. Not yet scaled: pga 0.
-[[nodiscard]] RecordEcho echo_of(const Record& record, const std::string& file, const std::string& unit);
+[[nodiscard]] RecordEcho echo_of(const StrongMotionRecord& record, const std::string& file, const std::string& unit);
 
 /// What is worth saying beside format and unit, each after a comma: ", channel 2 of 3 (Chan 2: 360 Deg), 46 header
 /// lines, mean 0.12 cm/s2 removed".

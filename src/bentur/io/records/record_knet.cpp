@@ -9,7 +9,7 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 constexpr std::size_t knet_headers = 17;  // lines
@@ -38,40 +38,30 @@ bool looks_like_knet(const std::vector<Line>& lines) {
   return knet_line(lines, "Sampling Freq(Hz)") != nullptr && knet_line(lines, "Scale Factor") != nullptr;
 }
 
-std::optional<Record> read_knet(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "knet", errors);
-  refuse_channel(options, "knet", errors);
+std::optional<StrongMotionRecord> read_knet(const std::vector<Line>& lines, const RecordOptions& /*options*/,
+                                            RecordErrors& errors) {
   const Line* const rate_line = knet_line(lines, "Sampling Freq(Hz)");
   const Line* const scale_line = knet_line(lines, "Scale Factor");
   if (rate_line == nullptr || scale_line == nullptr || lines.size() <= knet_headers) {
-    errors.error(0, 0,
-                 "is no knet file: of 17 header lines one must give the \"Sampling Freq(Hz)\", one the \"Scale "
-                 "Factor\", and values must follow");
-    return std::nullopt;
+    return errors.error(
+        "is no knet file: of 17 header lines one must give the \"Sampling Freq(Hz)\", one the \"Scale "
+        "Factor\", and values must follow");
   }
   const double rate = number_after(rate_line->text, "Sampling Freq(Hz)").value_or(0);
   if (!(rate > 0 && rate < 1e6)) {
-    errors.error(rate_line->number, 1, "must give the sampling frequency, as in \"Sampling Freq(Hz) 100Hz\"");
+    errors.error(*rate_line, "must give the sampling frequency, as in \"Sampling Freq(Hz) 100Hz\"");
   }
   const auto scale = knet_scale(scale_line->text.substr(std::string_view("Scale Factor").size()));
   if (!scale) {
-    errors.error(scale_line->number, 1, "must give gal per count, as in \"Scale Factor      3920(gal)/6182761\"");
+    errors.error(*scale_line, "must give gal per count, as in \"Scale Factor      3920(gal)/6182761\"");
   }
-  Record record;
-  record.format = "knet";
+  StrongMotionRecord record;
   record.unit = "cm/s2";
   record.time_step = 1 / rate;
   record.header_lines = static_cast<int>(knet_headers);
-  for (std::size_t i = knet_headers; i < lines.size() && !errors.full(); ++i) {
-    for (const Token& token : words_of(lines[i], " \t")) {
-      if (const auto count = finite_number(token, false, errors)) record.values.push_back(*count);
-    }
-  }
+  record.values = read_numbers(std::span(lines).subspan(knet_headers), 0, errors);
   if (!errors.ok()) return std::nullopt;
-  if (record.values.empty()) {
-    errors.error(0, 0, "holds no numbers");
-    return std::nullopt;
-  }
+  if (record.values.empty()) return errors.error("holds no numbers");
   const double mean =
       std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(record.values.size());
   for (double& value : record.values) value = (value - mean) * *scale;
@@ -79,4 +69,4 @@ std::optional<Record> read_knet(const std::vector<Line>& lines, const RecordOpti
   return record;
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

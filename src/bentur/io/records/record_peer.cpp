@@ -8,7 +8,7 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 /// Line 3 must say accelerations in units of g: velocities (VT2) and displacements (DT2) come in the same layout.
@@ -25,7 +25,7 @@ void check_quantity(const Line& line, RecordErrors& errors) {
   const std::string phrase = "UNITS OF";
   const std::size_t at = text.find(phrase);
   if (at == std::string::npos) {
-    errors.error(line.number, 1, "line 3 of a peer-at2 file must say \"... IN UNITS OF G\"");
+    errors.error(line, "line 3 of a peer-at2 file must say \"... IN UNITS OF G\"");
     return;
   }
   const Line rest{std::string_view(text).substr(at + phrase.size()), line.number};
@@ -67,10 +67,9 @@ std::optional<CountAndStep> read_peer_header(const Line& line, RecordErrors& err
   const auto count = number_of(header.count.text);
   const auto step = number_of(header.step.text);
   if (!count || !step) {
-    errors.error(
-        line.number, 1,
+    return errors.error(
+        line,
         "line 4 of a peer-at2 file must give the number of values and the step, as in \"NPTS= 4000, DT= .01 SEC\"");
-    return std::nullopt;
   }
   if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count))) {
     errors.error(header.count, fmt::format("NPTS = {}, must be a whole number > 0", header.count.text));
@@ -88,7 +87,7 @@ std::size_t peer_header_line(const std::vector<Line>& lines) {
   bool units = false;
   for (std::size_t i = 0; i < std::min(lines.size(), std::size_t{40}); ++i) {
     if (units && count_and_step(lines[i])) return i;
-    units = units || upper(lines[i].text).find("UNITS OF") != std::string::npos;
+    units = units || lines[i].says("UNITS OF");
   }
   return 3;
 }
@@ -96,53 +95,40 @@ std::size_t peer_header_line(const std::vector<Line>& lines) {
 }  // namespace
 
 std::optional<CountAndStep> count_and_step(const Line& line) {
-  const std::string text = upper(line.text);
-  const PeerHeader header = peer_header(text, line.number);
-  const auto count = number_of(header.count.text);
-  const auto step = number_of(header.step.text);
-  const bool good = count && step && *count >= 1 && *count <= 1e9 && *count == std::floor(*count) &&
-                    std::isfinite(*step) && *step > 0;
-  return good ? std::optional(CountAndStep{static_cast<long>(*count), *step}) : std::nullopt;
+  Diagnostics ignored;
+  RecordErrors errors("", ignored);
+  return read_peer_header(line, errors);
 }
 
 bool looks_like_peer(const std::vector<Line>& lines) {
-  if (lines.size() < 4) return !lines.empty() && upper(lines[0].text).find("PEER") != std::string::npos;
-  return upper(lines[3].text).find("NPTS") != std::string::npos ||
-         upper(lines[2].text).find("UNITS OF") != std::string::npos || peer_header_line(lines) != 3;
+  if (lines.size() < 4) return !lines.empty() && lines[0].says("PEER");
+  return lines[3].says("NPTS") || lines[2].says("UNITS OF") || peer_header_line(lines) != 3;
 }
 
-std::optional<Record> read_peer(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "peer-at2", errors);
-  refuse_channel(options, "peer-at2", errors);
+std::optional<StrongMotionRecord> read_peer(const std::vector<Line>& lines, const RecordOptions& /*options*/,
+                                            RecordErrors& errors) {
   const std::size_t at = peer_header_line(lines);
   if (lines.size() < at + 2) {
-    errors.error(0, 0,
-                 fmt::format("has {} lines, a peer-at2 file has four header lines and then values", lines.size()));
-    return std::nullopt;
+    return errors.error(
+        fmt::format("has {} lines, a peer-at2 file has four header lines and then values", lines.size()));
   }
   std::size_t units = at - 1;
-  while (at != 3 && upper(lines[units].text).find("UNITS OF") == std::string::npos) --units;
+  while (at != 3 && !lines[units].says("UNITS OF")) --units;
   check_quantity(lines[units], errors);
   const auto header = read_peer_header(lines[at], errors);
   if (!header || !errors.ok()) return std::nullopt;
 
-  Record record;
-  record.format = "peer-at2";
+  StrongMotionRecord record;
   record.unit = "g";
   record.time_step = header->time_step;
   record.header_lines = static_cast<int>(at) + 1;
-  for (std::size_t i = at + 1; i < lines.size() && !errors.full(); ++i) {
-    for (const Token& token : words_of(lines[i], " \t")) {
-      if (const auto value = finite_number(token, false, errors)) record.values.push_back(*value);
-    }
-  }
+  record.values = read_numbers(std::span(lines).subspan(at + 1), 0, errors);
   if (!errors.ok()) return std::nullopt;
   if (static_cast<long>(record.values.size()) != header->count) {
-    errors.error(lines[at].number, 1,
-                 fmt::format("NPTS = {}, but the file holds {} values", header->count, record.values.size()));
-    return std::nullopt;
+    return errors.error(lines[at],
+                        fmt::format("NPTS = {}, but the file holds {} values", header->count, record.values.size()));
   }
   return record;
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

@@ -7,7 +7,7 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 namespace {
 
 constexpr std::size_t smc_texts = 11, smc_integers = 6, smc_reals = 10;  // lines
@@ -25,26 +25,22 @@ std::optional<double> smc_header(const std::vector<Line>& lines, std::size_t fir
 bool looks_like_smc(const std::vector<Line>& lines) {
   if (lines.size() < smc_texts + smc_integers + smc_reals) return false;
   const std::string kind = upper(lines[0].text);
-  const auto words = words_of({kind, 1}, " \t");
+  const auto words = words_of({kind, 1});
   return words.size() >= 2 && words[0].text.size() == 1 && words[0].text[0] >= '0' && words[0].text[0] <= '9' &&
          (words[1].text == "CORRECTED" || words[1].text == "UNCORRECTED" || words[1].text == "VELOCITY" ||
           words[1].text == "DISPLACEMENT" || words[1].text == "RESPONSE");
 }
 
-std::optional<Record> read_smc(const std::vector<Line>& lines, const RecordOptions& options, RecordErrors& errors) {
-  refuse_column(options, "smc", errors);
-  refuse_channel(options, "smc", errors);
+std::optional<StrongMotionRecord> read_smc(const std::vector<Line>& lines, const RecordOptions& /*options*/,
+                                           RecordErrors& errors) {
   const std::size_t headers = smc_texts + smc_integers + smc_reals;
   if (lines.size() < headers) {
-    errors.error(0, 0,
-                 fmt::format("has {} lines, an smc file has {} header lines and then values", lines.size(), headers));
-    return std::nullopt;
+    return errors.error(
+        fmt::format("has {} lines, an smc file has {} header lines and then values", lines.size(), headers));
   }
-  const std::string kind = upper(lines[0].text);
-  if (kind.find("ACCELEROGRAM") == std::string::npos) {
-    errors.error(lines[0].number, 1,
-                 fmt::format("the file holds {}, but ground accelerations are needed", shown(trimmed(lines[0].text))));
-    return std::nullopt;
+  if (!lines[0].says("ACCELEROGRAM")) {
+    return errors.error(
+        lines[0], fmt::format("the file holds {}, but ground accelerations are needed", shown(trimmed(lines[0].text))));
   }
   const auto integer = [&](std::size_t index) { return smc_header(lines, smc_texts, 10, index); };
   const auto real = [&](std::size_t index) { return smc_header(lines, smc_texts + smc_integers, 15, index); };
@@ -68,28 +64,25 @@ std::optional<Record> read_smc(const std::vector<Line>& lines, const RecordOptio
   std::size_t at = headers + static_cast<std::size_t>(comments);
   for (std::size_t i = headers; i < at; ++i) {
     if (lines[i].text.substr(0, 1) == "|") continue;
-    errors.error(lines[i].number, 1, fmt::format("must be one of {} comment lines, which begin with \"|\"", comments));
-    return std::nullopt;
+    return errors.error(lines[i], fmt::format("must be one of {} comment lines, which begin with \"|\"", comments));
   }
-  Record record;
-  record.format = "smc";
+  StrongMotionRecord record;
   record.unit = "cm/s2";
   record.time_step = 1 / rate;
   record.header_lines = static_cast<int>(at);
-  (void)read_fields(
-      lines, at, 10, [](const Line&) { return false; }, record.values, errors);
+  record.values = read_numbers(std::span(lines).subspan(at), 10, errors);
   for (const double value : record.values) {
     if (no_real && std::abs(value) < *no_real) continue;
-    errors.error(0, 0, "has values that are marked as missing");
+    errors.error("has values that are marked as missing");
     break;
   }
   if (!errors.ok()) return std::nullopt;
   if (record.values.size() != static_cast<std::size_t>(count)) {
-    errors.error(count_line, 1,
-                 fmt::format("says {} values, but the file holds {}", static_cast<long>(count), record.values.size()));
-    return std::nullopt;
+    return errors.error(
+        count_line, 1,
+        fmt::format("says {} values, but the file holds {}", static_cast<long>(count), record.values.size()));
   }
   return record;
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

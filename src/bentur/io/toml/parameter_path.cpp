@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/toml/toml_view.h"
 
 namespace bentur {
 namespace {
-
-bool is_bare(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-}
 
 /// What stands in brackets, from behind the first to behind the last; nothing when it is neither a number nor a text.
 std::optional<PathStep> bracketed(const std::string& text, std::size_t& at) {
@@ -34,17 +32,8 @@ std::optional<PathStep> bracketed(const std::string& text, std::size_t& at) {
   return step;
 }
 
-const TomlMember* member_of(const TomlValue& table, const std::string& key) {
-  const auto found =
-      std::find_if(table.members.begin(), table.members.end(), [&](const TomlMember& m) { return m.key == key; });
-  return found == table.members.end() ? nullptr : &*found;
-}
-
 const TomlValue* next_value(const TomlValue& value, const PathStep& step) {
-  if (const auto* key = std::get_if<std::string>(&step)) {
-    const TomlMember* member = value.kind == TomlValue::Kind::table ? member_of(value, *key) : nullptr;
-    return member == nullptr ? nullptr : &member->value;
-  }
+  if (const auto* key = std::get_if<std::string>(&step)) return value.find(*key);
   const std::size_t index = std::get<std::size_t>(step);
   return value.kind == TomlValue::Kind::list && index < value.items.size() ? &value.items[index] : nullptr;
 }
@@ -59,24 +48,23 @@ std::vector<std::string> keys_of(const TomlValue& table) {
 std::optional<std::size_t> named_entry(const TomlValue& list, const std::string& name, std::string& error) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const TomlMember* member = member_of(list.items[i], "name");
-    if (member == nullptr) continue;
-    if (member->value.text == name) return i;
-    names.push_back(member->value.text);
+    const TomlValue* own = list.items[i].find("name");
+    if (own == nullptr) continue;
+    if (own->text == name) return i;
+    names.push_back(own->text);
   }
   error = names.empty() ? "needs a place, as in [0]: the entries of this list have no names"
                         : fmt::format("is not in the case, {}", suggestion(name, names, "there are"));
   return std::nullopt;
 }
 
-void mark(TomlValue& value, int line, int column) {
-  value.line = line;
-  value.column = column;
-  for (TomlValue& item : value.items) mark(item, line, column);
+void mark(TomlValue& value, int origin) {
+  value.line = value.column = 0;
+  value.origin = origin;
+  for (TomlValue& item : value.items) mark(item, origin);
   for (TomlMember& member : value.members) {
-    member.line = line;
-    member.column = column;
-    mark(member.value, line, column);
+    member.line = member.column = 0;
+    mark(member.value, origin);
   }
 }
 
@@ -101,7 +89,7 @@ std::optional<ParameterPath> parse_path(const std::string& text, std::string& er
     }
     if (!path.empty() && text[at++] != '.') return refuse("must have keys joined by dots, as in gap[0].width");
     const std::size_t begin = at;
-    while (at < text.size() && is_bare(text[at])) ++at;
+    at = std::min(text.find_first_not_of(bare_key_characters, begin), text.size());
     if (at == begin) return refuse("must have keys joined by dots, as in gap[0].width");
     path.emplace_back(text.substr(begin, at - begin));
   }
@@ -130,7 +118,7 @@ std::optional<ParameterPath> resolved(const TomlValue& root, const ParameterPath
         step = *place;
       } else if (value->kind != TomlValue::Kind::table) {
         return refuse(fmt::format("does not exist: {} has no keys", here));
-      } else if (member_of(*value, *key) == nullptr) {
+      } else if (value->find(*key) == nullptr) {
         // Legal where the key is an optional one that a table may have, but what is missing has no entries.
         const bool entries = std::any_of(path.begin() + static_cast<std::ptrdiff_t>(i), path.end(),
                                          [](const PathStep& s) { return std::holds_alternative<std::size_t>(s); });
@@ -143,8 +131,8 @@ std::optional<ParameterPath> resolved(const TomlValue& root, const ParameterPath
       const std::size_t index = std::get<std::size_t>(step);
       if (value->kind != TomlValue::Kind::list) return refuse(fmt::format("does not exist: {} is not a list", here));
       if (index >= value->items.size()) {
-        return refuse(fmt::format("does not exist: {} has {} {}, counted from 0", here, value->items.size(),
-                                  value->items.size() == 1 ? "entry" : "entries"));
+        return refuse(fmt::format("does not exist: {} has {}, counted from 0", here,
+                                  counted(value->items.size(), "entry", "entries")));
       }
     }
     result.push_back(step);
@@ -162,20 +150,18 @@ const TomlValue* find_value(const TomlValue& root, const ParameterPath& path) {
   return value;
 }
 
-void put_value(TomlValue& root, const ParameterPath& path, const TomlValue& value, int line, int column) {
+void put_value(TomlValue& root, const ParameterPath& path, const TomlValue& value, int origin) {
   TomlValue* at = &root;
   for (const PathStep& step : path) {
     auto* next = const_cast<TomlValue*>(next_value(*at, step));
     if (next == nullptr) {  // resolved: a key of a table
-      TomlValue made;
-      mark(made, line, column);
-      at->members.push_back({std::get<std::string>(step), line, column, std::move(made)});
-      next = &at->members.back().value;
+      next = &at->members.emplace_back(TomlMember{std::get<std::string>(step), 0, 0, {}}).value;
+      next->origin = origin;
     }
     at = next;
   }
   *at = value;
-  mark(*at, line, column);
+  mark(*at, origin);
 }
 
 bool overlap(const ParameterPath& a, const ParameterPath& b) {
@@ -186,16 +172,19 @@ bool overlap(const ParameterPath& a, const ParameterPath& b) {
 std::string path_text(const ParameterPath& path) {
   std::string text;
   for (const PathStep& step : path) {
-    if (const auto* index = std::get_if<std::size_t>(&step)) {
-      text += fmt::format("[{}]", *index);
-    } else {
-      const std::string& key = std::get<std::string>(step);
-      const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
-      text += bare ? (text.empty() ? key : "." + key) : fmt::format("[{}]", in_quotes(key));
-    }
+    const auto* index = std::get_if<std::size_t>(&step);
+    text = index != nullptr ? fmt::format("{}[{}]", text, *index) : key_path(text, std::get<std::string>(step));
   }
   return text;
 }
+
+const TomlValue* TomlValue::find(const std::string& key) const {
+  const auto found =
+      std::find_if(members.begin(), members.end(), [&](const TomlMember& member) { return member.key == key; });
+  return found == members.end() ? nullptr : &found->value;
+}
+
+TomlValue* TomlValue::find(const std::string& key) { return const_cast<TomlValue*>(std::as_const(*this).find(key)); }
 
 TomlValue toml_number(double value) {
   TomlValue result;

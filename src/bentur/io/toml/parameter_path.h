@@ -29,8 +29,8 @@ using ParameterPath = std::vector<PathStep>;
 /// The value at a resolved path; null when it is missing.
 [[nodiscard]] const TomlValue* find_value(const TomlValue& root, const ParameterPath& path);
 
-/// Puts a value at a resolved path, making what is missing. What is put in or made has the place `line`, `column`.
-void put_value(TomlValue& root, const ParameterPath& path, const TomlValue& value, int line, int column);
+/// Puts a value at a resolved path, making what is missing. What is put in or made has no line, but `origin`.
+void put_value(TomlValue& root, const ParameterPath& path, const TomlValue& value, int origin = 0);
 
 /// Whether one path leads to the other or to a part of it.
 [[nodiscard]] bool overlap(const ParameterPath& a, const ParameterPath& b);

@@ -59,7 +59,7 @@ TEST(ParameterPath, SaysWhatIsWrong) {
   }
 }
 
-TEST(ParameterPath, PutsValuesWithTheirOwnPlace) {
+TEST(ParameterPath, PutsValuesWithTheirOrigin) {
   TomlValue root = tree();
   TomlValue value;
   value.kind = TomlValue::Kind::real;
@@ -67,16 +67,18 @@ TEST(ParameterPath, PutsValuesWithTheirOwnPlace) {
   std::string error;
   for (const char* const name : {"gap[0].contact.stiffness[1]", "analysis.duration", "building[0].damping"}) {
     const auto path = resolved(root, *parse_path(name, error), error).value();
-    put_value(root, path, value, -3, 0);
+    put_value(root, path, value, 3);
     const TomlValue* const found = find_value(root, path);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->real, 7);
-    EXPECT_EQ(found->line, -3);
+    EXPECT_EQ(found->origin, 3);
+    EXPECT_EQ(found->line, 0);
   }
   const TomlValue* const other = find_value(root, *parse_path("gap[0].contact.stiffness[0]", error));
   EXPECT_EQ(other->real, 1);
   EXPECT_GT(other->line, 0);
-  EXPECT_EQ(find_value(root, *parse_path("analysis", error))->line, -3);  // made on the way
+  EXPECT_EQ(other->origin, 0);
+  EXPECT_EQ(find_value(root, *parse_path("analysis", error))->origin, 3);  // made on the way
 }
 
 TEST(ParameterPath, OverlapsWithWhatItLeadsThrough) {

@@ -18,12 +18,20 @@ struct TomlValue {
   Kind kind = Kind::table;
   int line = 0;    ///< from 1; 0 for the file itself
   int column = 0;  ///< from 1, counted in characters
+  int origin = 0;  ///< 0: the file; else whatever has put the value in, as SourcePosition::origin
   std::string text;
   std::int64_t integer = 0;
   double real = 0;  ///< also set for integers [unit of the key]
   bool boolean = false;
   std::vector<TomlValue> items;     ///< of a list
   std::vector<TomlMember> members;  ///< of a table, in the order of the file
+
+  [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
+  /// The value of a key; null where this is no table or has no such key.
+  [[nodiscard]] const TomlValue* find(const std::string& key) const;
+  [[nodiscard]] TomlValue* find(const std::string& key);
+  /// Where it stands in its file, named `file`.
+  [[nodiscard]] SourcePosition position(const std::string& file) const { return {file, line, column, origin}; }
 };
 
 /// One `key = value` of a table.

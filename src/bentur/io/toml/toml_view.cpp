@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/core/number_text.h"
+
 namespace bentur {
 namespace {
 
@@ -48,17 +50,6 @@ std::string stated(Rule rule, double x) {
   return "must be finite";
 }
 
-bool is_bare(const std::string& key) {
-  return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
-std::string joined(const std::string& path, const std::string& key) {
-  if (!is_bare(key)) return fmt::format("{}[{}]", path, in_quotes(key));
-  return path.empty() ? key : path + "." + key;
-}
-
 const char* kind_name(TomlValue::Kind kind) {
   switch (kind) {
     case TomlValue::Kind::table:
@@ -71,6 +62,12 @@ const char* kind_name(TomlValue::Kind kind) {
 }
 
 }  // namespace
+
+std::string key_path(const std::string& path, const std::string& key) {
+  const bool bare = !key.empty() && key.find_first_not_of(bare_key_characters) == std::string::npos;
+  if (!bare) return fmt::format("{}[{}]", path, in_quotes(key));
+  return path.empty() ? key : path + "." + key;
+}
 
 std::string in_quotes(const std::string& text) {
   std::string shown = "\"";
@@ -103,11 +100,12 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
                       : fmt::format("did you mean \"{}\"?", near);
 }
 
-void TomlView::error(const std::string& message) const {
-  diagnostics_->error({*file_, value_->line, value_->column}, path_.empty() ? message : path_ + " " + message);
+std::nullopt_t TomlView::error(const std::string& message) const {
+  diagnostics_->error(position(), path_.empty() ? message : path_ + " " + message);
+  return std::nullopt;
 }
 
-void TomlView::error_value(const std::string& rule) const {
+std::nullopt_t TomlView::error_value(const std::string& rule) const {
   std::string shown;
   switch (value_->kind) {
     case TomlValue::Kind::text:
@@ -125,12 +123,12 @@ void TomlView::error_value(const std::string& rule) const {
     default:
       shown = std::string("is ") + kind_name(value_->kind);
   }
-  error(shown + ", " + rule);
+  return error(shown + ", " + rule);
 }
 
-void TomlView::error_missing(const std::string& key, const std::string& reason) const {
-  diagnostics_->error({*file_, value_->line, value_->column},
-                      joined(path_, key) + " is missing" + (reason.empty() ? "" : " (" + reason + ")"));
+std::nullopt_t TomlView::error_missing(const std::string& key, const std::string& reason) const {
+  diagnostics_->error(position(), key_path(path_, key) + " is missing" + (reason.empty() ? "" : " (" + reason + ")"));
+  return std::nullopt;
 }
 
 bool TomlView::is_table_of(const std::vector<std::string>& known) const {
@@ -140,20 +138,17 @@ bool TomlView::is_table_of(const std::vector<std::string>& known) const {
   }
   for (const TomlMember& member : value_->members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
-    diagnostics_->error({*file_, member.line, member.column},
-                        fmt::format("{} is not a known key, {}", joined(path_, member.key),
+    diagnostics_->error({*file_, member.line, member.column, member.value.origin},
+                        fmt::format("{} is not a known key, {}", key_path(path_, member.key),
                                     suggestion(member.key, known, "the known ones are")));
   }
   return true;
 }
 
-bool TomlView::has(const std::string& key) const { return find(key).has_value(); }
-
 std::optional<TomlView> TomlView::find(const std::string& key) const {
-  for (const TomlMember& member : value_->members) {
-    if (member.key == key) return TomlView(member.value, joined(path_, key), *file_, *diagnostics_);
-  }
-  return std::nullopt;
+  const TomlValue* found = value_->find(key);
+  if (found == nullptr) return std::nullopt;
+  return TomlView(*found, key_path(path_, key), *file_, *diagnostics_);
 }
 
 std::optional<TomlView> TomlView::get(const std::string& key, Need need) const {
@@ -167,10 +162,9 @@ std::optional<double> TomlView::number(const std::string& key, Rule rule, Need n
   return found ? found->as_number(rule) : std::nullopt;
 }
 
-std::optional<std::vector<double>> TomlView::numbers(const std::string& key, Rule rule, const Length& length,
-                                                     Need need) const {
+std::vector<double> TomlView::numbers(const std::string& key, Rule rule, const Length& length, Need need) const {
   const auto found = get(key, need);
-  return found ? found->as_numbers(rule, length) : std::nullopt;
+  return found ? found->as_numbers(rule, length) : std::vector<double>();
 }
 
 std::optional<std::string> TomlView::text(const std::string& key, Need need) const {
@@ -189,22 +183,48 @@ std::optional<bool> TomlView::flag(const std::string& key, Need need) const {
   return found ? found->as_flag() : std::nullopt;
 }
 
+std::optional<std::int64_t> TomlView::whole(const std::string& key, std::int64_t least, std::int64_t most,
+                                            Need need) const {
+  const auto found = get(key, need);
+  return found ? found->as_whole(least, most) : std::nullopt;
+}
+
+std::optional<TomlView> TomlView::tables(const std::string& key, const std::string& reason) const {
+  const auto list = find(key);
+  if (!list) return error_missing(key, reason);
+  if (!list->is(TomlValue::Kind::list)) {
+    return list->error_value(fmt::format("must be a list of tables, each headed [[{}]]", key));
+  }
+  return list;
+}
+
+void TomlView::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
+  for (const std::string& key : keys) {
+    if (const auto given = find(key)) given->error(reason);
+  }
+}
+
 std::optional<std::string> TomlView::exactly_one(const std::vector<std::string>& keys, Need need) const {
   std::vector<std::string> given;
   for (const std::string& key : keys) {
     if (has(key)) given.push_back(key);
   }
   if (given.size() == 1) return given.front();
-  if (given.empty()) {
-    if (need == Need::required) error(fmt::format("needs exactly one of {}", fmt::join(keys, ", ")));
-  } else {
-    error(fmt::format("has {}, but these exclude one another: give exactly one", fmt::join(given, " and ")));
+  if (!given.empty()) {
+    return error(fmt::format("has {}, but these exclude one another: give exactly one", fmt::join(given, " and ")));
   }
+  if (need == Need::required) error(fmt::format("needs exactly one of {}", fmt::join(keys, ", ")));
   return std::nullopt;
 }
 
 TomlView TomlView::item(std::size_t index) const {
   return {value_->items[index], fmt::format("{}[{}]", path_, index), *file_, *diagnostics_};
+}
+
+std::vector<TomlView> TomlView::items() const {
+  std::vector<TomlView> all;
+  for (std::size_t i = 0; i < size(); ++i) all.push_back(item(i));
+  return all;
 }
 
 bool TomlView::is_list_of(const std::string& what, const Length& length) const {
@@ -213,8 +233,7 @@ bool TomlView::is_list_of(const std::string& what, const Length& length) const {
     return false;
   }
   if (length.count > 0 && size() != length.count) {
-    error(fmt::format("has {} {}, expected {} ({})", size(), size() == 1 ? "entry" : "entries", length.count,
-                      length.each));
+    error(fmt::format("has {}, expected {} ({})", entries(), length.count, length.each));
     return false;
   }
   if (size() == 0) {
@@ -224,56 +243,52 @@ bool TomlView::is_list_of(const std::string& what, const Length& length) const {
   return true;
 }
 
+std::string TomlView::entries() const { return counted(size(), "entry", "entries"); }
+
 std::optional<double> TomlView::as_number(Rule rule) const {
-  if (!is_number()) {
-    error_value("must be a number");
-    return std::nullopt;
-  }
-  if (!obeys(rule, value_->real)) {
-    error_value(stated(rule, value_->real));
-    return std::nullopt;
-  }
+  if (!is_number()) return error_value("must be a number");
+  if (!obeys(rule, value_->real)) return error_value(stated(rule, value_->real));
   return value_->real;
 }
 
-std::optional<std::vector<double>> TomlView::as_numbers(Rule rule, const Length& length) const {
+std::optional<std::int64_t> TomlView::as_whole(std::int64_t least, std::int64_t most, const std::string& rule) const {
+  const bool good = is(TomlValue::Kind::integer) && value_->integer >= least && value_->integer <= most;
+  if (good) return value_->integer;
+  return error_value(rule.empty() ? fmt::format("must be a whole number from {} to {}", least, most) : rule);
+}
+
+std::vector<double> TomlView::as_numbers(Rule rule, const Length& length) const {
   bool good = is_list_of("numbers", length);
   std::vector<double> numbers;
-  for (std::size_t i = 0; i < size(); ++i) {
-    const auto number = item(i).as_number(rule);
+  for (const TomlView& one : items()) {
+    const auto number = one.as_number(rule);
     good = good && number.has_value();
     if (number) numbers.push_back(*number);
   }
-  return good ? std::optional(numbers) : std::nullopt;
+  return good ? numbers : std::vector<double>();
 }
 
-std::optional<std::vector<double>> TomlView::as_number_or_numbers(Rule rule, const Length& length) const {
+std::vector<double> TomlView::as_number_or_numbers(Rule rule, const Length& length) const {
   if (is(TomlValue::Kind::list)) return as_numbers(rule, length);
-  if (!is_number()) {
-    error_value("must be a number or a list of numbers");
-    return std::nullopt;
-  }
-  const auto number = as_number(rule);
-  return number ? std::optional(std::vector<double>{*number}) : std::nullopt;
+  if (!is_number()) error_value("must be a number or a list of numbers");
+  const auto number = is_number() ? as_number(rule) : std::nullopt;
+  return number ? std::vector<double>{*number} : std::vector<double>();
 }
 
 std::optional<std::string> TomlView::as_text() const {
   if (is(TomlValue::Kind::text)) return value_->text;
-  error_value("must be a text in quotes");
-  return std::nullopt;
+  return error_value("must be a text in quotes");
 }
 
 std::optional<std::string> TomlView::as_word(const std::vector<std::string>& known) const {
   const auto word = as_text();
   if (!word || std::find(known.begin(), known.end(), *word) != known.end()) return word;
-  error_value(suggestion(*word, known));
-  return std::nullopt;
+  return error_value(suggestion(*word, known));
 }
 
 std::optional<bool> TomlView::as_flag() const {
   if (is(TomlValue::Kind::boolean)) return value_->boolean;
-  error_value("must be true or false");
-  return std::nullopt;
+  return error_value("must be true or false");
 }
 
 }  // namespace bentur

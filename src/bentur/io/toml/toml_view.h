@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
@@ -21,9 +23,9 @@ struct Length {
   std::string each;
 };
 
-/// A value of a case file together with the name a user knows it by: the key path, as in
+/// A value of a TOML file together with the name a user knows it by: the key path, as in
 /// `building["Model 1"].frame.beams[0].mass`. What is wrong with it goes to the diagnostics with its position;
-/// every reader then returns nothing, so that reading can go on and collect the other errors.
+/// every reader then returns nothing, or an empty list, so that reading can go on and collect the other errors.
 class TomlView {
  public:
   /// All three must outlive the view.
@@ -32,45 +34,58 @@ class TomlView {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const TomlValue& value() const { return *value_; }
+  [[nodiscard]] SourcePosition position() const { return value_->position(*file_); }
   [[nodiscard]] bool is(TomlValue::Kind kind) const { return value_->kind == kind; }
-  [[nodiscard]] bool is_number() const { return is(TomlValue::Kind::integer) || is(TomlValue::Kind::real); }
+  [[nodiscard]] bool is_number() const { return value_->is_number(); }
 
   /// The same value under another name.
   [[nodiscard]] TomlView renamed(std::string path) const { return {*value_, std::move(path), *file_, *diagnostics_}; }
 
-  // Errors about this value.
-  void error(const std::string& message) const;     ///< "PATH MESSAGE"
-  void error_value(const std::string& rule) const;  ///< "PATH = VALUE, RULE", or "PATH is a list, RULE"
-  void error_missing(const std::string& key, const std::string& reason = {}) const;  ///< "PATH.KEY is missing REASON"
+  // Errors about this value. Each returns nothing, for a reader to return in turn.
+  std::nullopt_t error(const std::string& message) const;     ///< "PATH MESSAGE"
+  std::nullopt_t error_value(const std::string& rule) const;  ///< "PATH = VALUE, RULE", or "PATH is a list, RULE"
+  std::nullopt_t error_missing(const std::string& key,
+                               const std::string& reason = {}) const;  ///< "PATH.KEY is missing (REASON)"
 
   // Tables.
   /// False (and an error) unless this is a table; an error for each key that is not in `known`.
   [[nodiscard]] bool is_table_of(const std::vector<std::string>& known) const;
-  [[nodiscard]] bool has(const std::string& key) const;
+  [[nodiscard]] bool has(const std::string& key) const { return value_->find(key) != nullptr; }
   [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;
-  [[nodiscard]] std::optional<TomlView> get(const std::string& key, Need need) const;
+  [[nodiscard]] std::optional<TomlView> get(const std::string& key, Need need = Need::required) const;
   [[nodiscard]] std::optional<double> number(const std::string& key, Rule rule, Need need = Need::required) const;
-  [[nodiscard]] std::optional<std::vector<double>> numbers(const std::string& key, Rule rule, const Length& length = {},
-                                                           Need need = Need::required) const;
+  [[nodiscard]] std::vector<double> numbers(const std::string& key, Rule rule, const Length& length = {},
+                                            Need need = Need::required) const;
+  [[nodiscard]] std::optional<std::int64_t> whole(const std::string& key, std::int64_t least, std::int64_t most,
+                                                  Need need = Need::required) const;
   [[nodiscard]] std::optional<std::string> text(const std::string& key, Need need = Need::required) const;
   [[nodiscard]] std::optional<std::string> word(const std::string& key, const std::vector<std::string>& known,
                                                 Need need = Need::required) const;
   [[nodiscard]] std::optional<bool> flag(const std::string& key, Need need = Need::required) const;
+  /// The list of tables headed [[key]]; an error with `reason` where there is none.
+  [[nodiscard]] std::optional<TomlView> tables(const std::string& key, const std::string& reason) const;
   /// Of two or more keys that exclude one another the one given; an error when there is none (unless optional) or more.
   [[nodiscard]] std::optional<std::string> exactly_one(const std::vector<std::string>& keys,
                                                        Need need = Need::required) const;
+  /// An error with `reason` at each of the keys that is given.
+  void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
 
   // Lists.
   [[nodiscard]] std::size_t size() const { return value_->items.size(); }
+  [[nodiscard]] std::string entries() const;  ///< "1 entry", "3 entries"
   [[nodiscard]] TomlView item(std::size_t index) const;
-  /// False (and an error) unless this is a list of the length asked for.
+  [[nodiscard]] std::vector<TomlView> items() const;
+  /// False (and an error) unless this is a list of the length asked for, with one entry at least.
   [[nodiscard]] bool is_list_of(const std::string& what, const Length& length = {}) const;
 
   // This value itself.
   [[nodiscard]] std::optional<double> as_number(Rule rule) const;
-  [[nodiscard]] std::optional<std::vector<double>> as_numbers(Rule rule, const Length& length = {}) const;
+  [[nodiscard]] std::vector<double> as_numbers(Rule rule, const Length& length = {}) const;
   /// One number for all, or one for each as `length` says.
-  [[nodiscard]] std::optional<std::vector<double>> as_number_or_numbers(Rule rule, const Length& length) const;
+  [[nodiscard]] std::vector<double> as_number_or_numbers(Rule rule, const Length& length) const;
+  /// A whole number in [least, most]. @param rule what a message says of it; empty: just that.
+  [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most,
+                                                     const std::string& rule = {}) const;
   [[nodiscard]] std::optional<std::string> as_text() const;
   [[nodiscard]] std::optional<std::string> as_word(const std::vector<std::string>& known) const;
   [[nodiscard]] std::optional<bool> as_flag() const;
@@ -81,6 +96,13 @@ class TomlView {
   const std::string* file_;
   Diagnostics* diagnostics_;
 };
+
+/// The characters of keys that need no quotes.
+inline constexpr std::string_view bare_key_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
+/// `path.key`, or `path["a key"]` where it needs quotes.
+[[nodiscard]] std::string key_path(const std::string& path, const std::string& key);
 
 /// "text" in quotes as a message shows it: control characters escaped, long ones cut.
 [[nodiscard]] std::string in_quotes(const std::string& text);

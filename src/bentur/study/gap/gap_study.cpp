@@ -60,6 +60,8 @@ GapNeed summary_of(const RecordNeeds& needs, std::size_t gap, SumUp sum_up) {
   return result;
 }
 
+using Named = std::vector<std::pair<std::string, std::string>>;
+
 class Work {
  public:
   Work(const Study& study, const StudyFacts& facts, CaseMemo& memo, GapStudy& result)
@@ -67,25 +69,20 @@ class Work {
 
   void run(const std::function<void(double)>& progress) {
     const std::vector<SweepAxis> axes = plan_axes(study_);
-    const std::vector<std::size_t> records = record_axes(study_).axes;
-    std::vector<std::size_t> others;
-    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-      const bool is_record = std::count(records.begin(), records.end(), axis) > 0;
+    const AxisSubset records = record_axes(study_);
+    const AxisSubset widths = subset(axes, [&](std::size_t axis) { return axes[axis].inner && sets_widths(axis); });
+    const AxisSubset others = subset(axes, [&](std::size_t axis) {
       const bool is_level = study_.ida && axis == study_.ida->axis;
-      if (!is_record && !is_level && !axes[axis].inner) others.push_back(axis);
-    }
-    const std::size_t blocks = combinations(axes, others), each = combinations(axes, records);
+      return !records.has(axis) && !is_level && !axes[axis].inner;
+    });
+    const std::size_t blocks = others.combinations(), each = records.combinations();
     for (std::size_t block = 0; block < blocks; ++block) {
       std::vector<Choice> choices(axes.size());
-      choose(axes, others, block, choices);
+      others.choose(block, choices);
       RecordNeeds needs;
-      for (const Vary& vary : study_.varies) {
-        if (std::count(others.begin(), others.end(), vary.axis) > 0) {
-          needs.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
-        }
-      }
+      needs.others = values_along(others, choices);
       for (std::size_t record = 0; record < each; ++record) {
-        choose(axes, records, record, choices);
+        records.choose(record, choices);
         needs.records.push_back(need(choices, records));
         progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
       }
@@ -98,7 +95,7 @@ class Work {
         }
         needs.gaps.push_back(std::move(over));
       }
-      compare_with_given(axes, choices, needs);
+      compare_with_given(widths, choices, needs);
       result_.needs.push_back(std::move(needs));
     }
   }
@@ -106,34 +103,44 @@ class Work {
  private:
   using Numbers = std::vector<double>;
 
-  /// The axes that change the widths of gaps and nothing else that counts here.
-  [[nodiscard]] std::vector<std::size_t> width_axes(const std::vector<SweepAxis>& axes) const {
-    std::vector<std::size_t> result;
+  /// The axes that `is_one` says true of.
+  template <typename IsOne>
+  static AxisSubset subset(const std::vector<SweepAxis>& axes, IsOne is_one) {
+    AxisSubset result;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-      const bool widths = std::any_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
-        return vary.axis == axis && vary.path.size() >= 3 && vary.path[2] == PathStep("width");
-      });
-      if (axes[axis].inner && widths) result.push_back(axis);
+      if (!is_one(axis)) continue;
+      result.axes.push_back(axis);
+      result.sizes.push_back(axes[axis].levels);
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool sets_widths(std::size_t axis) const {
+    return std::any_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
+      return vary.axis == axis && vary.path.size() >= 3 && vary.path[2] == PathStep("width");
+    });
+  }
+
+  /// Name and value of what varies along some axes.
+  [[nodiscard]] Named values_along(const AxisSubset& axes, const std::vector<Choice>& choices) const {
+    Named result;
+    for (const Vary& vary : study_.varies) {
+      if (axes.has(vary.axis)) result.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
     }
     return result;
   }
 
   /// How many records need more than is given, for every choice of widths.
-  void compare_with_given(const std::vector<SweepAxis>& axes, std::vector<Choice> choices, RecordNeeds& needs) {
-    const std::vector<std::size_t> varied = width_axes(axes);
-    for (std::size_t number = 0; number < combinations(axes, varied); ++number) {
-      choose(axes, varied, number, choices);
+  void compare_with_given(const AxisSubset& widths, std::vector<Choice> choices, RecordNeeds& needs) {
+    for (std::size_t number = 0; number < widths.combinations(); ++number) {
+      widths.choose(number, choices);
       Diagnostics found;
       const ReadCase read = case_of(choices, found);
       if (!found.ok()) throw std::runtime_error(first_message(found));
-      const Problem problem = problem_of(read);
+      const Problem problem = read.problem();
       for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
         GivenGap given;
-        for (const Vary& vary : study_.varies) {
-          if (std::count(varied.begin(), varied.end(), vary.axis) > 0) {
-            given.others.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
-          }
-        }
+        given.others = values_along(widths, choices);
         const Gap between = gap_at(problem, gap);
         for (const std::size_t i : between.points) given.widths.push_back(problem.points[i].width);
         if (given.widths.empty()) {
@@ -159,34 +166,9 @@ class Work {
   }
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
-    TomlValue root = study_.case_root;
-    put_choices(study_, choices, root);
-    if (study_.ida) {
-      const RecordIntensities& intensities = facts_.intensities;
-      const double factor = record_factor(intensities, intensities.place(choices), *result_.at);
-      put_value(root, {"excitation", "scale"}, toml_number(factor), 0, 0);
-    }
-    const std::string name = study_.case_file.string();
-    return read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
-  }
-
-  static Problem problem_of(const ReadCase& read) {
-    std::vector<Building> buildings;
-    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
-    return make_problem(read.c, std::move(buildings));
-  }
-
-  static std::size_t combinations(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which) {
-    std::size_t count = 1;
-    for (const std::size_t axis : which) count *= axes[axis].levels;
-    return count;
-  }
-
-  static void choose(const std::vector<SweepAxis>& axes, const std::vector<std::size_t>& which, std::size_t number,
-                     std::vector<Choice>& choices) {
-    for (std::size_t i = which.size(); i-- > 0; number /= axes[which[i]].levels) {
-      choices[which[i]].level = number % axes[which[i]].levels;
-    }
+    TomlValue root = chosen_case(study_, choices);
+    if (study_.ida) put_intensity(facts_.intensities, choices, *result_.at, root);
+    return read_chosen(study_, root, memo_, found);
   }
 
   /// A label without quotes, or the number.
@@ -194,11 +176,11 @@ class Work {
     return vary.labels.empty() ? fmt::format("{}", *chosen_number(vary, choice)) : vary.labels[choice.level];
   }
 
-  [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const std::vector<std::size_t>& records,
+  [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const AxisSubset& records,
                                         const ReadCase& read) const {
     std::string name;
     for (const Vary& vary : study_.varies) {
-      if (std::count(records.begin(), records.end(), vary.axis) == 0 || vary.labels.empty()) continue;
+      if (!records.has(vary.axis) || vary.labels.empty()) continue;
       name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
     }
     if (!name.empty()) return name;
@@ -206,12 +188,12 @@ class Work {
                                     : "ground motion";
   }
 
-  [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const std::vector<std::size_t>& records) {
+  [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const AxisSubset& records) {
     Diagnostics found;
     const ReadCase read = case_of(choices, found);
     const std::string record = record_name(choices, records, read);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
-    Problem problem = problem_of(read);
+    Problem problem = read.problem();
     for (ContactPoint& point : problem.points) point.width = 0;
     const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
     double height = 0;
@@ -244,8 +226,7 @@ bool is_study(const std::filesystem::path& file) {
   Diagnostics ignored;
   const auto text = read_input(file, study_input, problem);
   const auto root = text ? parse_toml(*text, file.string(), ignored) : std::nullopt;
-  return root && std::any_of(root->members.begin(), root->members.end(),
-                             [](const TomlMember& member) { return member.key == "case"; });
+  return root && root->find("case") != nullptr;
 }
 
 std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,

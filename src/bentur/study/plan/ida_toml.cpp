@@ -11,19 +11,16 @@ namespace {
 std::vector<double> read_levels(const TomlView& view) {
   const auto form = view.exactly_one({"levels", "from"});
   if (form == "from") return read_steps(view, Rule::positive);
-  for (const char* key : {"to", "count", "spacing"}) {
-    if (const auto other = view.find(key); other && form) other->error("goes with from");
-  }
   if (!form) return {};
+  view.refuse({"to", "count", "spacing"}, "goes with from");
   const TomlView list = *view.find("levels");
-  const auto levels = list.as_numbers(Rule::positive);
-  if (!levels) return {};
-  for (std::size_t i = 1; i < levels->size(); ++i) {
-    if (!((*levels)[i] > (*levels)[i - 1])) {
-      list.item(i).error_value(fmt::format("must be more than the one before, {}", (*levels)[i - 1]));
+  std::vector<double> levels = list.as_numbers(Rule::positive);
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    if (!(levels[i] > levels[i - 1])) {
+      list.item(i).error_value(fmt::format("must be more than the one before, {}", levels[i - 1]));
     }
   }
-  return *levels;
+  return levels;
 }
 
 }  // namespace
@@ -32,23 +29,19 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   const auto view = root.find("ida");
   if (!view) return std::nullopt;
   IdaSpec spec;
-  spec.position = {"", view->value().line, view->value().column};
+  spec.position = view->position();
   if (!view->is_table_of(
           {"intensity", "period", "damping", "unit", "levels", "from", "to", "count", "spacing", "polarity"})) {
     return spec;
   }
-  if (const auto sampling = root.find("sampling")) {
-    sampling->error("does not go with [ida], whose runs are a grid");
-  }
+  root.refuse({"sampling"}, "does not go with [ida], whose runs are a grid");
   const auto intensity = view->word("intensity", {"pga", "sa"});
   spec.spectral = intensity == "sa";
   if (spec.spectral) {
     spec.period = view->number("period", Rule::positive).value_or(1);
     spec.damping = view->number("damping", Rule::ratio, Need::optional).value_or(spec.damping);
   } else if (intensity) {
-    for (const char* key : {"period", "damping"}) {
-      if (const auto other = view->find(key)) other->error("goes with intensity = \"sa\"");
-    }
+    view->refuse({"period", "damping"}, "goes with intensity = \"sa\"");
   }
   spec.unit = view->word("unit", acceleration_units(), Need::optional).value_or("");
   spec.levels = read_levels(*view);

@@ -7,7 +7,7 @@
 
 namespace bentur {
 
-/// [ida] of a study; nothing where it has none. Its axis and the file of its position are for read_study() to set.
+/// [ida] of a study; nothing where it has none. Its axis is for read_study() to set.
 [[nodiscard]] std::optional<IdaSpec> read_ida(const TomlView& root);
 
 }  // namespace bentur

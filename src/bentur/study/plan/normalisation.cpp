@@ -76,7 +76,7 @@ std::optional<std::map<std::string, double>> factor_table(const fs::path& file, 
 
 void read_factor_file(const TomlView& table, const fs::path& folder, const std::vector<fs::path>& paths, Vary& vary) {
   if (!table.is_table_of({"file"})) return;
-  const auto file = table.get("file", Need::required);
+  const auto file = table.get("file");
   const auto name = file ? file->as_text() : std::nullopt;
   if (!name) return;
   std::string problem;
@@ -98,12 +98,11 @@ void read_factor_file(const TomlView& table, const fs::path& folder, const std::
 
 /// PGV of the record that a file of the vary is; nothing where it cannot be read.
 std::optional<double> pgv_of(const Study& study, const Vary& vary, std::size_t level) {
-  TomlValue root = study.case_root;
   std::vector<Choice> choices(study.axes.size());
   choices[vary.axis].level = level;
   Study plain = study;
   plain.ida = IdaSpec{};  // without the case's scale
-  put_choices(plain, choices, root);
+  const TomlValue root = chosen_case(plain, choices);
   Diagnostics ignored;
   const std::string name = study.case_file.string();
   const TomlView view(root, "", name, ignored);
@@ -141,8 +140,7 @@ void read_normalisation(const TomlView& view, const fs::path& folder, const std:
   if (given->is(TomlValue::Kind::table)) {
     read_factor_file(*given, folder, paths, vary);
   } else if (given->is(TomlValue::Kind::list)) {
-    const auto factors = given->as_numbers(Rule::positive, {paths.size(), "one per file"});
-    if (factors) vary.normalisation = *factors;
+    vary.normalisation = given->as_numbers(Rule::positive, {paths.size(), "one per file"});
   } else if (const auto rule = given->as_word({"pgv", "pgv-pairs"})) {
     if (*rule == "pgv-pairs" && paths.size() % 2 == 1) {
       given->error_value(fmt::format("takes files two by two, and there are {}", paths.size()));

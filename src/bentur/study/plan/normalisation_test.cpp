@@ -72,7 +72,7 @@ class RecordSet : public ::testing::Test {
           TomlValue scale;
           scale.kind = TomlValue::Kind::real;
           scale.real = factor;
-          put_value(root, {"excitation", "scale"}, scale, 0, 0);
+          put_value(root, {"excitation", "scale"}, scale);
         }
         const std::string name = "case.toml";
         const ReadCase read = read_case_parts(TomlView(root, "", name, diagnostics), folder_.path(), diagnostics);

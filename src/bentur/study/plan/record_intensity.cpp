@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <numeric>
 
 #include "bentur/model/quantities.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
@@ -20,18 +22,28 @@ bool decides_record(const ParameterPath& path) {
 
 }  // namespace
 
-std::size_t RecordIntensities::place(const std::vector<Choice>& choices) const {
+bool AxisSubset::has(std::size_t axis) const { return std::find(axes.begin(), axes.end(), axis) != axes.end(); }
+
+std::size_t AxisSubset::combinations() const {
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>());
+}
+
+std::size_t AxisSubset::place(const std::vector<Choice>& choices) const {
   std::size_t result = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) result = result * sizes[i] + choices[axes[i]].level;
   return result;
 }
 
-RecordIntensities record_axes(const Study& study) {
+void AxisSubset::choose(std::size_t place, std::vector<Choice>& choices) const {
+  for (std::size_t i = axes.size(); i-- > 0; place /= sizes[i]) choices[axes[i]].level = place % sizes[i];
+}
+
+AxisSubset record_axes(const Study& study) {
   std::map<std::size_t, std::size_t> sizes;
   for (const Vary& vary : study.varies) {
     if (decides_record(vary.path)) sizes[vary.axis] = vary.values.size();
   }
-  RecordIntensities result;
+  AxisSubset result;
   for (const auto& [axis, size] : sizes) {
     result.axes.push_back(axis);
     result.sizes.push_back(size);
@@ -48,6 +60,12 @@ double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units
 double record_factor(const RecordIntensities& intensities, std::size_t place, double level) {
   if (intensities.normalisation.empty()) return level / intensities.values[place];
   return level * intensities.normalisation[place] / intensities.median;
+}
+
+void put_intensity(const RecordIntensities& intensities, const std::vector<Choice>& choices, double level,
+                   TomlValue& root) {
+  const double factor = record_factor(intensities, intensities.place(choices), level);
+  put_value(root, {"excitation", "scale"}, toml_number(factor));
 }
 
 std::string intensity_units(const IdaSpec& ida, const Units& units) {

@@ -10,19 +10,29 @@
 
 namespace bentur {
 
-/// The intensities of a study's records as their files have them. Which record it is, is chosen along some axes.
-struct RecordIntensities {
-  std::vector<std::size_t> axes, sizes;  ///< the axes, ascending, and how many values each has
-  std::vector<double> values;            ///< [unit of the levels] per combination, the last axis fastest
-  std::vector<double> normalisation;     ///< [-] per combination; empty where records are not normalised
-  double median = 0;                     ///< [unit of the levels] of the normalised records, where they are
+/// Some of a study's axes, and how many values each has. Combinations of these values are numbered, the last axis
+/// fastest.
+struct AxisSubset {
+  std::vector<std::size_t> axes, sizes;  ///< ascending
 
+  [[nodiscard]] bool has(std::size_t axis) const;
+  [[nodiscard]] std::size_t combinations() const;
+  /// The number of the combination that `choices`, one per axis of the study, hold.
   [[nodiscard]] std::size_t place(const std::vector<Choice>& choices) const;
+  /// Sets the choices along these axes to the combination with a number.
+  void choose(std::size_t place, std::vector<Choice>& choices) const;
+};
+
+/// The intensities of a study's records as their files have them. Which record it is, is chosen along some axes.
+struct RecordIntensities : AxisSubset {
+  std::vector<double> values;         ///< [unit of the levels] per combination
+  std::vector<double> normalisation;  ///< [-] per combination; empty where records are not normalised
+  double median = 0;                  ///< [unit of the levels] of the normalised records, where they are
 };
 
 /// The axes along which a study chooses the record: those of `excitation` or of its keys that say which file and how to
-/// read it. No values yet.
-[[nodiscard]] RecordIntensities record_axes(const Study& study);
+/// read it.
+[[nodiscard]] AxisSubset record_axes(const Study& study);
 
 /// Peak ground acceleration or pseudo-acceleration Sa(T, ζ) of a record, in the unit of the levels.
 /// @throws InvalidParameter when the period is too short for the record's step.
@@ -32,6 +42,10 @@ struct RecordIntensities {
 /// Normalised records keep their proportions and are scaled together, their median to the level [FEMAP695, A.8].
 /// @param place of the record in `intensities`
 [[nodiscard]] double record_factor(const RecordIntensities& intensities, std::size_t place, double level);
+
+/// Scales the record of a study's case, with the choices put in, to an intensity [unit of the levels].
+void put_intensity(const RecordIntensities& intensities, const std::vector<Choice>& choices, double level,
+                   TomlValue& root);
 
 /// The unit of the levels as UDUNITS reads it. There g is the gram: gravity is named, or given by its value where the
 /// case has its own.

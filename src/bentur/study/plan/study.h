@@ -61,13 +61,16 @@ struct Study {
   std::vector<std::string> axes;  ///< their names: the dimensions of a grid
   Sampling sampling;
   std::optional<IdaSpec> ida;
+
+  /// The first of what varies along an axis, which is not that of [ida].
+  [[nodiscard]] const Vary& first_along(std::size_t axis) const;
 };
 
 /// Reads a study (docs/studies.md) and the case it names. Every error found goes to `diagnostics`, but the values are
 /// not yet tried in the case: see check_study().
 [[nodiscard]] std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics);
 
-/// One choice along every axis: a level where there are values, else a value `extreme` or the probability u.
+/// One choice along every axis: a level where there are values, else an extreme value or the probability u.
 struct Choice {
   std::size_t level = 0;
   double u = 0.5;                        ///< probability [-], of a distribution
@@ -83,9 +86,11 @@ struct Choice {
 /// What is to stand in the case by a choice.
 [[nodiscard]] TomlValue chosen_value(const Vary& vary, const Choice& choice);
 
-/// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's place becomes line
-/// −1 − its number among the varies, so that an error can be told from one of the case's own. With [ida] the record is
-/// left as its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation.
+/// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's origin becomes 1 + its
+/// number among the varies, so that an error can be told from one of the case's own. With [ida] the record is left as
+/// its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation.
 void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root);
+/// The study's case with the choices put in.
+[[nodiscard]] TomlValue chosen_case(const Study& study, const std::vector<Choice>& choices);
 
 }  // namespace bentur

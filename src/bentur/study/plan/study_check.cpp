@@ -36,7 +36,7 @@ class Trial {
     const std::vector<Choice> choices(study_.axes.size());
     const ReadCase read = tried(choices, found);
     for (const Diagnostic& one : found.errors()) {
-      if (one.position.line < 0) {
+      if (one.position.origin > 0) {
         report(one, choices);
       } else {
         diagnostics_.error(one.position, one.message);
@@ -44,7 +44,7 @@ class Trial {
     }
     if (!found.ok()) return false;
     try {
-      facts_.problem = problem_of(read);
+      facts_.problem = read.problem();
     } catch (const InvalidParameter& error) {
       diagnostics_.error({study_.case_file.string(), 0, 0}, error.what());
       return false;
@@ -60,11 +60,10 @@ class Trial {
 
   /// Everything that axis can be but for its first choice.
   void along(std::size_t axis) {
-    const auto vary =
-        std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
+    const Vary& vary = study_.first_along(axis);
     std::vector<Choice> choices(study_.axes.size());
     errors_ = 0;
-    if (vary->distribution) {
+    if (vary.distribution) {
       for (const bool high : {false, true}) {
         choices[axis].low_or_high = high;
         one(choices, axis);
@@ -74,7 +73,7 @@ class Trial {
     // Of companions one may be a range and the other a list.
     const bool ends = std::all_of(study_.varies.begin(), study_.varies.end(),
                                   [&](const Vary& v) { return v.axis != axis || v.ends_decide; });
-    const std::size_t last = vary->values.size() - 1;
+    const std::size_t last = vary.values.size() - 1;
     for (std::size_t level = 1; level <= last && errors_ < most_errors; ++level) {
       if (ends && level != last) continue;
       choices[axis].level = level;
@@ -84,15 +83,10 @@ class Trial {
 
   /// The intensities of all records, once all choices have been tried.
   void measure_records() {
-    RecordIntensities found = record_axes(study_);
-    std::size_t count = 1;
-    for (const std::size_t size : found.sizes) count *= size;
+    RecordIntensities found{record_axes(study_), {}, {}, 0};
     std::vector<Choice> choices(study_.axes.size());
-    for (std::size_t place = 0; place < count; ++place) {
-      std::size_t rest = place;
-      for (std::size_t i = found.axes.size(); i-- > 0; rest /= found.sizes[i]) {
-        choices[found.axes[i]].level = rest % found.sizes[i];
-      }
+    for (std::size_t place = 0; place < found.combinations(); ++place) {
+      found.choose(place, choices);
       found.values.push_back(measured(choices));
       if (study_.ida->normalised) found.normalisation.push_back(normalisation_of(study_, choices));
     }
@@ -115,10 +109,7 @@ class Trial {
   }
 
   ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
-    TomlValue root = study_.case_root;
-    put_choices(study_, choices, root);
-    const std::string name = study_.case_file.string();
-    ReadCase read = read_case_parts(TomlView(root, "", name, found), study_.case_file.parent_path(), found, &memo_);
+    ReadCase read = read_chosen(study_, chosen_case(study_, choices), memo_, found);
     if (found.ok() && read.c.excitation.record) note(study_.case_file.parent_path() / read.c.excitation.record->file);
     return read;
   }
@@ -129,9 +120,8 @@ class Trial {
     if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
-      const auto vary =
-          std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
-      what += fmt::format(" with {} = {}", vary->parameter, chosen_text(*vary, choices[axis]));
+      const Vary& vary = study_.first_along(axis);
+      what += fmt::format(" with {} = {}", vary.parameter, chosen_text(vary, choices[axis]));
     }
     const auto* motion = std::get_if<SampledMotion>(&read.c.excitation.motion);
     if (motion == nullptr) {
@@ -150,17 +140,11 @@ class Trial {
     }
   }
 
-  static Problem problem_of(const ReadCase& read) {
-    std::vector<Building> buildings;
-    for (const ReadBuilding& building : read.buildings) buildings.push_back(*building.made);
-    return make_problem(read.c, std::move(buildings));
-  }
-
   void one(const std::vector<Choice>& choices, std::size_t axis) {
     Diagnostics found;
     const ReadCase read = tried(choices, found);
     for (const Diagnostic& error : found.errors()) {
-      if (error.position.line < 0) {
+      if (error.position.origin > 0) {
         report(error, choices);
       } else {
         because_of(axis, choices, error.message + place_text(error.position));
@@ -169,7 +153,7 @@ class Trial {
     }
     if (!found.ok()) return;
     try {
-      compare(problem_of(read), axis, choices);
+      compare(read.problem(), axis, choices);
     } catch (const InvalidParameter& error) {
       because_of(axis, choices, error.what());
       ++errors_;
@@ -187,7 +171,7 @@ class Trial {
 
   /// An error about a value that the study has put in.
   void report(const Diagnostic& error, const std::vector<Choice>& choices) {
-    const Vary& vary = study_.varies[static_cast<std::size_t>(-1 - error.position.line)];
+    const Vary& vary = study_.varies[static_cast<std::size_t>(error.position.origin - 1)];
     std::string message = error.message;
     if (vary.distribution) {
       message += choices[vary.axis].low_or_high ? " (the distribution can give that: cut it off with low, high)"
@@ -202,10 +186,9 @@ class Trial {
 
   /// An error elsewhere, in the case or a record, that a choice along `axis` brings about.
   void because_of(std::size_t axis, const std::vector<Choice>& choices, const std::string& what) {
-    const auto vary =
-        std::find_if(study_.varies.begin(), study_.varies.end(), [&](const Vary& v) { return v.axis == axis; });
-    diagnostics_.error(place_of(*vary, choices),
-                       fmt::format("with {} = {}: {}", vary->parameter, chosen_text(*vary, choices[axis]), what));
+    const Vary& vary = study_.first_along(axis);
+    diagnostics_.error(place_of(vary, choices),
+                       fmt::format("with {} = {}: {}", vary.parameter, chosen_text(vary, choices[axis]), what));
   }
 
   void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
@@ -250,6 +233,11 @@ bool has_wave_velocity(const Vary& vary) {
 }
 
 }  // namespace
+
+ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
+  const std::string name = study.case_file.string();
+  return read_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
+}
 
 std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics) {
   Diagnostics found;

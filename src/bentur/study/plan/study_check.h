@@ -26,6 +26,9 @@ struct StudyFacts {
   RecordIntensities intensities;               ///< with [ida]
 };
 
+/// Reads a case that a study has made; what is wrong goes to `found`.
+[[nodiscard]] ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
+
 /// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
 /// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case
 /// does not know, a value out of its range and a distribution that can give one are found before anything is run.

@@ -21,17 +21,8 @@ void read_sampling(const TomlView& root, Study& study) {
   study.sampling.method = method == "sobol"    ? Sampling::Method::sobol
                           : method == "random" ? Sampling::Method::random
                                                : Sampling::Method::latin_hypercube;
-  const auto whole = [&](const char* key, std::int64_t least, std::int64_t most, Need need) {
-    const auto value = view->get(key, need);
-    if (value &&
-        (!value->is(TomlValue::Kind::integer) || value->value().integer < least || value->value().integer > most)) {
-      value->error_value(fmt::format("must be a whole number from {} to {}", least, most));
-      return std::optional<std::int64_t>();
-    }
-    return value ? std::optional(value->value().integer) : std::nullopt;
-  };
-  study.sampling.count = static_cast<std::size_t>(whole("count", 1, 1000000000, Need::required).value_or(1));
-  study.sampling.seed = static_cast<std::uint64_t>(whole("seed", 0, 1000000000, Need::optional).value_or(1));
+  study.sampling.count = static_cast<std::size_t>(view->whole("count", 1, 1000000000).value_or(1));
+  study.sampling.seed = static_cast<std::uint64_t>(view->whole("seed", 0, 1000000000, Need::optional).value_or(1));
 }
 
 /// The case's own number, or list of numbers, that a factor multiplies.
@@ -39,16 +30,15 @@ bool is_numeric(const TomlValue& value) {
   if (value.kind == TomlValue::Kind::list) {
     return !value.items.empty() && std::all_of(value.items.begin(), value.items.end(), is_numeric);
   }
-  return value.kind == TomlValue::Kind::integer || value.kind == TomlValue::Kind::real;
+  return value.is_number();
 }
 
 /// Keys of [excitation] that scale the record.
 bool is_scale(const PathStep& key) { return key == PathStep("pga") || key == PathStep("scale"); }
 
 void take_out_scale(TomlValue& root) {
-  for (TomlMember& table : root.members) {
-    if (table.key != "excitation") continue;
-    std::erase_if(table.value.members, [](const TomlMember& member) { return is_scale(member.key); });
+  if (TomlValue* const excitation = root.find("excitation")) {
+    std::erase_if(excitation->members, [](const TomlMember& member) { return is_scale(member.key); });
   }
 }
 
@@ -180,9 +170,8 @@ void read_varies(const TomlView& root, Study& study) {
   for (std::size_t i = 0; i < list->size(); ++i) {
     views.push_back(list->item(i));
     Vary vary = read_vary(views[i], context, together[i]);
-    vary.position.file = study.file.string();
     if (const auto parameter = views[i].find("parameter")) {
-      vary.parameter_position = {study.file.string(), parameter->value().line, parameter->value().column};
+      vary.parameter_position = parameter->position();
       place_in_case(*parameter, study.case_root, study.ida.has_value(), vary);
     }
     study.varies.push_back(std::move(vary));
@@ -192,7 +181,7 @@ void read_varies(const TomlView& root, Study& study) {
 }
 
 bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) {
-  const auto given = root.get("case", Need::required);
+  const auto given = root.get("case");
   const auto name = given ? given->as_text() : std::nullopt;
   if (!name) return false;
   study.case_file = study.file.parent_path() / *name;
@@ -225,7 +214,7 @@ void add_polarity(const TomlView& root, Study& study) {
       vary.labels.push_back(one);
     }
   }
-  vary.parameter_position = vary.position = {study.file.string(), view.value().line, view.value().column};
+  vary.parameter_position = vary.position = view.position();
   for (const Vary& other : study.varies) {
     if (overlap(other.path, path)) {
       view.error_value(fmt::format("but {} is varied in line {}", other.parameter, other.parameter_position.line));
@@ -271,13 +260,16 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
       settle_normalisation(root, study);
     }
     if (study.ida) {
-      study.ida->position.file = name;
       study.ida->axis = study.axes.size();
       study.axes.emplace_back("intensity");
     }
   }
   for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
+}
+
+const Vary& Study::first_along(std::size_t axis) const {
+  return *std::find_if(varies.begin(), varies.end(), [&](const Vary& vary) { return vary.axis == axis; });
 }
 
 double normalisation_of(const Study& study, const std::vector<Choice>& choices) {
@@ -315,10 +307,10 @@ void put_choices(const Study& study, const std::vector<Choice>& choices, TomlVal
   for (std::size_t v = 0; v < study.varies.size(); ++v) {
     const Vary& vary = study.varies[v];
     const Choice& choice = choices[vary.axis];
-    const int line = -1 - static_cast<int>(v);
-    put_value(root, vary.path, chosen_value(vary, choice), line, 0);
+    const int origin = 1 + static_cast<int>(v);
+    put_value(root, vary.path, chosen_value(vary, choice), origin);
     for (const FileKey& key : vary.file_keys) {
-      if (const auto& value = key.values[choice.level]) put_value(root, key.path, *value, line, 0);
+      if (const auto& value = key.values[choice.level]) put_value(root, key.path, *value, origin);
     }
   }
   if (study.ida) {
@@ -331,8 +323,14 @@ void put_choices(const Study& study, const std::vector<Choice>& choices, TomlVal
     for (const Vary& vary : study.varies) {
       if (vary.path == path) scale = chosen_value(vary, choices[vary.axis]).real;
     }
-    put_value(root, path, toml_number(scale * factor), 0, 0);
+    put_value(root, path, toml_number(scale * factor));
   }
+}
+
+TomlValue chosen_case(const Study& study, const std::vector<Choice>& choices) {
+  TomlValue root = study.case_root;
+  put_choices(study, choices, root);
+  return root;
 }
 
 }  // namespace bentur

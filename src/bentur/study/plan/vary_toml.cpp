@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = TomlValue::Kind;
 
-constexpr std::size_t most_levels = 10000000;
+constexpr std::int64_t most_levels = 10000000;
 
 const std::vector<std::string> file_keys = {"unit", "format", "time_step", "column", "channel", "skip_lines"};
 
@@ -30,23 +30,21 @@ bool is_name(const std::string& text) {
 /// To the nearest of 15 decimal digits, so that 0.3/3 is the 0.1 that a user will ask for.
 double rounded(double x) { return std::strtod(fmt::format("{:.15g}", x).c_str(), nullptr); }
 
-bool is_number(const TomlValue& value) { return value.kind == Kind::integer || value.kind == Kind::real; }
-
 /// The coordinate of values that are no numbers: the texts themselves, or `labels`.
 void label_values(const TomlView& view, const TomlView& values, Vary& vary) {
-  const bool numbers = std::all_of(vary.values.begin(), vary.values.end(), is_number);
+  const bool numbers =
+      std::all_of(vary.values.begin(), vary.values.end(), [](const TomlValue& value) { return value.is_number(); });
   if (const auto given = view.find("labels")) {
     if (!given->is_list_of("texts", {vary.values.size(), "one per value"})) return;
-    for (std::size_t i = 0; i < given->size(); ++i) vary.labels.push_back(given->item(i).as_text().value_or(""));
+    for (const TomlView& label : given->items()) vary.labels.push_back(label.as_text().value_or(""));
   } else if (!numbers) {
-    for (std::size_t i = 0; i < vary.values.size(); ++i) {
-      const TomlValue& value = vary.values[i];
-      if (value.kind == Kind::text) {
-        vary.labels.push_back(value.text);
-      } else if (value.kind == Kind::boolean) {
-        vary.labels.emplace_back(value.boolean ? "true" : "false");
+    for (const TomlView& value : values.items()) {
+      if (value.is(Kind::text)) {
+        vary.labels.push_back(value.value().text);
+      } else if (value.is(Kind::boolean)) {
+        vary.labels.emplace_back(value.value().boolean ? "true" : "false");
       } else {
-        values.item(i).error("cannot name itself in the results: give labels, one text per value");
+        value.error("cannot name itself in the results: give labels, one text per value");
         return;
       }
     }
@@ -64,7 +62,7 @@ void read_values(const TomlView& view, const TomlView& values, Vary& vary) {
   if (!values.is_list_of("values")) return;
   vary.values = values.value().items;
   if (vary.factor) {
-    for (std::size_t i = 0; i < values.size(); ++i) (void)values.item(i).as_number(Rule::finite);
+    for (const TomlView& value : values.items()) (void)value.as_number(Rule::finite);
   }
   label_values(view, values, vary);
 }
@@ -93,9 +91,7 @@ void read_range(const TomlView& view, const VaryContext& context, Vary& vary) {
     vary.ends_decide = true;
     return;
   }
-  if (const auto count = view.find("count")) {
-    count->error("is for a grid: [sampling] says how many runs there are");
-  }
+  view.refuse({"count"}, "is for a grid: [sampling] says how many runs there are");
   if (const auto ends = read_ends(view, Rule::finite)) {
     vary.distribution = Distribution{.kind = ends->log ? Distribution::Kind::log_uniform : Distribution::Kind::uniform,
                                      .low = ends->from,
@@ -205,9 +201,7 @@ void read_file_keys(const TomlView& view, const std::vector<const TomlValue*>& e
         found.values[i] = list ? given->value().items[i] : given->value();
     }
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      for (const TomlMember& member : entries[i]->members) {
-        if (member.key == key) found.values[i] = member.value;
-      }
+      if (const TomlValue* const own = entries[i]->find(key)) found.values[i] = *own;
     }
     const auto given = [](const std::optional<TomlValue>& value) { return value.has_value(); };
     if (std::any_of(found.values.begin(), found.values.end(), given)) vary.file_keys.push_back(std::move(found));
@@ -221,7 +215,7 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
     std::vector<std::string> keys = {"file"};
     keys.insert(keys.end(), file_keys.begin(), file_keys.end());
     if (entry.is(Kind::table) && !entry.is_table_of(keys)) return;
-    const auto named = entry.is(Kind::table) ? entry.get("file", Need::required) : entry;
+    const auto named = entry.is(Kind::table) ? entry.get("file") : entry;
     const auto text = named ? named->as_text() : std::nullopt;
     if (!text) return;
     const TomlView& one = *named;
@@ -239,7 +233,7 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
   };
   if (files.is(Kind::list)) {
     if (!files.is_list_of("files")) return;
-    for (std::size_t i = 0; i < files.size(); ++i) add(files.item(i));
+    for (const TomlView& file : files.items()) add(file);
   } else {
     add(files);
   }
@@ -290,15 +284,11 @@ std::vector<double> read_steps(const TomlView& view, Rule rule) {
     view.error_missing("count", "how many values from `from` to `to`");
     return {};
   }
-  if (!count->is(Kind::integer) || count->value().integer < 2 ||
-      count->value().integer > static_cast<std::int64_t>(most_levels)) {
-    count->error_value(fmt::format("must be a whole number from 2 to {}", most_levels));
-    return {};
-  }
+  const auto number = count->as_whole(2, most_levels);
+  if (!number || !ends) return {};
   std::vector<double> values;
-  if (!ends) return values;
-  const auto steps = static_cast<double>(count->value().integer - 1);
-  for (std::int64_t i = 0; i < count->value().integer; ++i) {
+  const auto steps = static_cast<double>(*number - 1);
+  for (std::int64_t i = 0; i < *number; ++i) {
     const auto k = static_cast<double>(i);
     const double value = ends->log ? ends->from * std::pow(ends->to / ends->from, k / steps)
                                    : (ends->from * (steps - k) + ends->to * k) / steps;
@@ -314,7 +304,7 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   known.insert(known.end(), file_keys.begin(), file_keys.end());
   known.emplace_back("normalisation");
   if (!view.is_table_of(known)) return vary;
-  const auto parameter = view.get("parameter", Need::required);
+  const auto parameter = view.get("parameter");
   if (const auto text = parameter ? parameter->as_text() : std::nullopt) {
     vary.parameter = *text;
     std::string error;
@@ -338,11 +328,7 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   if (listed) forms.emplace_back("factor");
   const auto form = view.exactly_one(forms);
   const auto only_with = [&](const std::vector<std::string>& keys, const std::string& owner) {
-    for (const std::string& key : keys) {
-      if (const auto other = view.find(key); other && form && *form != owner) {
-        other->error(fmt::format("goes with {}", owner));
-      }
-    }
+    if (form && *form != owner) view.refuse(keys, "goes with " + owner);
   };
   only_with({"to", "count", "spacing"}, "from");
   only_with({"labels"}, "values");
@@ -351,7 +337,7 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   if (!form) return vary;
   if (*form == "files" && vary.factor) view.find("factor")->error("goes with numbers, not with files");
   const TomlView given = *view.find(*form);
-  vary.position = {"", given.value().line, given.value().column};
+  vary.position = given.position();
   if (*form == "values" || *form == "factor") read_values(view, given, vary);
   if (*form == "from") read_range(view, context, vary);
   if (*form == "files") read_files(view, given, context, vary);

@@ -6,7 +6,9 @@
 #include <cctype>
 #include <cmath>
 
-namespace bentur {
+#include "bentur/core/number_text.h"
+
+namespace bentur::records {
 namespace {
 
 constexpr std::string_view row_blanks = " \t";
@@ -107,7 +109,7 @@ bool could_be_row(const std::vector<Token>& cells, std::size_t columns) {
 }
 
 std::string other_width(std::size_t columns, std::size_t below) {
-  return fmt::format("has {} {}, the rows below have {}", columns, columns == 1 ? "column" : "columns", below);
+  return fmt::format("has {}, the rows below have {}", counted(columns, "column"), below);
 }
 
 std::string heading_hint(const RecordOptions& options, int lines) {
@@ -183,8 +185,7 @@ std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const Record
     found.separator = separator;
   }
   if (best.rows == 0) {
-    errors.error(0, 0, "holds no numbers");
-    return std::nullopt;
+    return errors.error("holds no numbers");
   }
   const std::size_t begin = best.begin;
   const std::size_t columns = split_cells(all[begin], found.separator).size();
@@ -215,9 +216,8 @@ std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const Record
   if (found.rows.size() >= 3) {
     const std::size_t first = found.cells(found.rows[0]).size(), second = found.cells(found.rows[1]).size();
     if (first != second && second == found.cells(found.rows[2]).size()) {
-      errors.error(found.rows[0].number, 1,
-                   other_width(first, second) + heading_hint(options, found.rows[1].number - 1));
-      return std::nullopt;  // any other line would be compared with this one
+      // Any other line would be compared with this one.
+      return errors.error(found.rows[0], other_width(first, second) + heading_hint(options, found.rows[1].number - 1));
     }
   }
   return found;
@@ -244,4 +244,4 @@ std::optional<double> even_step(const std::vector<double>& times, std::size_t& b
   return step;
 }
 
-}  // namespace bentur
+}  // namespace bentur::records

@@ -7,7 +7,7 @@
 
 #include "bentur/io/records/internal/record_text.h"
 
-namespace bentur {
+namespace bentur::records {
 
 /// The rows of numbers of a text file, and how their columns are told apart.
 struct ColumnRows {
@@ -34,4 +34,4 @@ struct ColumnRows {
 /// of the first time that is too far from the one before, 0 where time does not go forward as a whole.
 [[nodiscard]] std::optional<double> even_step(const std::vector<double>& times, std::size_t& bad);
 
-}  // namespace bentur
+}  // namespace bentur::records

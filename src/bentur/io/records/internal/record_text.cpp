@@ -12,7 +12,9 @@
 #include <map>
 #include <system_error>
 
-namespace bentur {
+#include "bentur/core/number_text.h"
+
+namespace bentur::records {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -33,9 +35,15 @@ std::optional<int> zero_bytes(const std::string& bytes) {
 
 }  // namespace
 
-void RecordErrors::error(int line, int column, const std::string& message) {
+bool Line::says(std::string_view words) const {
+  const auto same = [](char c, char capital) { return std::toupper(static_cast<unsigned char>(c)) == capital; };
+  return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end();
+}
+
+std::nullopt_t RecordErrors::error(int line, int column, const std::string& message) {
   if (!full()) diagnostics_.error({file_, line, column}, message);
   ++count_;
+  return std::nullopt;
 }
 
 std::string decoded(std::string bytes) {
@@ -145,15 +153,20 @@ std::string shown(std::string_view text) {
 
 std::optional<double> finite_number(const Token& token, bool decimal_comma, RecordErrors& errors) {
   const auto value = number_of(token.text, decimal_comma);
-  if (!value) {
-    errors.error(token, shown(token.text) + " is not a number");
-    return std::nullopt;
-  }
-  if (!std::isfinite(*value)) {
-    errors.error(token, shown(token.text) + " is not a finite number");
-    return std::nullopt;
-  }
+  if (!value) return errors.error(token, shown(token.text) + " is not a number");
+  if (!std::isfinite(*value)) return errors.error(token, shown(token.text) + " is not a finite number");
   return value;
+}
+
+std::vector<double> read_numbers(std::span<const Line> lines, std::size_t width, RecordErrors& errors) {
+  std::vector<double> values;
+  for (const Line& line : lines) {
+    if (errors.full()) break;
+    for (const Token& cell : width > 0 ? fields_of(line, width) : words_of(line)) {
+      if (const auto value = finite_number(cell, false, errors)) values.push_back(*value);
+    }
+  }
+  return values;
 }
 
 std::string upper(std::string_view text) {
@@ -166,6 +179,14 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
   text.remove_prefix(first);
   return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+std::string single_spaced(std::string_view text, std::string_view without) {
+  std::string result;
+  for (const Token& word : words_of({text, 0})) {
+    if (upper(word.text) != without) result += (result.empty() ? "" : " ") + std::string(word.text);
+  }
+  return result;
 }
 
 std::optional<FileUnit> file_unit(std::string_view spelling) {
@@ -191,9 +212,7 @@ namespace {
 const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
                               RecordErrors& errors) {
   if (options.channel && static_cast<std::size_t>(*options.channel) > channels.size()) {
-    errors.error(0, 0,
-                 fmt::format("has {} {} of accelerations, {} is not there", channels.size(),
-                             channels.size() == 1 ? "channel" : "channels",
+    errors.error(fmt::format("has {} of accelerations, {} is not there", counted(channels.size(), "channel"),
                              options.setting("channel", std::to_string(*options.channel))));
     return nullptr;
   }
@@ -203,8 +222,7 @@ const Channel* chosen_channel(const std::vector<Channel>& channels, const Record
   for (std::size_t i = 0; i < std::min(channels.size(), std::size_t{12}); ++i) {
     titles += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, shown(channels[i].title));
   }
-  errors.error(0, 0,
-               fmt::format("has {} channels of accelerations: say in {} which one: {}{}", channels.size(),
+  errors.error(fmt::format("has {} channels of accelerations: say in {} which one: {}{}", channels.size(),
                            options.name("channel"), titles, channels.size() > 12 ? ", ..." : ""));
   return nullptr;
 }
@@ -218,56 +236,36 @@ std::string channel_text(const std::vector<Channel>& channels, const Channel& ch
                      title.empty() ? "" : " (" + title + ")");
 }
 
-/// Its values times `factor`. An error unless they are as many as the file says, give or take one, which such files are
-/// known to be off by.
-void read_values(const std::vector<Line>& lines, const Channel& channel, bool (*ends)(const Line&), double factor,
-                 std::vector<double>& values, RecordErrors& errors) {
-  (void)read_fields(lines, channel.first_line, channel.width, ends, values, errors);
-  const auto count = static_cast<long>(values.size());
-  if (errors.ok() && std::abs(count - channel.count) > 1) {
-    errors.error(lines[channel.first_line - 1].number, 1,
-                 fmt::format("says {} values, but {} follow", channel.count, count));
-  }
-  for (double& value : values) value *= factor;
-}
-
 }  // namespace
 
-std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
-                                   const ChannelFormat& format, const RecordOptions& options, RecordErrors& errors) {
+std::optional<StrongMotionRecord> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
+                                               const ChannelFormat& format, const RecordOptions& options,
+                                               RecordErrors& errors) {
   if (channels.empty()) {
-    errors.error(0, 0, fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
-    return std::nullopt;
+    return errors.error(fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
   }
   const Channel* const channel = chosen_channel(channels, options, errors);
   if (channel == nullptr || !errors.ok()) return std::nullopt;
-  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) {
-    errors.error(lines[channel->first_line - 1].number, 1, format.step_rule);
-    return std::nullopt;
-  }
-  Record record;
-  record.format = format.name;
+  const std::span values = std::span(lines).subspan(channel->first_line);
+  const Line& heading = lines[channel->first_line - 1];
+  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) return errors.error(heading, format.step_rule);
+
+  StrongMotionRecord record;
   record.time_step = channel->time_step;
   record.channel = channel_text(channels, *channel);
   record.header_lines = channel->header_lines;
-  const auto unit = file_unit(channel->unit);
-  if (unit) record.unit = unit->unit;
-  read_values(lines, *channel, format.ends, unit ? unit->factor : 1, record.values, errors);
+  const auto end = std::find_if(values.begin(), values.end(), format.ends);
+  record.values = read_numbers({values.begin(), end}, channel->width, errors);
+  // Such files are known to be off by one value.
+  const auto count = static_cast<long>(record.values.size());
+  if (errors.ok() && std::abs(count - channel->count) > 1) {
+    errors.error(heading, fmt::format("says {} values, but {} follow", channel->count, count));
+  }
+  if (const auto unit = file_unit(channel->unit)) {
+    record.unit = unit->unit;
+    for (double& value : record.values) value *= unit->factor;
+  }
   return record;
 }
 
-void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors) {
-  if (options.column) {
-    errors.error(0, 0, fmt::format("is a {} file, which has no columns to choose from", format));
-  }
-}
-
-void refuse_channel(const RecordOptions& options, const char* format, RecordErrors& errors) {
-  if (options.channel.value_or(1) != 1) {
-    errors.error(0, 0,
-                 fmt::format("is a {} file, which has one channel: {} is not there", format,
-                             options.setting("channel", std::to_string(*options.channel))));
-  }
-}
-
-}  // namespace bentur
+}  // namespace bentur::records

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +11,7 @@
 #include "bentur/io/records/record_files.h"
 
 // What the readers of the single formats share.
-namespace bentur {
+namespace bentur::records {
 
 /// A word of a text file and where it stands.
 struct Token {
@@ -23,14 +23,22 @@ struct Token {
 struct Line {
   std::string_view text;
   int number = 0;  ///< from 1
+
+  /// Whether `words`, in capitals, occur in the line in any spelling.
+  [[nodiscard]] bool says(std::string_view words) const;
 };
 
 /// Errors of one record file, of which only the first ten are kept: a file of another format is all errors.
 class RecordErrors {
  public:
   RecordErrors(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
-  void error(int line, int column, const std::string& message);
-  void error(const Token& token, const std::string& message) { error(token.line, token.column, message); }
+  /// Each returns nothing, for a reader to return in turn.
+  std::nullopt_t error(int line, int column, const std::string& message);
+  std::nullopt_t error(const Token& token, const std::string& message) {
+    return error(token.line, token.column, message);
+  }
+  std::nullopt_t error(const Line& line, const std::string& message) { return error(line.number, 1, message); }
+  std::nullopt_t error(const std::string& message) { return error(0, 0, message); }  ///< about the file as a whole
   [[nodiscard]] bool ok() const { return count_ == 0; }
   [[nodiscard]] bool full() const { return count_ >= 10; }
 
@@ -52,7 +60,7 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 [[nodiscard]] std::vector<Line> lines_of(std::string_view text);
 
 /// The words of a line between any of `separators`; runs of separators count as one.
-[[nodiscard]] std::vector<Token> words_of(const Line& line, std::string_view separators);
+[[nodiscard]] std::vector<Token> words_of(const Line& line, std::string_view separators = " \t");
 
 /// The cells of a line of fixed width, as Fortran writes them: they may touch. Blank ones at the end are left out.
 [[nodiscard]] std::vector<Token> fields_of(const Line& line, std::size_t width);
@@ -69,11 +77,17 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 /// `number_of`, or an error that the token is not a finite number.
 [[nodiscard]] std::optional<double> finite_number(const Token& token, bool decimal_comma, RecordErrors& errors);
 
+/// The numbers of all lines, in fields of `width` characters, or where it is 0 between blanks. Reading stops once
+/// `errors` are full.
+[[nodiscard]] std::vector<double> read_numbers(std::span<const Line> lines, std::size_t width, RecordErrors& errors);
+
 /// A token as a message shows it.
 [[nodiscard]] std::string shown(std::string_view text);
 
 [[nodiscard]] std::string upper(std::string_view text);
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+/// The words of a text with one blank between them, but for one, here in capitals.
+[[nodiscard]] std::string single_spaced(std::string_view text, std::string_view without = {});
 
 /// The unit of accelerations by one of the spellings files have, with the factor that brings numbers to it (mg to g is
 /// 0.001); nothing for others, those of velocity among them.
@@ -83,19 +97,6 @@ struct FileUnit {
 };
 [[nodiscard]] std::optional<FileUnit> file_unit(std::string_view spelling);
 
-/// Reads fields of fixed width from line number `from` of `lines` on, up to a line that `ends` says true of.
-/// @return the index of that line.
-template <typename Ends>
-[[nodiscard]] std::size_t read_fields(const std::vector<Line>& lines, std::size_t from, std::size_t width, Ends ends,
-                                      std::vector<double>& values, RecordErrors& errors) {
-  for (; from < lines.size() && !errors.full() && !ends(lines[from]); ++from) {
-    for (const Token& field : fields_of(lines[from], width)) {
-      if (const auto value = finite_number(field, false, errors)) values.push_back(*value);
-    }
-  }
-  return from;
-}
-
 /// One of several channels of a file, still unread.
 struct Channel {
   std::string title;           ///< as the file calls it
@@ -104,26 +105,21 @@ struct Channel {
   std::string unit;            ///< as the file spells it
   long count = 0;              ///< of values as the file says
   double time_step = 0;        ///< [s]
-  std::size_t width = 0;       ///< of a field
+  std::size_t width = 0;       ///< of a field [characters]
 };
 
 /// A format whose files have several channels, each a block of values under a heading.
 struct ChannelFormat {
-  const char* name;
   const char* heading;        ///< an example, for messages
   const char* step_rule;      ///< the message where a channel has no step
   bool (*ends)(const Line&);  ///< whether a line ends a block
 };
 /// The channel that the options choose: the only one, or the one with the number given. An error where there is none,
 /// or it has no step, or not as many values as the file says.
-[[nodiscard]] std::optional<Record> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
-                                                 const ChannelFormat& format, const RecordOptions& options,
-                                                 RecordErrors& errors);
-
-/// An error unless the options leave `column` alone, in a file that has no columns to choose from.
-void refuse_column(const RecordOptions& options, const char* format, RecordErrors& errors);
-/// An error unless the options leave `channel` alone or say 1, in a format with one channel a file.
-void refuse_channel(const RecordOptions& options, const char* format, RecordErrors& errors);
+[[nodiscard]] std::optional<StrongMotionRecord> read_channel(const std::vector<Line>& lines,
+                                                             const std::vector<Channel>& channels,
+                                                             const ChannelFormat& format, const RecordOptions& options,
+                                                             RecordErrors& errors);
 
 /// NPTS and DT of a header line, in any of the spellings of PEER files; nothing where the line does not say both.
 struct CountAndStep {
@@ -140,10 +136,11 @@ struct CountAndStep {
 [[nodiscard]] bool looks_like_knet(const std::vector<Line>& lines);
 [[nodiscard]] bool looks_like_esm(const std::vector<Line>& lines);
 
-using RecordReader = std::optional<Record>(const std::vector<Line>& lines, const RecordOptions& options,
-                                           RecordErrors& errors);
+/// Reads all but the name of the format; what it returns counts only while there is no error.
+using RecordReader = std::optional<StrongMotionRecord>(const std::vector<Line>& lines, const RecordOptions& options,
+                                                       RecordErrors& errors);
 RecordReader read_peer, read_cosmos, read_csmip, read_smc, read_knet, read_esm;
-/// one-column, two-column, values, csv, or whichever of them fits where the format is "auto".
+/// one-column, two-column, values, csv, or whichever of them fits where the format is "auto"; names the format, too.
 RecordReader read_columns;
 
-}  // namespace bentur
+}  // namespace bentur::records
