@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/quantities.h"
 #include "bentur/report/kinds/internal/run_data.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
 
@@ -97,6 +98,13 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
     for (const SweepKind& one : sweep_kinds()) {
       if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
+    }
+    // Any other quantity by its own name.
+    const auto is_it = [&](const Quantity& one) { return one.key == kind && one.owner != Owner::impact; };
+    const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
+    if (quantity != quantities().end()) {
+      const SweepKind by_name{kind, kind, std::string(quantity->long_name)};
+      if (has_quantity(results, by_name)) return sweep_figure(sweep, by_name, options);
     }
   }
   std::vector<std::string> known;

@@ -42,6 +42,7 @@ struct FigureKind {
 [[nodiscard]] std::vector<std::string> run_figure_names();
 
 /// One figure from the results of a run, a sweep or an incremental dynamic analysis.
+/// A figure of one of the kinds, or of a study of any quantity by its name.
 /// @throws NoFigure when there is no such kind, or what the options ask for is not there.
 [[nodiscard]] Figure make_figure(const NetcdfReader& results, const std::string& kind,
                                  const FigureOptions& options = {});
