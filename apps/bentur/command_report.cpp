@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
+#include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
 #include "bentur/report/html/sweep_report.h"
@@ -28,7 +29,7 @@ struct ReportArguments {
 std::string from_results(const std::filesystem::path& folder, ReportOptions options) {
   try {
     const RunResults results = read_results(folder);
-    options.figures = report_figures(NetcdfReader(folder / "histories.nc"), options.language);
+    options.figures = report_figures(results, options.language);
     return report_html(results, options);
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
@@ -50,7 +51,8 @@ std::string from_netcdf(const std::filesystem::path& file, ReportOptions options
 }
 
 std::string from_case(const Loaded& loaded, ReportOptions options) {
-  const RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
+  RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
+  if (gnuplot_version()) results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
   options.figures = report_figures(results, options.language);
   return report_html(results, options);
 }

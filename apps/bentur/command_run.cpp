@@ -222,20 +222,19 @@ class RunOutput {
   }
 
   void write(const RunResults& run, const std::string& summary) {
-    histories_ = histories_netcdf(run, BENTUR_VERSION);
     if (run.c.source->copied) files_.add("case.toml", run.c.source->text, ResultKind::case_copy);
     files_.add("summary.json", summary, ResultKind::summary);
     files_.add("impacts.csv", impacts_csv(run.view()), ResultKind::impacts);
-    files_.add("histories.nc", histories_, ResultKind::histories);
+    files_.add("histories.nc", histories_netcdf(run, BENTUR_VERSION), ResultKind::histories);
     remove_run_figures(folder() / "figures", rules_);  // never figures of one run beside the results of another
     files_.commit();
   }
 
   /// Draws what the run has to show into the folder "figures" beside its results.
-  void write_pictures() const {
+  void write_pictures(const RunResults& run) const {
     const std::filesystem::path pictures = folder() / "figures";
     try {
-      const std::vector<std::string> names = write_run_figures(pictures, histories_, arguments_.figures, rules_);
+      const std::vector<std::string> names = write_run_figures(pictures, run, arguments_.figures, rules_);
       if (arguments_.quiet) return;
       std::string list;
       for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -251,7 +250,6 @@ class RunOutput {
   const RunArguments& arguments_;
   OutputRules rules_;
   AtomicFiles files_;
-  std::string histories_;
 };
 
 void execute(const RunArguments& arguments) {
@@ -287,7 +285,7 @@ void execute(const RunArguments& arguments) {
     message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",
                         loaded.c.source->copied ? " and case.toml" : "", arguments.directory));
   }
-  if (!arguments.figures.empty()) output->write_pictures();
+  if (!arguments.figures.empty()) output->write_pictures(run);
 }
 
 }  // namespace

@@ -38,13 +38,6 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
   }
 }
 
-/// The first `count` places.
-std::vector<QuantityPlace> first_places(std::size_t count) {
-  std::vector<QuantityPlace> places;
-  for (std::size_t i = 0; i < count; ++i) places.push_back({i, 0});
-  return places;
-}
-
 void write_building(const NetcdfWriter& file, Dimension time, std::size_t b, const RunView& run,
                     const std::string& length, const std::string& force) {
   const Histories& histories = run.response.histories;
@@ -76,18 +69,13 @@ void write_building(const NetcdfWriter& file, Dimension time, std::size_t b, con
   file.write("base_shear" + number, {time}, by_columns(base_shear), force, "shear of the lowest storey of " + owner);
   const double base = building.model.elevations.front() - building.model.storey_heights.front();
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
-  std::vector<QuantityPlace> places = floors_from_top(run.problem, b);
-  std::reverse(places.begin(), places.end());
-  write_quantities(file, Owner::floor, run, {floors}, places, "", number, " of the floors of " + owner);
+  write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), "", number,
+                   " of the floors of " + owner);
   write_quantities(file, Owner::building, run, {}, {{b, 0}}, "", number, " of " + owner);
   const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
-  Eigen::MatrixXd shapes = building.modes.shapes.topRows(building.model.floors());
-  for (auto shape : shapes.colwise()) {
-    if (const double largest = shape.cwiseAbs().maxCoeff(); largest > 0) shape /= largest;
-  }
   const Dimension modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
   file.write("period" + number, {modes}, by_columns(periods), "s", "periods of " + owner);
-  file.write("shape" + number, {modes, floors}, by_columns(shapes), "1",
+  file.write("shape" + number, {modes, floors}, by_columns(sway_shapes(building)), "1",
              "sways of the mode shapes, the largest 1, of " + owner);
 }
 

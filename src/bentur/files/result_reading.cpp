@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -36,11 +34,6 @@ std::string contents(const fs::path& file) {
   auto text = read_input(file, result_input, problem);
   if (!text) fail(file, problem);
   return *std::move(text);
-}
-
-Eigen::VectorXd vector(const UnorderedJson& json) {
-  const auto values = json.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 ExcitationSpec excitation(const UnorderedJson& json) {
@@ -78,36 +71,46 @@ Solver solver(const UnorderedJson& json) {
   return ExactSolver{};
 }
 
-/// Every quantity that a response keeps, from the object that stands for its owner.
-void take_quantities(const UnorderedJson& object, Owner owner, std::size_t item, Response& response) {
-  const auto number = [](const UnorderedJson& value) { return value.is_null() ? NAN : value.get<double>(); };
+/// The unit of a case that UDUNITS reads so.
+std::string unit_of(const std::string& udunits) { return udunits == udunit("tf") ? "tf" : udunits; }
+
+Eigen::VectorXd vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Values that the file holds with the other dimension as the slower one.
+Eigen::MatrixXd table(const NetcdfReader& file, const std::string& variable, std::size_t rows, std::size_t columns) {
+  const std::vector<double> values = file.numbers(variable);
+  if (values.size() != rows * columns) throw NetcdfError(file.name(), "variables disagree in size at " + variable);
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(rows),
+                                           static_cast<Eigen::Index>(columns));
+}
+
+/// Every quantity of `owner` that a response keeps, at each of its places.
+void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<QuantityPlace>& places,
+                     const std::string& prefix, const std::string& suffix, Response& response) {
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
-    const UnorderedJson& value = object.at(std::string(quantity->key));
-    if (owner != Owner::floor) put_value(*quantity, number(value), {item, 0}, response);
-    for (std::size_t i = 0; owner == Owner::floor && i < value.size(); ++i) {
-      put_value(*quantity, number(value[i]), {item, i}, response);
-    }
+    const std::string name = prefix + std::string(quantity->key) + suffix;
+    const std::vector<double> values = file.numbers(name);
+    if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
+    for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], places[i], response);
   }
 }
 
-/// Names, elevations and periods are in the summary, bases and shapes in the histories.
-Building building(const UnorderedJson& json, std::size_t number, const NetcdfReader& histories) {
+Building read_building(const NetcdfReader& file, const std::string& name, const std::string& number) {
   Building building;
-  building.name = json.at("name");
+  building.name = name;
   StructuralModel& model = building.model;
-  model.elevations = json.at("elevations").get<std::vector<double>>();
-  double below = histories.numbers(fmt::format("base_elevation_{}", number)).at(0);
+  model.elevations = file.numbers("elevation" + number);
+  double below = file.numbers("base_elevation" + number).at(0);
   for (const double elevation : model.elevations) {
     model.storey_heights.push_back(elevation - below);
     below = elevation;
   }
-  building.modes.omega = 2 * std::numbers::pi * vector(json.at("periods")).cwiseInverse();
-  const std::vector<double> shapes = histories.numbers(fmt::format("shape_{}", number));
-  if (shapes.size() != model.elevations.size() * static_cast<std::size_t>(building.modes.omega.size())) {
-    fail(histories.name(), "is not of the same run as summary.json");
-  }
-  building.modes.shapes = Eigen::Map<const Eigen::MatrixXd>(shapes.data(), model.floors(), building.modes.omega.size());
+  const std::vector<double> periods = file.numbers("period" + number);
+  building.modes.omega = 2 * std::numbers::pi * vector(periods).cwiseInverse();
+  building.modes.shapes = table(file, "shape" + number, model.elevations.size(), periods.size());
   return building;
 }
 
@@ -127,23 +130,17 @@ Remark remark(const UnorderedJson& json) {
   return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1)};
 }
 
-void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
+/// What the laws of a gap worked with, and its watched floors.
+void read_gap(const UnorderedJson& json, const Gap& gap, RunResults& results) {
+  const Problem& problem = results.problem;
   GapSpec spec;
-  for (const UnorderedJson& entry : json.at("points")) {
-    const Building& left = results.problem.buildings.at(gap);
-    const Building& right = results.problem.buildings.at(gap + 1);
-    ContactPoint point;
-    point.left = static_cast<int>(gap);
-    point.elevation = entry.at("elevation");
-    point.width = entry.at("width");
-    point.left_floor = floor_at(left, point.elevation);
-    point.right_floor = floor_at(right, point.elevation);
-    results.problem.points.push_back(point);
-    results.response.points.emplace_back();
-    take_quantities(entry, Owner::point, results.response.points.size() - 1, results.response);
+  const UnorderedJson& points = json.at("points");
+  if (points.size() != gap.points.size()) fail("summary.json", "is not of the same run as histories.nc");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ContactPoint& point = problem.points[gap.points[i]];
     spec.elevations.push_back(point.elevation);
     spec.widths.push_back(point.width);
-    for (const auto& [key, value] : entry.at("contact").items()) {
+    for (const auto& [key, value] : points[i].at("contact").items()) {
       if (value.is_number()) {
         spec.contact.numbers[key].push_back(value);
       } else if (key == "law") {
@@ -154,15 +151,15 @@ void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
     }
   }
   for (const UnorderedJson& entry : json.value("watched_floors", UnorderedJson::array())) {
-    const bool of_left = entry.at("floor_of") == results.problem.buildings.at(gap).name;
+    const bool of_left = entry.at("floor_of") == problem.buildings.at(gap.left).name;
     WatchedFloor floor;
-    floor.left = static_cast<int>(gap);
+    floor.left = static_cast<int>(gap.left);
     floor.floor_of = floor.left + (of_left ? 0 : 1);
     floor.elevation = entry.at("elevation");
     floor.width = entry.at("width");
-    floor.floor = floor_at(results.problem.buildings.at(gap + (of_left ? 0 : 1)), floor.elevation);
+    floor.floor = floor_at(problem.buildings.at(gap.left + (of_left ? 0 : 1)), floor.elevation);
     if (entry.at("faces") == "floor") {
-      floor.facing_floor = floor_at(results.problem.buildings.at(gap + (of_left ? 1 : 0)), floor.elevation);
+      floor.facing_floor = floor_at(problem.buildings.at(gap.left + (of_left ? 1 : 0)), floor.elevation);
     }
     WatchedSummary summary{.needed = entry.at("minimum_gap_no_contact"),
                            .least_opening = entry.at("least_opening"),
@@ -180,7 +177,7 @@ void read_gap(const UnorderedJson& json, std::size_t gap, RunResults& results) {
   results.c.gaps.push_back(spec);
 }
 
-void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunResults& results) {
+void read_summary(const UnorderedJson& json, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
   results.c.units.force = json.at("units").at("force");
@@ -190,86 +187,76 @@ void read_summary(const UnorderedJson& json, const NetcdfReader& histories, RunR
   results.c.analysis.solver = solver(solved);
   results.response.steps = solved.at("steps");
   results.response.events = solved.at("events");
-  if (!solved.at("energy_residual").is_null()) {
-    EnergyAudit audit;
+  if (results.response.energy && !solved.at("energy_residual").is_null()) {
+    EnergyAudit& audit = *results.response.energy;
     audit.peak_input = solved.at("peak_input_energy");
     audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
-    results.response.energy = audit;
   }
   for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
-  for (const UnorderedJson& entry : json.at("buildings")) {
-    results.problem.buildings.push_back(building(entry, results.problem.buildings.size() + 1, histories));
-    results.response.buildings.emplace_back();
-    take_quantities(entry, Owner::floor, results.response.buildings.size() - 1, results.response);
+  if (json.at("buildings").size() != results.problem.buildings.size()) {
+    fail("summary.json", "is not of the same run as histories.nc");
   }
-  for (const UnorderedJson& entry : json.at("gaps")) read_gap(entry, results.c.gaps.size(), results);
+  for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, results);
 }
 
-/// Cells of one line of RFC 4180 text, from `at` on; `at` goes behind it.
-std::vector<std::string> csv_line(const std::string& text, std::size_t& at) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (; at < text.size(); ++at) {
-    const char c = text[at];
-    if (quoted && c == '"' && at + 1 < text.size() && text[at + 1] == '"') {
-      cells.back() += text[++at];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else if (c == '\n' && !quoted) {
-      ++at;
-      return cells;
-    } else {
-      cells.back() += c;
+void read_points(const NetcdfReader& file, RunResults& results) {
+  Problem& problem = results.problem;
+  const std::vector<std::string> left = file.texts("point_left");
+  const std::vector<double> elevations = file.numbers("point_elevation"), widths = file.numbers("point_width");
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto named = std::find_if(problem.buildings.begin(), problem.buildings.end(),
+                                    [&](const Building& building) { return building.name == left[i]; });
+    if (problem.buildings.end() - named < 2) {
+      throw NetcdfError(file.name(), "its contact points name no building of it");
     }
+    ContactPoint point;
+    point.left = static_cast<int>(named - problem.buildings.begin());
+    point.elevation = elevations.at(i);
+    point.width = widths.at(i);
+    point.left_floor = floor_at(named[0], point.elevation);
+    point.right_floor = floor_at(named[1], point.elevation);
+    problem.points.push_back(point);
   }
-  return cells;
+  Response& response = results.response;
+  response.points.resize(left.size());
+  take_quantities(file, Owner::point, first_places(left.size()), "", "", response);
+  response.histories.opening = table(file, "opening", left.size(), response.histories.time.size());
+  response.histories.force = table(file, "force", left.size(), response.histories.time.size());
+  if (file.find("impact_point") == nullptr) return;
+  for (const double point : file.numbers("impact_point")) {
+    if (!(point < static_cast<double>(left.size()))) throw NetcdfError(file.name(), "an impact is at no point of it");
+    response.impacts.push_back({.point = static_cast<int>(point)});
+  }
+  take_quantities(file, Owner::impact, first_places(response.impacts.size()), "impact_", "", response);
 }
 
-/// Impacts by the headings of their columns, which may have a unit: "peak_force [kgf]".
-void read_impacts(const fs::path& file, const Problem& problem, Response& response) {
-  const std::string text = contents(file);
-  std::size_t at = 0;
-  std::map<std::string, std::size_t> columns;
-  for (const std::string& heading : csv_line(text, at))
-    columns.emplace(heading.substr(0, heading.find(" [")), columns.size());
-  while (at < text.size()) {
-    const std::vector<std::string> cells = csv_line(text, at);
-    if (cells.size() != columns.size()) fail(file, "is not a list of impacts");
-    const auto cell = [&](std::string_view key) -> const std::string& {
-      const auto column = columns.find(std::string(key));
-      if (column == columns.end()) fail(file, "is not a list of impacts");
-      return cells[column->second];
-    };
-    const auto value = [&](std::string_view key) {
-      double number = 0;
-      const std::string& digits = cell(key);
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-      if (error != std::errc() || end != digits.data() + digits.size())
-        fail(file, "\"" + digits + "\" is not a number");
-      return number;
-    };
-    const auto point = std::find_if(problem.points.begin(), problem.points.end(), [&](const ContactPoint& p) {
-      const auto left = static_cast<std::size_t>(p.left);
-      return problem.buildings[left].name == cell("left") && problem.buildings[left + 1].name == cell("right") &&
-             p.elevation == value("elevation");
-    });
-    if (point == problem.points.end()) fail(file, "is not of the same run as summary.json");
-    response.impacts.push_back({.point = static_cast<int>(point - problem.points.begin())});
-    for (const Quantity* quantity : quantities_of(Owner::impact)) {
-      if (is_kept(*quantity)) put_value(*quantity, value(quantity->key), {response.impacts.size() - 1, 0}, response);
-    }
-  }
+EnergyHistories read_energy(const NetcdfReader& file) {
+  const auto part = [&](const char* name) { return vector(file.numbers(std::string("energy_") + name)); };
+  return {.input = part("input"),
+          .kinetic = part("kinetic"),
+          .strain = part("strain"),
+          .damping = part("damping"),
+          .contact_stored = part("contact_stored"),
+          .contact_lost = part("contact_lost")};
 }
 
-/// A table of histories, which the file holds with time as the slower dimension.
-Eigen::MatrixXd table(const NetcdfReader& histories, const std::string& variable, std::size_t rows,
-                      std::size_t samples) {
-  const std::vector<double> values = histories.numbers(variable);
-  if (values.size() != rows * samples) fail(histories.name(), "is not of the same run as summary.json");
-  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(rows),
-                                           static_cast<Eigen::Index>(samples));
+FigureData read_figure_data(const NetcdfReader& file) {
+  FigureData data;
+  if (file.find("close_up_time") != nullptr) {
+    data.close_up = CloseUp{.impact = static_cast<int>(file.numbers("close_up_impact").at(0)),
+                            .time = file.numbers("close_up_time"),
+                            .opening = file.numbers("close_up_opening"),
+                            .force = file.numbers("close_up_force")};
+  }
+  if (file.find("spectrum_period") == nullptr) return data;
+  data.spectrum_damping = file.numbers("spectrum_damping").at(0);
+  data.spectrum_periods = file.numbers("spectrum_period");
+  const std::vector<double> displacement = file.numbers("spectrum_displacement");
+  const std::vector<double> acceleration = file.numbers("spectrum_acceleration");
+  for (std::size_t i = 0; i < data.spectrum_periods.size(); ++i) {
+    data.spectrum.push_back({.displacement = displacement.at(i), .pseudo_acceleration = acceleration.at(i)});
+  }
+  return data;
 }
 
 /// Takes buildings, gaps and codes as they were given from the copy of the case, if it is that of these results.
@@ -296,46 +283,60 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   c->source->file = source->value("file", c->source->file);
   problem.motion = c->excitation.motion;
   problem.delays = c->excitation.delays;
+  problem.duration = c->analysis.duration = results.problem.duration;
   results.c = std::move(*c);
   results.problem = std::move(problem);
 }
 
 }  // namespace
 
-RunResults read_results(const fs::path& folder) {
+bool is_histories(const NetcdfReader& file) {
+  return file.find("displacement_1") != nullptr && file.find("shape_1") != nullptr &&
+         file.find("gap_needed") != nullptr;
+}
+
+RunResults read_histories(const NetcdfReader& file) {
   RunResults results;
+  results.c.title = file.attribute("title");
+  results.c.units.length = unit_of(file.at("displacement_1").units);
+  results.c.units.force = unit_of(file.at("storey_shear_1").units);
+  Problem& problem = results.problem;
+  Response& response = results.response;
+  response.histories.time = file.numbers("time");
+  if (response.histories.time.empty()) throw NetcdfError(file.name(), "holds no histories");
+  for (const std::string& name : file.texts("building_name")) {
+    const std::size_t b = problem.buildings.size();
+    const std::string number = fmt::format("_{}", b + 1);
+    problem.buildings.push_back(read_building(file, name, number));
+    const std::size_t floors = problem.buildings.back().model.elevations.size();
+    response.buildings.emplace_back();
+    take_quantities(file, Owner::floor, floors_of(problem, b), "", number, response);
+    response.histories.displacement.push_back(
+        table(file, "displacement" + number, floors, response.histories.time.size()));
+  }
+  if (file.find("opening") != nullptr) read_points(file, results);  // else no contact is modelled
+  if (file.find("energy_input") != nullptr) response.energy = EnergyAudit{.histories = read_energy(file)};
+  results.figures = read_figure_data(file);
+  problem.duration = response.histories.time.back();  // less than a step before the end of the analysis
+  for (const Impact& impact : response.impacts) problem.duration = std::max(problem.duration, impact.end);
+  results.c.analysis.duration = problem.duration;
+  return results;
+}
+
+RunResults read_results(const fs::path& folder) {
   const fs::path summary = folder / "summary.json";
   const std::string text = contents(summary);
   const NetcdfReader histories(folder / "histories.nc");
+  RunResults results = read_histories(histories);
   try {
     const UnorderedJson json = UnorderedJson::parse(text);
     const std::string of_case =
         json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
     if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
-    read_summary(json, histories, results);
+    read_summary(json, results);
     take_case(folder / "case.toml", json, results);
   } catch (const UnorderedJson::exception& error) {
     fail(summary, std::string("is not a summary of bentur run: ") + error.what());
-  }
-  read_impacts(folder / "impacts.csv", results.problem, results.response);
-  Histories& kept = results.response.histories;
-  kept.time = histories.numbers("time");
-  if (kept.time.empty()) fail(histories.name(), "holds no histories");
-  for (std::size_t b = 0; b < results.problem.buildings.size(); ++b) {
-    kept.displacement.push_back(table(histories, fmt::format("displacement_{}", b + 1),
-                                      results.problem.buildings[b].model.elevations.size(), kept.time.size()));
-  }
-  if (!results.problem.points.empty()) {
-    kept.opening = table(histories, "opening", results.problem.points.size(), kept.time.size());
-    kept.force = table(histories, "force", results.problem.points.size(), kept.time.size());
-  }
-  double end = kept.time.back();  // less than a step before the end of the analysis
-  for (const Impact& impact : results.response.impacts) end = std::max(end, impact.end);
-  results.problem.duration = results.c.analysis.duration = end;
-  long counted = 0;
-  for (const PointSummary& point : results.response.points) counted += point.impacts;
-  if (counted != static_cast<long>(results.response.impacts.size())) {
-    fail(folder / "impacts.csv", "is not of the same run as summary.json");
   }
   return results;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -149,6 +150,13 @@ std::vector<const Quantity*> quantities_of(Owner owner) {
   return result;
 }
 
+const Quantity& quantity_named(std::string_view key, Owner owner) {
+  for (const Quantity& quantity : list()) {
+    if (quantity.key == key && quantity.owner == owner) return quantity;
+  }
+  throw InvalidParameter("quantity", std::string(key), "must be one of quantities()");
+}
+
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
 std::size_t place_count(Owner owner, const Problem& problem, const Response& response) {
@@ -258,9 +266,21 @@ std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std:
   return columns;
 }
 
-std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t b) {
+std::vector<QuantityPlace> floors_of(const Problem& problem, std::size_t b) {
   std::vector<QuantityPlace> places;
-  for (std::size_t i = problem.buildings[b].model.elevations.size(); i-- > 0;) places.push_back({b, i});
+  for (std::size_t i = 0; i < problem.buildings[b].model.elevations.size(); ++i) places.push_back({b, i});
+  return places;
+}
+
+std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t b) {
+  std::vector<QuantityPlace> places = floors_of(problem, b);
+  std::reverse(places.begin(), places.end());
+  return places;
+}
+
+std::vector<QuantityPlace> first_places(std::size_t count) {
+  std::vector<QuantityPlace> places;
+  for (std::size_t i = 0; i < count; ++i) places.push_back({i, 0});
   return places;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -62,6 +62,8 @@ struct Quantity {
 [[nodiscard]] const std::deque<Quantity>& quantities();
 /// Those of one kind of owner.
 [[nodiscard]] std::vector<const Quantity*> quantities_of(Owner owner);
+/// The one of this key and owner. @throws InvalidParameter where there is none.
+[[nodiscard]] const Quantity& quantity_named(std::string_view key, Owner owner);
 /// Adds one, for a program that tells of something of its own. Not while others read the list.
 void add_quantity(const Quantity& quantity);
 
@@ -94,8 +96,12 @@ struct TableColumn {
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
                                                      const std::vector<QuantityPlace>& places,
                                                      std::size_t language = 0);
-/// The floors of a building from the top down, as it stands.
+/// The floors of a building, bottom to top.
+[[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, std::size_t building);
+/// From the top down, as it stands.
 [[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t building);
+/// The first `count` items as places.
+[[nodiscard]] std::vector<QuantityPlace> first_places(std::size_t count);
 /// Those items as places.
 [[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items);
 

@@ -15,6 +15,14 @@ FigureData figure_data(const Problem& problem, const Response& response, const S
   return data;
 }
 
+Eigen::MatrixXd sway_shapes(const Building& building) {
+  Eigen::MatrixXd shapes = building.modes.shapes.topRows(building.model.floors());
+  for (auto shape : shapes.colwise()) {
+    if (const double largest = shape.cwiseAbs().maxCoeff(); largest > 0) shape /= largest;
+  }
+  return shapes;
+}
+
 RunResults run_results(Case c, Problem problem, Response response) {
   std::vector<Remark> found = remarks(c, problem, response);
   return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};

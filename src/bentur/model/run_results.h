@@ -22,6 +22,9 @@ struct FigureData {
 /// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
 [[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
 
+/// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
+[[nodiscard]] Eigen::MatrixXd sway_shapes(const Building& building);
+
 /// A run, just solved or read again from its results: what everything that is told of it is made from.
 struct RunResults {
   Case c;

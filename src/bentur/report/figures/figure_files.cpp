@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "bentur/files/atomic_file.h"
-#include "bentur/files/netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
 
@@ -43,9 +42,8 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
   for (const std::string& format : formats) expect("." + format, ResultKind::picture);
 }
 
-std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const std::string& histories,
+std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const RunResults& results,
                                            const std::vector<std::string>& formats, const OutputRules& rules) {
-  const NetcdfReader results(histories, "histories.nc");
   std::vector<NamedFigure> figures;
   std::vector<std::string> names;
   for (const FigureKind& kind : figure_kinds(results)) {

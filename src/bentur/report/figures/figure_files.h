@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/files/output_rules.h"
+#include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
 
 namespace bentur {
@@ -26,9 +27,8 @@ void write_figures(const std::filesystem::path& folder, const std::vector<NamedF
 void expect_figure(const std::filesystem::path& folder, const std::string& name,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 
-/// Writes all figures that a run can give, from the contents of its histories.nc. @return their names. @throws as
-/// write_figures().
-std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const std::string& histories,
+/// Writes all figures that a run can give. @return their names. @throws as write_figures().
+std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const RunResults& results,
                                            const std::vector<std::string>& formats, const OutputRules& rules);
 
 /// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure

@@ -1,18 +1,19 @@
 #include "bentur/report/html/report_figures.h"
 
-#include "bentur/files/netcdf.h"
-#include "bentur/files/result_netcdf.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/internal/words.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {
 
-std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std::string& language) {
+namespace {
+
+/// Every figure that `results`, of a run or a study, can give.
+template <typename Results>
+std::vector<ReportFigure> drawn(const Results& results, const std::string& family, const std::string& language) {
   if (!gnuplot_version()) return {};
   const html::Words say(language);
   std::vector<ReportFigure> figures;
-  const std::string family = results.find("status") != nullptr ? "figure.sweep." : "figure.";
   for (const FigureKind& kind : figure_kinds(results)) {
     const std::string caption = say(family + kind.name);
     try {
@@ -25,10 +26,14 @@ std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std:
   return figures;
 }
 
-std::vector<ReportFigure> report_figures(RunResults results, const std::string& language) {
-  if (!gnuplot_version()) return {};
-  results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
-  return report_figures(NetcdfReader(histories_netcdf(results, ""), "histories"), language);
+}  // namespace
+
+std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std::string& language) {
+  return drawn(results, "figure.sweep.", language);
+}
+
+std::vector<ReportFigure> report_figures(const RunResults& results, const std::string& language) {
+  return drawn(results, "figure.", language);
 }
 
 }  // namespace bentur

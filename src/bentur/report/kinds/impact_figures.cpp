@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 namespace {
@@ -16,29 +16,30 @@ struct Course {
   std::vector<double> time, shortening, force;  ///< since the start [ms], δ [length], F [force]
 };
 
-Course read_course(const RunData& run) {
-  if (run.results.find("close_up_time") == nullptr) {
-    throw NoFigure(run.impacts.empty() ? "nothing was hit in this run"
-                                       : "the file has no impact in close-up: \"bentur run --figures\" adds it");
+Course read_course(const RunResults& run) {
+  if (!run.figures.close_up) {
+    throw NoFigure(run.response.impacts.empty()
+                       ? "nothing was hit in this run"
+                       : "the file has no impact in close-up: \"bentur run --figures\" adds it");
   }
-  const auto number = static_cast<std::size_t>(run.results.numbers("close_up_impact").at(0));
-  const RunData::Impact& impact = run.impacts.at(number);
+  const CloseUp& near = *run.figures.close_up;
+  const Impact& impact = run.response.impacts.at(static_cast<std::size_t>(near.impact));
   Course course;
-  course.point = impact.point;
+  course.point = static_cast<std::size_t>(impact.point);
   course.start = impact.start;
-  course.force = run.results.numbers("close_up_force");
-  for (const double t : run.results.numbers("close_up_time")) course.time.push_back(1e3 * (t - impact.start));
-  for (const double g : run.results.numbers("close_up_opening")) course.shortening.push_back(std::max(0.0, -g));
+  course.force = near.force;
+  for (const double t : near.time) course.time.push_back(1e3 * (t - impact.start));
+  for (const double g : near.opening) course.shortening.push_back(std::max(0.0, -g));
   return course;
 }
 
-std::string title(const RunData& run, const Course& course) {
-  return fmt::format("One impact, {}, from t = {:.4f} s", run.point_name(course.point), course.start);
+std::string title(const RunResults& run, const Course& course) {
+  return fmt::format("One impact, {}, from t = {:.4f} s", point_text(run, course.point), course.start);
 }
 
 }  // namespace
 
-Figure impact_figure(const RunData& run, const FigureOptions& options) {
+Figure impact_figure(const RunResults& run, const FigureOptions& options) {
   const Course course = read_course(run);
   const auto panel = [&](const std::string& label, const std::vector<double>& values) {
     return Panel{.x = {.from = course.time.front(), .to = course.time.back()},
@@ -46,14 +47,14 @@ Figure impact_figure(const RunData& run, const FigureOptions& options) {
                  .height = 3,
                  .curves = {{.x = course.time, .y = values}}};
   };
-  Panel force = panel(with_unit("Force F", run.force), course.force);
+  Panel force = panel(with_unit("Force F", run.c.units.force), course.force);
   force.x.label = fmt::format("Time since the contact began at {:.4f} s [ms]", course.start);
   return {.title = title(run, course),
-          .panels = {panel(with_unit("Shortening δ", run.length), course.shortening), force},
+          .panels = {panel(with_unit("Shortening δ", run.c.units.length), course.shortening), force},
           .width = options.width};
 }
 
-Figure loop_figure(const RunData& run, const FigureOptions& options) {
+Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   const Course course = read_course(run);
   const auto deepest = static_cast<std::size_t>(std::max_element(course.shortening.begin(), course.shortening.end()) -
                                                 course.shortening.begin());
@@ -65,8 +66,8 @@ Figure loop_figure(const RunData& run, const FigureOptions& options) {
     }
     return curve;
   };
-  const Panel panel{.x = {.label = with_unit("Shortening of the contact zone δ", run.length), .from = 0},
-                    .y = {.label = with_unit("Contact force F", run.force)},
+  const Panel panel{.x = {.label = with_unit("Shortening of the contact zone δ", run.c.units.length), .from = 0},
+                    .y = {.label = with_unit("Contact force F", run.c.units.force)},
                     .height = 5,
                     .curves = {part(0, deepest, {.label = "closing"}),
                                part(deepest, course.time.size() - 1,

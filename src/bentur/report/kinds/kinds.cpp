@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/files/result_reading.h"
 #include "bentur/model/quantities.h"
-#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
 
 namespace bentur {
@@ -15,44 +16,49 @@ namespace {
 struct RunKind {
   const char* name;
   const char* shows;
-  const char* needs;  ///< a variable without which there is none
-  Figure (*make)(const RunData&, const FigureOptions&);
+  bool (*is_there)(const RunResults&);
+  Figure (*make)(const RunResults&, const FigureOptions&);
 };
+
+bool always(const RunResults&) { return true; }
+bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
+bool has_force(const RunResults& run) {
+  const std::vector<Impact>& impacts = run.response.impacts;
+  return std::any_of(impacts.begin(), impacts.end(), [](const Impact& impact) { return impact.peak_force > 0; });
+}
+bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value(); }
+bool has_energy(const RunResults& run) {
+  return run.response.energy && run.response.energy->histories.input.size() > 0;
+}
+bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
-    {"displacement", "displacements of both buildings at one contact point, contacts marked", "opening",
+    {"displacement", "displacements of both buildings at one contact point, contacts marked", has_points,
      displacement_figure},
-    {"opening", "opening of the gap at one contact point", "opening", opening_figure},
-    {"force", "contact force at one contact point", "impact_start", force_figure},
-    {"impact", "the hardest impact in close-up: shortening and force", "close_up_time", impact_figure},
-    {"loop", "force against shortening in the hardest impact", "close_up_time", loop_figure},
-    {"envelope", "largest displacements over the height, with and without contact", "time", envelope_figure},
-    {"amplification", "largest displacement with contact over that without, over the height", "time",
+    {"opening", "opening of the gap at one contact point", has_points, opening_figure},
+    {"force", "contact force at one contact point", has_force, force_figure},
+    {"impact", "the hardest impact in close-up: shortening and force", has_close_up, impact_figure},
+    {"loop", "force against shortening in the hardest impact", has_close_up, loop_figure},
+    {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure},
+    {"amplification", "largest displacement with contact over that without, over the height", always,
      amplification_figure},
-    {"modes", "mode shapes of each building", "time", modes_figure},
-    {"energy", "where the energy is", "energy_input", energy_figure},
-    {"spectrum", "response spectra of the ground motion, with the buildings' periods", "spectrum_period",
+    {"modes", "mode shapes of each building", always, modes_figure},
+    {"energy", "where the energy is", has_energy, energy_figure},
+    {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
 };
-
-bool is_run(const NetcdfReader& results) {
-  return results.find("building_name") != nullptr && results.find("displacement_1") != nullptr &&
-         results.find("shape_1") != nullptr;
-}
 
 [[noreturn]] void refuse(const NetcdfReader& results) {
   throw NoFigure(results.name() +
                  ": is neither histories.nc of this version of bentur run nor results of bentur sweep");
 }
 
-bool has_impact_force(const NetcdfReader& results) {
-  const std::vector<double> forces = results.numbers("impact_peak_force");
-  return std::any_of(forces.begin(), forces.end(), [](double force) { return force > 0; });
-}
-
-bool can(const NetcdfReader& results, const RunKind& kind) {
-  if (results.find(kind.needs) == nullptr) return false;
-  return std::string(kind.name) != "force" || has_impact_force(results);
+[[noreturn]] void refuse(const std::string& kind, const std::string& of, const std::vector<FigureKind>& kinds) {
+  std::vector<std::string> known;
+  for (const FigureKind& one : kinds) known.push_back(one.name);
+  const std::string near = nearest(kind, known);
+  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, of,
+                             near.empty() ? "" : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
 }
 
 /// Of contact points there are none where a study models no contact.
@@ -62,15 +68,18 @@ bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
 
 }  // namespace
 
-std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
+std::vector<FigureKind> figure_kinds(const RunResults& run) {
   std::vector<FigureKind> kinds;
-  if (is_run(results)) {
-    for (const RunKind& kind : run_kinds) {
-      if (can(results, kind)) kinds.push_back({kind.name, kind.shows});
-    }
-    return kinds;
+  for (const RunKind& kind : run_kinds) {
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows});
   }
+  return kinds;
+}
+
+std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
+  if (is_histories(results)) return figure_kinds(read_histories(results));
   if (results.find("status") == nullptr) refuse(results);
+  std::vector<FigureKind> kinds;
   if (is_ida(results)) {
     kinds.push_back({"ida", "peak contact force of every record at growing intensity, with fractiles"});
     kinds.push_back({"fragility", "probability of pounding against intensity, with bounds"});
@@ -87,12 +96,16 @@ std::vector<std::string> run_figure_names() {
   return names;
 }
 
+Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options) {
+  for (const RunKind& one : run_kinds) {
+    if (kind == one.name) return one.make(run, options);
+  }
+  refuse(kind, "a run", figure_kinds(run));
+}
+
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
-  if (is_run(results)) {
-    for (const RunKind& one : run_kinds) {
-      if (kind == one.name) return one.make(RunData(results), options);
-    }
-  } else if (results.find("status") != nullptr) {
+  if (is_histories(results)) return make_figure(read_histories(results), kind, options);
+  if (results.find("status") != nullptr) {
     const SweepData sweep(results);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
@@ -107,11 +120,7 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
       if (has_quantity(results, by_name)) return sweep_figure(sweep, by_name, options);
     }
   }
-  std::vector<std::string> known;
-  for (const FigureKind& one : figure_kinds(results)) known.push_back(one.name);
-  const std::string near = nearest(kind, known);
-  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, results.name(),
-                             near.empty() ? "" : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
+  refuse(kind, results.name(), figure_kinds(results));
 }
 
 }  // namespace bentur

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 
@@ -34,21 +34,22 @@ Figure spectrum_figure(const SpectrumCurves& curves, double width) {
   return figure;
 }
 
-Figure run_spectrum_figure(const RunData& run, const FigureOptions& options) {
-  const NetcdfReader& results = run.results;
-  if (results.find("spectrum_period") == nullptr) {
+Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) {
+  if (run.figures.spectrum.empty()) {
     throw NoFigure("the file has no response spectrum: \"bentur run --figures\" adds that of a record");
   }
   SpectrumCurves curves;
-  curves.periods = results.numbers("spectrum_period");
-  curves.acceleration = results.numbers("spectrum_acceleration");
-  curves.displacement = results.numbers("spectrum_displacement");
-  curves.acceleration_unit = unit_text(results.at("spectrum_acceleration").units);
-  curves.length = run.length;
-  curves.damping = results.numbers("spectrum_damping").at(0);
-  for (const std::size_t b : run.shown(options)) {
-    const RunData::Building& building = run.buildings[b];
-    if (!building.periods.empty()) curves.marks.emplace_back(building.name, building.periods.front());
+  curves.periods = run.figures.spectrum_periods;
+  for (const OscillatorPeaks& peaks : run.figures.spectrum) {
+    curves.acceleration.push_back(peaks.pseudo_acceleration);
+    curves.displacement.push_back(peaks.displacement);
+  }
+  curves.acceleration_unit = unit_text("L s-2", run.c.units);
+  curves.length = run.c.units.length;
+  curves.damping = run.figures.spectrum_damping;
+  for (const std::size_t b : shown_buildings(run, options)) {
+    const Building& building = run.problem.buildings[b];
+    if (const auto period = first_period(building)) curves.marks.emplace_back(building.name, *period);
   }
   return spectrum_figure(curves, options.width);
 }

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/kinds/internal/run_data.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
 
 namespace bentur {

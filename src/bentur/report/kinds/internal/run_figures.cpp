@@ -1,0 +1,108 @@
+#include "bentur/report/kinds/internal/run_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "bentur/report/figures/internal/text.h"
+
+namespace bentur {
+
+const Impact* hardest_impact(const RunResults& run, std::size_t point) {
+  const Impact* found = nullptr;
+  for (const Impact& impact : run.response.impacts) {
+    const bool here = impact.point == static_cast<int>(point);
+    if (here && (found == nullptr || impact.peak_force > found->peak_force)) found = &impact;
+  }
+  return found;
+}
+
+std::size_t chosen_point(const RunResults& run, const FigureOptions& options) {
+  const std::vector<ContactPoint>& points = run.problem.points;
+  const std::vector<Building>& buildings = run.problem.buildings;
+  std::vector<std::size_t> candidates;
+  std::string known;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (options.gap && points[i].left != static_cast<int>(*options.gap)) continue;
+    known += (known.empty() ? "" : ", ") + number_text(points[i].elevation);
+    const double tolerance = 1e-6 * std::max(1.0, std::abs(points[i].elevation));
+    if (options.elevation && std::abs(points[i].elevation - *options.elevation) > tolerance) continue;
+    candidates.push_back(i);
+  }
+  if (points.empty()) throw NoFigure("no contact is modelled in this run");
+  if (known.empty() && *options.gap + 1 < buildings.size()) {
+    throw NoFigure(fmt::format("no contact is modelled in gap {}", *options.gap));
+  }
+  if (known.empty()) {
+    throw NoFigure(
+        fmt::format("there is no gap {}: gaps are counted from 0 to {}", *options.gap, buildings.size() - 2));
+  }
+  if (candidates.empty()) {
+    throw NoFigure(fmt::format("no contact point at elevation {} {}: there are {}", number_text(*options.elevation),
+                               run.c.units.length, known));
+  }
+  std::size_t best = candidates.front();
+  const Impact* hard = nullptr;
+  for (const std::size_t i : candidates) {
+    const Impact* one = hardest_impact(run, i);
+    if (one != nullptr && (hard == nullptr || one->peak_force > hard->peak_force)) {
+      hard = one;
+      best = i;
+    }
+  }
+  if (hard != nullptr) return best;
+  double closest = INFINITY;
+  for (const std::size_t i : candidates) {
+    const double smallest = run.response.histories.opening.row(static_cast<Eigen::Index>(i)).minCoeff();
+    if (smallest < closest) {
+      closest = smallest;
+      best = i;
+    }
+  }
+  return best;
+}
+
+std::vector<std::size_t> shown_buildings(const RunResults& run, const FigureOptions& options) {
+  constexpr std::size_t most = 6;
+  std::vector<std::size_t> all(run.problem.buildings.size());
+  std::iota(all.begin(), all.end(), 0);
+  if (all.size() <= most) return all;
+  const std::vector<ContactPoint>& points = run.problem.points;
+  const std::size_t left =
+      points.empty() ? options.gap.value_or(0) : static_cast<std::size_t>(points[chosen_point(run, options)].left);
+  return {left, left + 1};
+}
+
+std::string point_text(const RunResults& run, std::size_t point) {
+  const ContactPoint& place = run.problem.points[point];
+  return fmt::format("{}, elevation {} {}", gap_name(run.problem, static_cast<std::size_t>(place.left)),
+                     number_text(place.elevation), run.c.units.length);
+}
+
+double base_of(const Building& building) {
+  return building.model.elevations.front() - building.model.storey_heights.front();
+}
+
+std::optional<double> first_period(const Building& building) {
+  const Eigen::VectorXd& omega = building.modes.omega;
+  return omega.size() > 0 ? std::optional(2 * std::numbers::pi / omega(0)) : std::nullopt;
+}
+
+Mark mark_of(std::size_t index) {
+  constexpr Mark marks[] = {Mark::disc, Mark::circle, Mark::square, Mark::triangle, Mark::diamond, Mark::cross};
+  return marks[index % 6];
+}
+
+void tell_apart(Curve& curve, std::size_t index) {
+  constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::grey};
+  constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
+  curve.tone = tones[index % 4];
+  curve.line = lines[(index + index / 4) % 4];
+  constexpr std::size_t most_marks = 25;
+  curve.mark = curve.x.size() <= most_marks ? mark_of(index) : Mark::none;
+}
+
+}  // namespace bentur

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/model/run_results.h"
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur {
+
+/// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
+/// @throws NoFigure when there is none.
+[[nodiscard]] std::size_t chosen_point(const RunResults& run, const FigureOptions& options);
+/// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point.
+[[nodiscard]] std::vector<std::size_t> shown_buildings(const RunResults& run, const FigureOptions& options);
+/// The hardest impact of a point; nullptr without one.
+[[nodiscard]] const Impact* hardest_impact(const RunResults& run, std::size_t point);
+/// "Model 1 | Model 2, elevation 300 cm".
+[[nodiscard]] std::string point_text(const RunResults& run, std::size_t point);
+/// Elevation of a building's base [length].
+[[nodiscard]] double base_of(const Building& building);
+/// T of the first mode [s]; nothing without modes.
+[[nodiscard]] std::optional<double> first_period(const Building& building);
+
+// The figures of a run, one for each kind.
+[[nodiscard]] Figure displacement_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure opening_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure force_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure impact_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure loop_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure envelope_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure amplification_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
+
+/// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
+void tell_apart(Curve& curve, std::size_t index);
+[[nodiscard]] Mark mark_of(std::size_t index);
+
+}  // namespace bentur
