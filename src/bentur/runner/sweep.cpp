@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/info.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <map>
@@ -118,10 +117,7 @@ SweepTotals write_results(const fs::path& output, ResultKind kind, const OutputR
   const fs::path unfinished = make_temporary(target);
   try {
     const SweepTotals totals = write_sweep_netcdf(unfinished, runs, journal, version);
-    const int descriptor = ::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!synced) throw std::runtime_error(output.string() + ": cannot write");
+    OpenFile(::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC), output).sync();
     fs::rename(unfinished, target);
     return totals;
   } catch (...) {
