@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/files/netcdf.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
@@ -75,19 +74,15 @@ void write_building(const NetcdfWriter& file, Dimension time, std::size_t b, con
 void write_points(const NetcdfWriter& file, Dimension time, const Problem& problem, const Histories& histories,
                   const std::string& length, const std::string& force) {
   if (problem.points.empty()) return;
-  std::vector<std::string> left, right;
   std::vector<double> elevations, widths;
   for (const ContactPoint& point : problem.points) {
-    left.push_back(problem.buildings[static_cast<std::size_t>(point.left)].name);
-    right.push_back(problem.buildings[static_cast<std::size_t>(point.left) + 1].name);
     elevations.push_back(point.elevation);
     widths.push_back(point.width);
   }
   const Dimension points = file.dimension("point", problem.points.size());
   file.write("point_elevation", {points}, elevations, length, "elevation of the contact points");
   file.write("point_width", {points}, widths, length, "initial opening of the contact points");
-  file.write("point_left", {points}, left, "", "building to the left of the contact points");
-  file.write("point_right", {points}, right, "", "building to the right of the contact points");
+  write_point_sides(file, points, problem);
   const Variable opening = file.write("opening", {time, points}, by_columns(histories.opening), length,
                                       "opening of the contact points, negative in contact");
   const Variable contact = file.write("force", {time, points}, by_columns(histories.force), force, "contact force");
@@ -165,6 +160,16 @@ FigureData figure_data(const Problem& problem, const Response& response, const S
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }
   return data;
+}
+
+void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points, const Problem& problem) {
+  for (const std::string side : {"left", "right"}) {
+    std::vector<std::string> names;
+    for (const ContactPoint& point : problem.points) {
+      names.push_back(problem.buildings.at(static_cast<std::size_t>(point.left) + (side == "right" ? 1 : 0)).name);
+    }
+    file.write("point_" + side, {points}, names, "", "building to the " + side + " of the contact points");
+  }
 }
 
 std::string histories_netcdf(const Case& c, const Problem& problem, const Response& response, std::string_view version,

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/files/netcdf.h"
 #include "bentur/model/case.h"
 #include "bentur/model/close_up.h"
 #include "bentur/solve/problem.h"
@@ -23,6 +24,9 @@ struct FigureData {
 
 /// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
 [[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
+
+/// Writes `point_left` and `point_right`, the names of the buildings on both sides of each contact point.
+void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points, const Problem& problem);
 
 /// `histories.nc` as bytes: NetCDF-4, CF conventions, opens in xarray. Dimensions `time`, `elevation_N` for building N
 /// (1 the leftmost) with the floors' elevations as coordinate, `point` for the contact points. Variables

@@ -184,11 +184,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   report.solved = report.done - before;
   report.seconds = since(began);
   if (!report.finished) return report;
-  const SweepTotals totals = write_results(options.output, kind, rules, *runs, journal, options.version);
-  report.impacts = totals.impacts;
-  report.unmodelled = totals.unmodelled;
-  report.failed = totals.failed;
-  report.first_failure = totals.first_failure;
+  static_cast<SweepTotals&>(report) = write_results(options.output, kind, rules, *runs, journal, options.version);
   fs::remove(part);
   return report;
 }
