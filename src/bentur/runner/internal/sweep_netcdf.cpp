@@ -172,13 +172,14 @@ void SweepFile::define_indices() {
 void SweepFile::define_ida(const IdaSpec& ida) {
   const std::string units = intensity_units(ida, runs_.facts().units);
   const std::string name = intensity_name(ida);
-  const Variable intensity = file_.write("intensity", {run_dimensions_[ida.axis]}, ida.levels, units, name);
+  const Variable intensity = file_.define("intensity", NetcdfType::number, {run_dimensions_[ida.axis]}, units, name);
   file_.attribute(intensity, "measure", ida.spectral ? "sa" : "pga");
   file_.attribute(intensity, "study_unit", ida.unit.empty() ? runs_.facts().units.length + "/s2" : ida.unit);
   if (ida.spectral) {
     file_.attribute(intensity, "period", std::span(&ida.period, 1));
     file_.attribute(intensity, "damping", std::span(&ida.damping, 1));
   }
+  file_.put(intensity, ida.levels);
   const RecordIntensities& records = runs_.facts().intensities;
   std::vector<Dimension> dimensions;
   for (const std::size_t axis : records.axes) dimensions.push_back(run_dimensions_[axis]);
