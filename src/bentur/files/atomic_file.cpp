@@ -1,6 +1,5 @@
 #include "bentur/files/atomic_file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,47 +18,76 @@ namespace fs = std::filesystem;
   throw std::runtime_error(path.string() + ": " + what + ": " + std::generic_category().message(code));
 }
 
-/// A new file beside `file`, open for writing, with the permissions any new file gets; `path` becomes its name.
-int open_temporary(const fs::path& file, std::string& path) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  path = (folder / ("." + file.filename().string() + "-XXXXXX")).string();
-  const int descriptor = ::mkstemp(path.data());
-  if (descriptor < 0) fail(file, "cannot write", errno);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(descriptor, 0666 & ~mask) != 0) {
-    const int error = errno;
-    ::close(descriptor);
-    ::unlink(path.c_str());
-    fail(file, "cannot write", error);
-  }
-  return descriptor;
-}
-
-/// Writes all of `content` to a new file beside `file`. @return its path; nothing is left behind on failure.
+/// Writes all of `content` to a new file beside `file`, with the permissions any new file gets. @return its path;
+/// nothing is left behind on failure.
 fs::path write_temporary(const fs::path& file, std::string_view content) {
-  std::string path;
-  const int descriptor = open_temporary(file, path);
-  int error = 0;
-  while (error == 0 && !content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written >= 0) {
-      content.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      error = errno;
-    }
-  }
-  if (::close(descriptor) != 0 && error == 0) {
-    error = errno;
-  }
-  if (error != 0) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::string path = (folder / ("." + file.filename().string() + "-XXXXXX")).string();
+  OpenFile open(::mkstemp(path.data()), file);
+  try {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(open.descriptor(), 0666 & ~mask) != 0) fail(file, "cannot write", errno);
+    open.write(content, 0);
+    open.close();
+  } catch (...) {
     ::unlink(path.c_str());
-    fail(file, "cannot write", error);
+    throw;
   }
   return path;
 }
 
 }  // namespace
+
+OpenFile::OpenFile(int descriptor, fs::path name, const char* problem)
+    : descriptor_(descriptor), name_(std::move(name)) {
+  if (descriptor < 0) fail(problem);
+}
+
+OpenFile::OpenFile(OpenFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)) {}
+
+OpenFile::~OpenFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OpenFile::fail(const char* problem) const { bentur::fail(name_, problem, errno); }
+
+void OpenFile::write(std::span<const char> bytes, std::size_t offset) const {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      fail("cannot write");
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::size_t>(written);
+  }
+}
+
+void OpenFile::read(std::span<char> bytes, std::size_t offset) const {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0) {
+      if (errno == EINTR) continue;
+      fail("cannot read");
+    }
+    if (got == 0) {
+      std::fill(bytes.begin(), bytes.end(), '\0');
+      return;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::size_t>(got);
+  }
+}
+
+void OpenFile::sync() const {
+  if (::fdatasync(descriptor_) != 0) fail("cannot write");
+}
+
+void OpenFile::close() {
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write");
+}
 
 fs::path make_temporary(const fs::path& file) { return write_temporary(file, ""); }
 

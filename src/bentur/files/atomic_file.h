@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,35 @@
 #include "bentur/files/output_rules.h"
 
 namespace bentur {
+
+/// An open file, closed with the object. All functions throw std::runtime_error with its name and the system's reason.
+class OpenFile {
+ public:
+  /// @param descriptor as the system gave it; where it gave none, `problem` is thrown. @param name for messages.
+  OpenFile(int descriptor, std::filesystem::path name, const char* problem = "cannot write");
+  OpenFile(OpenFile&& other) noexcept;
+  OpenFile& operator=(OpenFile&&) = delete;
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile();
+
+  [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
+  [[nodiscard]] const std::filesystem::path& name() const noexcept { return name_; }
+  /// Writes all bytes, from `offset` [bytes] of the file on.
+  void write(std::span<const char> bytes, std::size_t offset) const;
+  /// Reads from `offset` [bytes] on; behind the end of the file zeros.
+  void read(std::span<char> bytes, std::size_t offset) const;
+  /// Returns once what was written would survive a crash of the machine.
+  void sync() const;
+  /// Closes the file, which may show an error that writing has not.
+  void close();
+
+ private:
+  [[noreturn]] void fail(const char* problem) const;
+
+  int descriptor_;
+  std::filesystem::path name_;
+};
 
 /// Makes a new empty file in the folder of `file`, with the permissions any new file gets. @return its path.
 /// @throws std::runtime_error naming `file`, with the system's reason.

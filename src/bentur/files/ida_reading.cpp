@@ -11,12 +11,6 @@
 namespace bentur {
 namespace {
 
-/// peak_drift_ratio of peak_drift_ratio_2.
-std::string without_number(const std::string& name) {
-  const std::size_t end = name.find_last_not_of("0123456789");
-  return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
-}
-
 class Reader {
  public:
   Reader(const NetcdfReader& file, const EventRule& event) : file_(file), event_(event) {
@@ -173,6 +167,11 @@ class Reader {
 };
 
 }  // namespace
+
+std::string without_number(const std::string& name) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
+}
 
 IdaResults read_ida_results(const NetcdfReader& file, const EventRule& event) { return Reader(file, event).take(); }
 

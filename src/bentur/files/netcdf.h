@@ -84,7 +84,7 @@ struct NetcdfBlock {
   std::vector<std::size_t> start, count;
 };
 
-/// Writes a NetCDF-4 file; unless finish() is called there will be none. The same calls give the same bytes.
+/// Writes a NetCDF-4 file, which is whole once finish() has returned. The same calls give the same bytes.
 /// All functions throw std::runtime_error with the file's name and the library's reason.
 class NetcdfWriter {
  public:

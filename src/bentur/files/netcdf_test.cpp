@@ -79,5 +79,52 @@ TEST(NetcdfReaderTest, SaysWhatIsWrong) {
   EXPECT_THROW(static_cast<void>(reader.texts("time")), std::runtime_error);
 }
 
+/// A file with a value of every type, the first row of its table behind the second; as bytes, or its path on disk.
+std::string made_up(const std::string& name, NetcdfWriter::Place place) {
+  NetcdfWriter file(name, place);
+  file.describe("t", "s", "1");
+  const auto rows = file.dimension("row", 2), columns = file.dimension("column", 3);
+  const auto table = file.define("table", NetcdfType::number, {rows, columns}, "m", "a table");
+  file.attribute(table, "coordinates", "name number");
+  file.attribute(table, "flags", std::vector<signed char>{0, 1});
+  const auto names = file.define("name", NetcdfType::text, {rows}, "", "names");
+  file.chunk(names, {1});
+  file.write("number", {rows}, std::vector{3, -4}, "", "numbers");
+  file.write("single", {}, std::vector{0.1}, "s", "a number");
+  file.put(table, std::vector{4.0, 5.0, 6.0}, {{1, 0}, {1, 3}});
+  file.put(table, std::vector{1.0, 2.0, 3.0}, {{0, 0}, {1, 3}});
+  file.put(names, std::vector<std::string>{"b"}, {{1}, {1}});
+  file.put(names, std::vector<std::string>{""}, {{0}, {1}});
+  return file.finish();
+}
+
+TEST(NetcdfWriterTest, WritesBlocksOfEveryTypeInMemoryAndOnDisk) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.nc").string();
+  EXPECT_EQ(made_up(path, NetcdfWriter::Place::disk), "");
+  const NetcdfReader disk(path), memory(made_up("a.nc", NetcdfWriter::Place::memory), "a.nc");
+  for (const NetcdfReader* file : {&disk, &memory}) {
+    EXPECT_EQ(file->attribute("history"), "written by bentur 1");
+    EXPECT_EQ(file->numbers("table"), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(file->at("table").units, "m");
+    EXPECT_EQ(file->at("table").coordinates, (std::vector<std::string>{"name", "number"}));
+    EXPECT_EQ(file->texts("name"), (std::vector<std::string>{"", "b"}));
+    EXPECT_EQ(file->numbers("number"), (std::vector<double>{3, -4}));
+    EXPECT_EQ(file->numbers("single"), std::vector<double>{0.1});
+  }
+}
+
+TEST(NetcdfWriterTest, SaysWhatTheLibraryRefuses) {
+  const NetcdfWriter file("made-up.nc", NetcdfWriter::Place::memory);
+  static_cast<void>(file.dimension("row", 2));
+  try {
+    static_cast<void>(file.dimension("row", 3));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).find("made-up.nc: "), 0U) << error.what();
+  }
+  EXPECT_THROW(NetcdfWriter("/no/such/folder/a.nc", NetcdfWriter::Place::disk), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -61,33 +61,22 @@ bool is_netcdf(const fs::path& file, ResultKind kind) {
 }  // namespace
 
 std::string_view kind_name(ResultKind kind) {
-  switch (kind) {
-    case ResultKind::summary:
-      return "a summary of bentur run";
-    case ResultKind::impacts:
-      return "a list of impacts of bentur run";
-    case ResultKind::histories:
-      return "histories of bentur run";
-    case ResultKind::case_copy:
-      return "the copy of a case that bentur run has made, unchanged since";
-    case ResultKind::sweep:
-      return "results of bentur sweep";
-    case ResultKind::ida:
-      return "results of bentur ida";
-    case ResultKind::spectrum:
-      return "a response spectrum of bentur spectrum";
-    case ResultKind::report:
-      return "a report of bentur report";
-    case ResultKind::figure_script:
-      return "the script of a figure by bentur";
-    case ResultKind::figure_data:
-      return "data of a figure by bentur, whose script would stand beside them";
-    case ResultKind::picture:
-      return "a figure by bentur, whose script would stand beside it";
-    case ResultKind::example:
-      break;
-  }
-  return "the example";
+  static constexpr std::string_view names[] = {
+      // in the order of the kinds
+      "a summary of bentur run",
+      "a list of impacts of bentur run",
+      "histories of bentur run",
+      "the copy of a case that bentur run has made, unchanged since",
+      "results of bentur sweep",
+      "results of bentur ida",
+      "a response spectrum of bentur spectrum",
+      "a report of bentur report",
+      "the script of a figure by bentur",
+      "data of a figure by bentur, whose script would stand beside them",
+      "a figure by bentur, whose script would stand beside it",
+      "the example",
+  };
+  return names[static_cast<std::size_t>(kind)];
 }
 
 bool is_result(const fs::path& file, ResultKind kind) {

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/files/netcdf.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
@@ -85,17 +84,13 @@ void write_points(const NetcdfWriter& file, Dimension time, const RunView& run, 
   const Problem& problem = run.problem;
   const Histories& histories = run.response.histories;
   if (problem.points.empty()) return;
-  std::vector<std::string> left, right;
   std::vector<double> elevations;
   for (const ContactPoint& point : problem.points) {
-    left.push_back(problem.buildings[static_cast<std::size_t>(point.left)].name);
-    right.push_back(problem.buildings[static_cast<std::size_t>(point.left) + 1].name);
     elevations.push_back(point.elevation);
   }
   const Dimension points = file.dimension("point", problem.points.size());
   file.write("point_elevation", {points}, elevations, length, "elevation of the contact points");
-  file.write("point_left", {points}, left, "", "building to the left of the contact points");
-  file.write("point_right", {points}, right, "", "building to the right of the contact points");
+  write_point_sides(file, points, problem);
   const Variable opening = file.write("opening", {time, points}, by_columns(histories.opening), length,
                                       "opening of the contact points, negative in contact");
   const Variable contact = file.write("force", {time, points}, by_columns(histories.force), force, "contact force");
@@ -154,6 +149,16 @@ void write_figure_data(const NetcdfWriter& file, const FigureData& figures, cons
 }
 
 }  // namespace
+
+void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points, const Problem& problem) {
+  for (const std::string side : {"left", "right"}) {
+    std::vector<std::string> names;
+    for (const ContactPoint& point : problem.points) {
+      names.push_back(problem.buildings.at(static_cast<std::size_t>(point.left) + (side == "right" ? 1 : 0)).name);
+    }
+    file.write("point_" + side, {points}, names, "", "building to the " + side + " of the contact points");
+  }
+}
 
 std::string histories_netcdf(const RunResults& results, std::string_view version) {
   const auto& [c, problem, response, remarks, figures] = results;

@@ -3,9 +3,13 @@
 #include <string>
 #include <string_view>
 
+#include "bentur/files/netcdf.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
+
+/// Writes `point_left` and `point_right`, the names of the buildings on both sides of each contact point.
+void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points, const Problem& problem);
 
 /// `histories.nc` as bytes: NetCDF-4, CF conventions, opens in xarray. Dimensions `time`, `elevation_N` for building N
 /// (1 the leftmost) with the floors' elevations as coordinate, `point` for the contact points. Variables

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/info.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <map>
@@ -118,10 +117,7 @@ SweepTotals write_results(const fs::path& output, ResultKind kind, const OutputR
   const fs::path unfinished = make_temporary(target);
   try {
     const SweepTotals totals = write_sweep_netcdf(unfinished, runs, journal, version);
-    const int descriptor = ::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!synced) throw std::runtime_error(output.string() + ": cannot write");
+    OpenFile(::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC), output).sync();
     fs::rename(unfinished, target);
     return totals;
   } catch (...) {
@@ -152,12 +148,12 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
                                  Diagnostics& diagnostics) {
   const std::unique_ptr<StudyRuns> runs = checked_runs(study, options.kind, diagnostics);
   if (!runs) return std::nullopt;
-  WorkOptions work;
-  work.threads = options.threads > 0 ? options.threads : default_threads(ranks);
-  work.stop = options.stop;
+  WorkOptions work_options;
+  work_options.threads = options.threads > 0 ? options.threads : default_threads(ranks);
+  work_options.stop = options.stop;
   SweepReport report;
   if (ranks.rank() != 0) {
-    follow_work(*runs, ranks, work);
+    work(*runs, ranks, work_options);
     return report;
   }
   const ResultKind kind = options.kind == StudyKind::ida ? ResultKind::ida : ResultKind::sweep;
@@ -167,7 +163,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   static_cast<void>(output_target(options.output, kind, rules));
   std::error_code failed;
   if (options.resume && !fs::exists(part, failed) && is_finished(options.output, kind, origin)) {
-    dismiss_work(ranks);
+    dismiss_workers(ranks);
     report.finished = report.before = true;
     report.runs = report.done = runs->plan().runs();
     return report;
@@ -177,22 +173,18 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   const auto began = Clock::now();
   const std::size_t before = journal.done();
   auto shown = began;
-  work.finished = [&](std::size_t done) {
+  work_options.finished = [&](std::size_t done) {
     if (!options.progress || Clock::now() - shown < std::chrono::milliseconds(200)) return;
     shown = Clock::now();
     options.progress({runs->plan().runs(), done, before, since(began)});
   };
-  report.finished = lead_work(*runs, journal, ranks, work);
+  report.finished = coordinate(*runs, journal, ranks, work_options);
   report.runs = runs->plan().runs();
   report.done = journal.done();
   report.solved = report.done - before;
   report.seconds = since(began);
   if (!report.finished) return report;
-  const SweepTotals totals = write_results(options.output, kind, rules, *runs, journal, options.version);
-  report.impacts = totals.impacts;
-  report.unmodelled = totals.unmodelled;
-  report.failed = totals.failed;
-  report.first_failure = totals.first_failure;
+  static_cast<SweepTotals&>(report) = write_results(options.output, kind, rules, *runs, journal, options.version);
   fs::remove(part);
   return report;
 }

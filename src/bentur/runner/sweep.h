@@ -33,16 +33,20 @@ struct SweepOptions {
   std::function<bool()> stop;                          ///< asked often, by many threads; true: end as soon as possible
 };
 
-struct SweepReport {
-  bool finished = false;  ///< false: stopped; the journal is kept
-  bool before = false;    ///< all was done before: nothing is written, and nothing below but `runs` and `done` is known
-  std::size_t runs = 0, done = 0;
-  std::size_t solved = 0;      ///< by this program, not before
-  double seconds = 0;          ///< that took [s]
-  double impacts = 0;          ///< in all runs
+/// Sums over all runs of a study.
+struct SweepTotals {
+  double impacts = 0;
   std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
   std::size_t failed = 0;      ///< runs whose numbers failed or whose values make no case
   std::string first_failure;   ///< "run 17: REASON"
+};
+
+struct SweepReport : SweepTotals {
+  bool finished = false;  ///< false: stopped; the journal is kept
+  bool before = false;    ///< all was done before: nothing is written, and nothing but `runs` and `done` is known
+  std::size_t runs = 0, done = 0;
+  std::size_t solved = 0;  ///< by this program, not before
+  double seconds = 0;      ///< that took [s]
 };
 
 /// What a study would run.

@@ -17,12 +17,12 @@ struct WorkOptions {
 
 /// Rank 0: has every run that the journal lacks solved, by the threads of this process and by the other ranks, which
 /// ask for work whenever theirs runs low, and writes results as they come. @return false when stopped.
-[[nodiscard]] bool lead_work(const StudyRuns& runs, Journal& journal, Ranks& ranks, const WorkOptions& options);
+[[nodiscard]] bool coordinate(const StudyRuns& runs, Journal& journal, Ranks& ranks, const WorkOptions& options);
 
-/// Rank 0: sends the others home, for whom there is nothing to do.
-void dismiss_work(Ranks& ranks);
+/// Rank 0: lets the others go, for whom there is nothing to do.
+void dismiss_workers(Ranks& ranks);
 
 /// Any other rank: asks for work, solves it and sends the results, until there is no more.
-void follow_work(const StudyRuns& runs, Ranks& ranks, const WorkOptions& options);
+void work(const StudyRuns& runs, Ranks& ranks, const WorkOptions& options);
 
 }  // namespace bentur

@@ -3,30 +3,37 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "bentur/files/atomic_file.h"
-
 namespace bentur {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JournalOrigin, version, study, case_text, records, runs, values)
+
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char magic[16] = "bentur journal1";
-constexpr std::size_t page = 4096;                  // where the first slot begins
-constexpr std::size_t smallest_payload = 248;       // so that there is room for a message
-constexpr std::size_t largest_header = 256U << 20;  // bytes
+constexpr std::size_t page = 4096;                  // bytes; where the first slot begins
+constexpr std::size_t smallest_payload = 248;       // bytes; so that there is room for a message
+constexpr std::size_t largest_origin = 256U << 20;  // bytes
+
+/// Begins the file; the origin as MessagePack follows, then, at a page, the slots.
+struct FileHead {
+  char magic[16] = "bentur journal2";
+  std::uint64_t origin_bytes = 0;
+  std::uint64_t checksum = 0;  // of the origin
+};
 
 /// Stands before the payload of a slot: its values, or the text of its message.
 struct SlotHead {
@@ -52,66 +59,11 @@ std::uint64_t slot_checksum(std::span<const char> slot, std::size_t run) {
   return checksum(slot.subspan(sizeof(std::uint64_t)), run + 1);
 }
 
-void append(std::uint64_t number, std::string& text) {
-  text.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-void append(const std::string& part, std::string& text) {
-  append(part.size(), text);
-  text += part;
-}
-
-std::string header_text(const JournalOrigin& origin) {
-  std::string text;
-  append(origin.version, text);
-  append(origin.study, text);
-  append(origin.case_text, text);
-  append(origin.records.size(), text);
-  for (const auto& [name, hash] : origin.records) {
-    append(name, text);
-    append(hash, text);
-  }
-  append(origin.runs, text);
-  append(origin.values, text);
-  return text;
-}
-
-/// Takes a header apart; the checksum has shown that it is whole.
-class HeaderReader {
- public:
-  explicit HeaderReader(const std::string& text) : text_(text) {}
-  std::uint64_t number() {
-    std::uint64_t result = 0;
-    if (text_.size() - at_ < sizeof result) throw std::runtime_error("its header is too short");
-    std::memcpy(&result, text_.data() + at_, sizeof result);
-    at_ += sizeof result;
-    return result;
-  }
-  std::string part() {
-    const std::uint64_t size = number();
-    if (text_.size() - at_ < size) throw std::runtime_error("its header is too short");
-    at_ += size;
-    return text_.substr(at_ - size, size);
-  }
-
- private:
-  const std::string& text_;
-  std::size_t at_ = 0;
-};
-
-JournalOrigin origin_of(const std::string& header) {
-  HeaderReader reader(header);
-  JournalOrigin origin;
-  origin.version = reader.part();
-  origin.study = reader.part();
-  origin.case_text = reader.part();
-  for (std::uint64_t left = reader.number(); left > 0; --left) {
-    const std::string name = reader.part();
-    origin.records[name] = reader.part();
-  }
-  origin.runs = reader.number();
-  origin.values = reader.number();
-  return origin;
+/// The head of a slot; as that of an empty one where the slot is not whole.
+SlotHead head_of(std::span<const char> slot, std::size_t run) {
+  SlotHead head;
+  std::memcpy(&head, slot.data(), sizeof head);
+  return head.checksum == slot_checksum(slot, run) ? head : SlotHead{};
 }
 
 /// Number of the first line in which two texts differ, from 1.
@@ -120,44 +72,19 @@ std::size_t differing_line(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(std::count(a.begin(), at, '\n')) + 1;
 }
 
-[[noreturn]] void fail_with(const fs::path& file, const std::string& what, int code) {
-  throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), what, std::generic_category().message(code)));
-}
-
-void write_bytes(int descriptor, const fs::path& file, std::span<const char> bytes, std::size_t offset) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      fail_with(file, "cannot write", errno);
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-    offset += static_cast<std::size_t>(written);
-  }
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw std::runtime_error(file.string() + ": " + why);
 }
 
 /// Nobody else may write the same file. One that was killed may take its time to go.
-void lock(int descriptor, const fs::path& file) {
+void lock(const OpenFile& file) {
   constexpr auto pause = std::chrono::milliseconds(100);
   constexpr int most = 30;
-  for (int tries = 0; ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++tries) {
-    if (tries == most) throw std::runtime_error(file.string() + ": another program is writing it");
+  for (int tries = 0; ::flock(file.descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++tries) {
+    if (tries == most) refuse(file.name(), "another program is writing it");
     std::this_thread::sleep_for(pause);
   }
 }
-
-/// Bytes before the first slot: magic, size, header, checksum, up to a whole page.
-std::size_t slots_begin(std::size_t header) {
-  return (sizeof magic + 2 * sizeof(std::uint64_t) + header + page - 1) / page * page;
-}
-
-struct Descriptor {
-  int value = -1;
-  ~Descriptor() {
-    if (value >= 0) ::close(value);
-  }
-  int release() { return std::exchange(value, -1); }
-};
 
 }  // namespace
 
@@ -184,53 +111,33 @@ std::optional<std::string> difference(const JournalOrigin& then, const JournalOr
   return std::nullopt;
 }
 
-Journal::Journal(fs::path file, int descriptor, const JournalOrigin& origin, std::size_t first_slot)
+Journal::Journal(OpenFile file, const JournalOrigin& origin, std::size_t origin_bytes)
     : file_(std::move(file)),
-      descriptor_(descriptor),
       values_(origin.values),
       slot_(sizeof(SlotHead) + std::max(smallest_payload, origin.values * sizeof(double))),
-      first_slot_(first_slot),
+      first_slot_((sizeof(FileHead) + origin_bytes + page - 1) / page * page),
       done_(origin.runs, false),
       buffer_(slot_) {}
 
-Journal::Journal(Journal&& other) noexcept
-    : file_(std::move(other.file_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      values_(other.values_),
-      slot_(other.slot_),
-      first_slot_(other.first_slot_),
-      done_(std::move(other.done_)),
-      count_(other.count_),
-      buffer_(std::move(other.buffer_)) {}
-
-Journal::~Journal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-void Journal::fail(const char* what, int code) const { fail_with(file_, what, code); }
-
 Journal Journal::begin(const fs::path& file, const JournalOrigin& origin) {
-  // Under another name until its header is whole.
-  const std::string header = header_text(origin);
-  std::string start(magic, sizeof magic);
-  append(header.size(), start);
-  start += header;
-  append(checksum(header, 0), start);
-  const fs::path unfinished = make_temporary(file);
+  std::string packed;
+  nlohmann::json::to_msgpack(origin, packed);
+  const FileHead head{.origin_bytes = packed.size(), .checksum = checksum(packed, 0)};
+  const fs::path unfinished = make_temporary(file);  // its name until all of this is written
   try {
-    Descriptor descriptor{::open(unfinished.c_str(), O_RDWR | O_CLOEXEC)};
-    if (descriptor.value < 0) fail_with(file, "cannot write", errno);
-    lock(descriptor.value, file);
-    write_bytes(descriptor.value, file, start, 0);
-    if (::fsync(descriptor.value) != 0) fail_with(file, "cannot write", errno);
+    OpenFile open(::open(unfinished.c_str(), O_RDWR | O_CLOEXEC), file);
+    lock(open);
+    open.write({reinterpret_cast<const char*>(&head), sizeof head}, 0);
+    open.write(packed, sizeof head);
+    open.sync();
     if (::link(unfinished.c_str(), file.c_str()) == 0) {
       ::unlink(unfinished.c_str());
     } else if (errno == EEXIST) {
-      throw std::runtime_error(file.string() + ": another program has just begun it");
+      refuse(file, "another program has just begun it");
     } else if (::rename(unfinished.c_str(), file.c_str()) != 0) {  // a file system without hard links
-      fail_with(file, "cannot write", errno);
+      refuse(file, "cannot write: " + std::generic_category().message(errno));
     }
-    return {file, descriptor.release(), origin, slots_begin(header.size())};
+    return {std::move(open), origin, packed.size()};
   } catch (...) {
     ::unlink(unfinished.c_str());
     throw;
@@ -238,47 +145,22 @@ Journal Journal::begin(const fs::path& file, const JournalOrigin& origin) {
 }
 
 Journal Journal::resume(const fs::path& file, const JournalOrigin& origin) {
-  Descriptor descriptor{::open(file.c_str(), O_RDWR | O_CLOEXEC)};
-  if (descriptor.value < 0) fail_with(file, "cannot go on with it", errno);
-  lock(descriptor.value, file);
-  const auto refuse = [&](const std::string& why) { throw std::runtime_error(file.string() + ": " + why); };
-  char start[sizeof magic + sizeof(std::uint64_t)];
-  const auto read_all = [&](char* bytes, std::size_t size, std::size_t offset) {
-    if (::pread(descriptor.value, bytes, size, static_cast<off_t>(offset)) != static_cast<ssize_t>(size)) {
-      refuse("is not the journal of a sweep");
-    }
-  };
-  read_all(start, sizeof start, 0);
-  std::uint64_t size = 0;
-  std::memcpy(&size, start + sizeof magic, sizeof size);
-  if (std::memcmp(start, magic, sizeof magic) != 0 || size > largest_header) refuse("is not the journal of a sweep");
-  std::string header(size, '\0');
-  read_all(header.data(), size, sizeof start);
-  std::uint64_t sum = 0;
-  read_all(reinterpret_cast<char*>(&sum), sizeof sum, sizeof start + size);
-  if (sum != checksum(header, 0)) refuse("is damaged");
-  if (const auto differs = difference(origin_of(header), origin)) {
-    refuse(fmt::format("was begun {}. Remove it to begin anew", *differs));
+  OpenFile open(::open(file.c_str(), O_RDWR | O_CLOEXEC), file, "cannot go on with it");
+  lock(open);
+  FileHead head;
+  open.read({reinterpret_cast<char*>(&head), sizeof head}, 0);
+  if (std::memcmp(head.magic, FileHead{}.magic, sizeof head.magic) != 0 || head.origin_bytes > largest_origin) {
+    refuse(file, "is not the journal of a sweep");
   }
-  Journal journal(file, descriptor.release(), origin, slots_begin(size));
+  std::string packed(head.origin_bytes, '\0');
+  open.read(packed, sizeof head);
+  if (head.checksum != checksum(packed, 0)) refuse(file, "is damaged");
+  if (const auto differs = difference(nlohmann::json::from_msgpack(packed), origin)) {
+    refuse(file, fmt::format("was begun {}. Remove it to begin anew", *differs));
+  }
+  Journal journal(std::move(open), origin, packed.size());
   journal.find_done();
   return journal;
-}
-
-void Journal::read_bytes(std::span<char> bytes, std::size_t offset) const {
-  while (!bytes.empty()) {
-    const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (got < 0) {
-      if (errno == EINTR) continue;
-      fail("cannot read", errno);
-    }
-    if (got == 0) {  // not written so far
-      std::fill(bytes.begin(), bytes.end(), '\0');
-      return;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
-    offset += static_cast<std::size_t>(got);
-  }
 }
 
 void Journal::find_done() {
@@ -286,12 +168,10 @@ void Journal::find_done() {
   std::vector<char> bytes(at_once * slot_);
   for (std::size_t first = 0; first < done_.size(); first += at_once) {
     const std::size_t count = std::min(at_once, done_.size() - first);
-    read_bytes(std::span(bytes).first(count * slot_), first_slot_ + first * slot_);
+    file_.read(std::span(bytes).first(count * slot_), first_slot_ + first * slot_);
     for (std::size_t i = 0; i < count; ++i) {
       const std::span<const char> slot = std::span(bytes).subspan(i * slot_, slot_);
-      SlotHead head;
-      std::memcpy(&head, slot.data(), sizeof head);
-      done_[first + i] = head.state != 0 && head.checksum == slot_checksum(slot, first + i);
+      done_[first + i] = head_of(slot, first + i).state != 0;
       count_ += done_[first + i] ? 1 : 0;
     }
   }
@@ -311,26 +191,19 @@ void Journal::write(const RunResult& result) {
   std::memcpy(buffer_.data(), &head, sizeof head);
   head.checksum = slot_checksum(buffer_, result.run);
   std::memcpy(buffer_.data(), &head, sizeof head);
-  write_bytes(descriptor_, file_, buffer_, first_slot_ + result.run * slot_);
+  file_.write(buffer_, first_slot_ + result.run * slot_);
   if (!done_[result.run]) ++count_;
   done_[result.run] = true;
 }
 
-void Journal::sync() {
-  if (::fdatasync(descriptor_) != 0) fail("cannot write", errno);
-}
-
 std::vector<RunResult> Journal::read(std::size_t first, std::size_t count) const {
   std::vector<char> bytes(count * slot_);
-  read_bytes(bytes, first_slot_ + first * slot_);
+  file_.read(bytes, first_slot_ + first * slot_);
   std::vector<RunResult> results(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::span<const char> slot = std::span<const char>(bytes).subspan(i * slot_, slot_);
-    SlotHead head;
-    std::memcpy(&head, slot.data(), sizeof head);
-    if (head.state == 0 || head.checksum != slot_checksum(slot, first + i)) {
-      throw std::runtime_error(fmt::format("{}: the results of run {} are damaged", file_.string(), first + i));
-    }
+    const SlotHead head = head_of(slot, first + i);
+    if (head.state == 0) refuse(file_.name(), fmt::format("the results of run {} are damaged", first + i));
     RunResult& result = results[i];
     result.run = first + i;
     result.status = static_cast<RunStatus>(head.state - 1);

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "bentur/files/atomic_file.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {
@@ -40,29 +40,20 @@ class Journal {
   /// Goes on with one. @throws std::runtime_error saying what differs where the origin is another one.
   static Journal resume(const std::filesystem::path& file, const JournalOrigin& origin);
 
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&&) = delete;
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
-  ~Journal();
-
   [[nodiscard]] bool is_done(std::size_t run) const { return done_[run]; }
   [[nodiscard]] std::size_t done() const noexcept { return count_; }
 
   void write(const RunResult& result);
-  void sync();
+  void sync() { file_.sync(); }
 
   /// The results of `count` runs from `first` on, all of them done.
   [[nodiscard]] std::vector<RunResult> read(std::size_t first, std::size_t count) const;
 
  private:
-  Journal(std::filesystem::path file, int descriptor, const JournalOrigin& origin, std::size_t first_slot);
-  [[noreturn]] void fail(const char* what, int code) const;
-  void read_bytes(std::span<char> bytes, std::size_t offset) const;
+  Journal(OpenFile file, const JournalOrigin& origin, std::size_t header_bytes);
   void find_done();
 
-  std::filesystem::path file_;
-  int descriptor_ = -1;
+  OpenFile file_;
   std::size_t values_, slot_, first_slot_;  // numbers in a row; bytes of a slot; bytes before the first one
   std::vector<bool> done_;
   std::size_t count_ = 0;

@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/files/ida_reading.h"
 #include "bentur/files/netcdf.h"
+#include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
 
@@ -38,11 +40,10 @@ class SweepFile {
         study_(runs.study()),
         problem_(runs.facts().problem) {}
 
-  void define(const std::string& version);
-  SweepTotals write(const Journal& journal);
-  void close() { file_.finish(); }
+  SweepTotals write(const Journal& journal, const std::string& version);
 
  private:
+  void define(const std::string& version);
   void define_places();
   void define_points();
   void define_varies();
@@ -112,19 +113,14 @@ void SweepFile::define_places() {
 }
 
 void SweepFile::define_points() {
-  std::vector<std::string> left, right, gaps;
-  std::vector<double> elevations;
-  for (const ContactPoint& point : problem_.points) {
-    left.push_back(problem_.buildings[static_cast<std::size_t>(point.left)].name);
-    right.push_back(problem_.buildings[static_cast<std::size_t>(point.left) + 1].name);
-    elevations.push_back(point.elevation);
-  }
+  std::vector<std::string> gaps;
   for (const Gap& gap : gaps_of(problem_)) gaps.push_back(gap_name(problem_, gap.left));
   file_.write("gap_name", {gaps_}, gaps, "", "buildings on both sides of the gaps");
-  if (problem_.points.empty()) return;  // a dimension of size zero would be an unlimited one
-  file_.write("point_left", {points_}, left, "", "building to the left of the contact points");
-  file_.write("point_right", {points_}, right, "", "building to the right of the contact points");
+  if (problem_.points.empty()) return;
+  write_point_sides(file_, points_, problem_);
   if (!runs_.facts().points_move) {
+    std::vector<double> elevations;
+    for (const ContactPoint& point : problem_.points) elevations.push_back(point.elevation);
     file_.write("point_elevation", {points_}, elevations, udunit(runs_.facts().units.length),
                 "elevation of the contact points");
   }
@@ -176,13 +172,14 @@ void SweepFile::define_indices() {
 void SweepFile::define_ida(const IdaSpec& ida) {
   const std::string units = intensity_units(ida, runs_.facts().units);
   const std::string name = intensity_name(ida);
-  const Variable intensity = file_.write("intensity", {run_dimensions_[ida.axis]}, ida.levels, units, name);
+  const Variable intensity = file_.define("intensity", NetcdfType::number, {run_dimensions_[ida.axis]}, units, name);
   file_.attribute(intensity, "measure", ida.spectral ? "sa" : "pga");
   file_.attribute(intensity, "study_unit", ida.unit.empty() ? runs_.facts().units.length + "/s2" : ida.unit);
   if (ida.spectral) {
     file_.attribute(intensity, "period", std::span(&ida.period, 1));
     file_.attribute(intensity, "damping", std::span(&ida.damping, 1));
   }
+  file_.put(intensity, ida.levels);
   const RecordIntensities& records = runs_.facts().intensities;
   std::vector<Dimension> dimensions;
   for (const std::size_t axis : records.axes) dimensions.push_back(run_dimensions_[axis]);
@@ -301,7 +298,8 @@ void SweepFile::write_sample_coordinates(const RunBlock& block) const {
   }
 }
 
-SweepTotals SweepFile::write(const Journal& journal) {
+SweepTotals SweepFile::write(const Journal& journal, const std::string& version) {
+  define(version);
   SweepTotals totals;
   const auto named = [&](std::string_view name) {
     return std::find_if(runs_.quantities().begin(), runs_.quantities().end(),
@@ -348,6 +346,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
       file_.put(*quantities_[q], values, places);
     }
   }
+  file_.finish();
   return totals;
 }
 
@@ -361,11 +360,7 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
   for (const Quantity& quantity : quantities()) {
     if (quantity.owner != Owner::impact) taken.insert(quantity.key);
   }
-  const auto is_taken = [&](const std::string& name) {
-    const std::size_t end = name.find_last_not_of("0123456789");
-    const bool numbered = end != std::string::npos && name[end] == '_' && end + 1 < name.size();
-    return taken.count(name) > 0 || numbered;
-  };
+  const auto is_taken = [&](const std::string& name) { return taken.count(name) > 0 || without_number(name) != name; };
   for (const Vary& vary : study.varies) {
     for (const std::string& name : {vary.name, study.axes[vary.axis]}) {
       if (is_taken(name)) {
@@ -381,11 +376,7 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
 
 SweepTotals write_sweep_netcdf(const std::filesystem::path& file, const StudyRuns& runs, const Journal& journal,
                                const std::string& version) {
-  SweepFile output(file, runs);
-  output.define(version);
-  const SweepTotals totals = output.write(journal);
-  output.close();
-  return totals;
+  return SweepFile(file, runs).write(journal, version);
 }
 
 }  // namespace bentur

@@ -1,21 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 
 #include "bentur/runner/internal/journal.h"
+#include "bentur/runner/sweep.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {
-
-/// Sums over all runs of a study.
-struct SweepTotals {
-  double impacts = 0;
-  std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
-  std::size_t failed = 0;
-  std::string first_failure;  ///< "run 17: REASON"
-};
 
 /// An error for each coordinate of a study whose name the results need for something else.
 void check_names(const Study& study, Diagnostics& diagnostics);
