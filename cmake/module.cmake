@@ -1,34 +1,37 @@
 set(BENTUR_HEADER_ONLY Boost::headers nlohmann_json::nlohmann_json)
 
 # bentur_alone(file...): not merged with others in a unity build, where sources of a target are compiled many at a time
-# (preset asan, much of preset release, clang-tidy), because helpers of theirs have the names of others' or they have
-# compile options of their own.
+# (presets release and asan, clang-tidy), because helpers of theirs have the names of others' or they have compile options
+# of their own.
 function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# bentur_merge(TARGET): many of its sources are compiled at a time where BENTUR_MERGE is on.
-function(bentur_merge target)
-  if(BENTUR_MERGE)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
-  endif()
-endfunction()
-
-# bentur_module(NAME [MERGE] [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# bentur_module(NAME [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but those in folders named engine or internal, which only the module itself
-# includes. MERGE: see bentur_merge.
+# includes. What it depends on is looked for, or built, for its sake: modules that others need come after them.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "MERGE" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   list(FILTER headers EXCLUDE REGEX "/(engine|internal)/")
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  foreach(dependency IN LISTS ARG_DEPENDS ARG_PRIVATE_DEPENDS)
+    if(dependency MATCHES "^bentur::(.+)")
+      set_property(GLOBAL APPEND PROPERTY BENTUR_NEEDED ${CMAKE_MATCH_1})
+    else()
+      bentur_find(${dependency} REQUIRED)
+    endif()
+    if(NOT dependency IN_LIST BENTUR_HEADER_ONLY)
+      set_property(GLOBAL APPEND PROPERTY BENTUR_NEEDS_${name} ${dependency})
+    endif()
+  endforeach()
   add_library(bentur_${name} STATIC ${sources})
   add_library(bentur::${name} ALIAS bentur_${name})
-  set_target_properties(bentur_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(bentur_${name} PROPERTIES EXPORT_NAME ${name})
   target_sources(bentur_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
   target_link_libraries(bentur_${name} PUBLIC ${ARG_DEPENDS})
   foreach(dependency IN LISTS ARG_PRIVATE_DEPENDS)
@@ -39,12 +42,9 @@ function(bentur_module name)
     endif()
   endforeach()
   target_compile_features(bentur_${name} PUBLIC cxx_std_20)
-  if(ARG_MERGE)
-    bentur_merge(bentur_${name})
-  endif()
   bentur_compile_options(bentur_${name})
-  target_precompile_headers(bentur_${name} REUSE_FROM bentur_precompiled_library)
-  set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES bentur_${name})
+  target_precompile_headers(bentur_${name} REUSE_FROM bentur_precompiled)
+  set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES ${name})
   if(BENTUR_BUILD_TESTS AND tests)
     bentur_test(${name}_test SOURCES ${tests} LIBRARIES bentur::${name} ${ARG_PRIVATE_DEPENDS})
   endif()
@@ -73,19 +73,19 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  bentur_merge(${name})
   bentur_compile_options(${name})
-  target_precompile_headers(${name} REUSE_FROM bentur_precompiled_program)
+  target_precompile_headers(${name} REUSE_FROM bentur_precompiled)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()
 
-# In a unity build names of one source shadow those of another; -Wshadow then has nothing to tell.
-# Contraction is off so that results do not depend on whether a processor has fused multiply-add.
+# In a unity build locals of one source shadow names of another's; -Wshadow then looks at locals alone.
+# Everything is position-independent, the libraries for those who link them into shared ones, programs to share the
+# precompiled headers. Contraction is off so that results do not depend on whether a processor has fused multiply-add.
 # g++ 12 sees copies and searches in std::string that overlap or overflow and do neither (GCC bug 105651).
 function(bentur_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
-    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
+    $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>
-    -ffp-contract=off)
+    -fPIC -ffp-contract=off)
 endfunction()

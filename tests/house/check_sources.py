@@ -103,7 +103,7 @@ def headers(root):
 
 
 def readme(root):
-    """The commands and files the documents name exist, the README's first two commands are the ones promised, and
+    """The commands, files and headers the documents name exist, the README's first two commands are the ones promised, and
     its case stands in the example it is taken from."""
     text = (root / "README.md").read_text()
     commands = re.findall(r"^(\./dev \S+)", text, re.MULTILINE)
@@ -118,7 +118,10 @@ def readme(root):
     for line in re.search(r"```toml\n(.*?)```", text, re.DOTALL)[1].splitlines():
         if line.split("#")[0].strip() not in given:
             yield f"README.md: '{line}' is not in examples/m12-el-centro.toml"
-    for document in [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]:
+    for header in re.findall(r"`([\w/]+\.h)`", (root / "docs/notation.md").read_text()):
+        if not (root / "src/bentur" / header).exists():
+            yield f"docs/notation.md: no {header}"
+    for document in [*root.glob("*.md"), *root.glob("bench/*.md"), *sorted((root / "docs").rglob("*.md"))]:
         for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", document.read_text()):
             if not (document.parent / target).exists():
                 yield f"{document}: no {target}"

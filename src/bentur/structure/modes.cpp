@@ -114,6 +114,10 @@ Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffn
   return sorted(a.diagonal(), lower.transpose().solve(vectors));
 }
 
+double smallest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()(0);
+}
+
 ModalProperties modal_properties(const Modes& modes, const Eigen::VectorXd& load) {
   ModalProperties result;
   result.periods = 2 * std::numbers::pi * modes.omega.cwiseInverse();

@@ -12,6 +12,9 @@ namespace bentur {
 /// Same signs and errors.
 [[nodiscard]] Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
+/// Smallest eigenvalue of a symmetric matrix, n × n with n > 0; only the lower half is read.
+[[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& matrix);
+
 struct ModalProperties {
   Eigen::VectorXd periods;                  ///< [s], 2π/ω
   Eigen::VectorXd participation;            ///< Γ = φᵀ load [mass^½]

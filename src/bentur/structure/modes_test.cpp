@@ -190,6 +190,12 @@ TEST(ModalProperties, ShearBuildingSumIsTheMovingMass) {
   }
 }
 
+TEST(SmallestEigenvalue, OfASymmetricMatrix) {
+  const Eigen::MatrixXd definite{{2, 1}, {1, 2}}, indefinite{{1, 2}, {2, 1}};  // 1 and 3; −1 and 3
+  EXPECT_NEAR(smallest_eigenvalue(definite), 1, 1e-15);                        // a few units of round-off
+  EXPECT_NEAR(smallest_eigenvalue(indefinite), -1, 1e-15);
+}
+
 TEST(CalibratePeriod, ScalesStiffnessOnly) {
   for (StructuralModel model : examples()) {
     const StructuralModel before = model;

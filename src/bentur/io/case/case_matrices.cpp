@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/structure/modes.h"
 
 namespace bentur {
 namespace {
@@ -48,10 +49,7 @@ void check_definite(const TomlView& view, const Eigen::MatrixXd& matrix, bool se
   if (matrix.size() == 0) return;
   const double largest = matrix.cwiseAbs().maxCoeff();
   if (largest == 0 && semi) return;
-  const double least =
-      largest == 0
-          ? 0
-          : Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix / largest, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  const double least = largest == 0 ? 0 : smallest_eigenvalue(matrix / largest);
   // Entries carry about as many digits as symmetry asks for; a stiffness may be that ill-conditioned without being
   // wrong.
   if (semi ? least < -symmetry_tolerance : least <= 1e-14 * static_cast<double>(matrix.rows())) {
