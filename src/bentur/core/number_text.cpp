@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace bentur {
@@ -61,6 +62,13 @@ std::vector<std::string> column(const std::vector<double>& values) {
     cells.push_back(value == 0 ? "0" : with_decimals(value, decimals));
   }
   return cells;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = failure == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+  return good ? std::optional(value) : std::nullopt;
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bentur {
@@ -12,6 +14,9 @@ namespace bentur {
 /// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits.
 /// A value that does not exist (NaN) becomes a dash.
 [[nodiscard]] std::vector<std::string> column(const std::vector<double>& values);
+
+/// The finite number that a text is, from its first character to its last.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// "1 column", "3 columns". @param many where it is not `one` with an s.
 [[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& many = {});

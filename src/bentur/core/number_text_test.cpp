@@ -31,5 +31,18 @@ TEST(NumberText, AColumnHasEquallyManyDecimals) {
   EXPECT_EQ(column({1, std::numeric_limits<double>::quiet_NaN()}), (Cells{"1", "–"}));
 }
 
+TEST(NumberText, ANumberIsTheWholeText) {
+  EXPECT_EQ(parse_number("-2.5e1"), -25);
+  for (const char* const wrong : {"", " 1", "1 ", "1x", "inf", "nan", "1e999"}) {
+    EXPECT_EQ(parse_number(wrong), std::nullopt) << wrong;
+  }
+}
+
+TEST(NumberText, CountsInWords) {
+  EXPECT_EQ(counted(1, "column"), "1 column");
+  EXPECT_EQ(counted(0, "column"), "0 columns");
+  EXPECT_EQ(counted(2, "entry", "entries"), "2 entries");
+}
+
 }  // namespace
 }  // namespace bentur

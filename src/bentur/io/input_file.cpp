@@ -80,4 +80,12 @@ std::optional<std::string> read_input(const std::filesystem::path& file, const I
   }
 }
 
+std::optional<std::string> read_input(const std::filesystem::path& file, const InputKind& kind,
+                                      Diagnostics& diagnostics) {
+  std::string problem;
+  auto text = read_input(file, kind, problem);
+  if (!text) diagnostics.error({file.string(), 0, 0}, problem);
+  return text;
+}
+
 }  // namespace bentur

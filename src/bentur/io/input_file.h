@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "bentur/core/diagnostics.h"
+
 namespace bentur {
 
 /// A kind of file that a user names, and how much of it is read.
@@ -26,5 +28,8 @@ inline constexpr InputKind result_input{"result", std::uintmax_t{1} << 40};
 /// `kind.largest` bytes are read, whatever the file's size is said to be.
 [[nodiscard]] std::optional<std::string> read_input(const std::filesystem::path& file, const InputKind& kind,
                                                     std::string& problem);
+/// The same; why not goes to `diagnostics`, about the file as a whole.
+[[nodiscard]] std::optional<std::string> read_input(const std::filesystem::path& file, const InputKind& kind,
+                                                    Diagnostics& diagnostics);
 
 }  // namespace bentur

@@ -10,7 +10,6 @@
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
-#include "bentur/study/plan/vary_toml.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {

@@ -8,7 +8,6 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/solve/solver.h"
-#include "bentur/study/plan/vary_toml.h"
 
 namespace bentur {
 namespace {
@@ -67,7 +66,7 @@ struct StudyRuns::Place {
   std::shared_ptr<const Group> group;
 };
 
-struct StudyRuns::Bench {
+struct StudyRuns::Workspace {
   std::shared_ptr<const Group> group;
   Problem problem;
   TomlValue root;
@@ -136,32 +135,32 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run) con
   return place->group;
 }
 
-void StudyRuns::set_problem(Bench& bench, std::size_t run) const {
-  if (!bench.group || (bench.group->number != plan_.group(run))) {
-    bench.group = nullptr;
-    bench.group = group_of(run);
-    bench.problem = bench.group->problem;
+void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
+  if (!workspace.group || (workspace.group->number != plan_.group(run))) {
+    workspace.group = nullptr;
+    workspace.group = group_of(run);
+    workspace.problem = workspace.group->problem;
     if (!widths_only_) {
-      bench.root = bench.group->root;
-      bench.c = bench.group->read.c;
+      workspace.root = workspace.group->root;
+      workspace.c = workspace.group->read.c;
     }
   }
   const std::vector<Choice> chosen = choices(run);
   if (widths_only_) {
     for (const Vary& vary : study_.varies) {
       if (plan_.axes()[vary.axis].inner) {
-        set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), bench.problem);
+        set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), workspace.problem);
       }
     }
     return;
   }
-  put_choices(study_, chosen, bench.root);
+  put_choices(study_, chosen, workspace.root);
   Diagnostics found;
   const std::string name = study_.case_file.string();
-  bench.c.gaps = read_gaps(TomlView(bench.root, "", name, found), bench.group->read.buildings);
+  workspace.c.gaps = read_gaps(TomlView(workspace.root, "", name, found), workspace.group->read.buildings);
   if (!found.ok()) throw NotACase(first_message(found));
-  bench.problem.points = contact_points(bench.c, bench.problem.buildings);
-  bench.problem.watched = watched_floors(bench.c, bench.problem.buildings, bench.problem.points);
+  workspace.problem.points = contact_points(workspace.c, workspace.problem.buildings);
+  workspace.problem.watched = watched_floors(workspace.c, workspace.problem.buildings, workspace.problem.points);
 }
 
 std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {
@@ -170,18 +169,18 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
   SolveOptions options;
   options.energy_audit = facts_.energy_audit;
   options.progress = [&](double) { return go_on(); };
-  Bench bench;
+  Workspace workspace;
   for (const std::size_t run : runs) {
     if (!go_on()) break;
     RunResult result{run, RunStatus::done, {}, {}};
     try {
-      set_problem(bench, run);
-      options.most_steps = static_cast<long>(bench.group->read.c.analysis.limits.steps);
-      const Response response = bench.group->free.solve(bench.problem, options);
+      set_problem(workspace, run);
+      options.most_steps = static_cast<long>(workspace.group->read.c.analysis.limits.steps);
+      const Response response = workspace.group->free.solve(workspace.problem, options);
       if (response.status == Status::stopped) break;
       if (response.status == Status::done) {
         result.values.resize(row_size(quantities_));
-        fill_row(quantities_, {bench.problem, response, facts_.units}, result.values);
+        fill_row(quantities_, {workspace.problem, response, facts_.units}, result.values);
       } else {
         result = {run, RunStatus::failed, response.message, {}};
       }

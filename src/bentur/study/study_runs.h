@@ -49,12 +49,12 @@ class StudyRuns {
 
  private:
   struct Group;
-  struct Place;  // of a group in the making
-  struct Bench;  // what one call of solve() works with
+  struct Place;      // of a group in the making
+  struct Workspace;  // what one call of solve() works with
 
   [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run) const;
   [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run) const;
-  void set_problem(Bench& bench, std::size_t run) const;
+  void set_problem(Workspace& workspace, std::size_t run) const;
 
   Study study_;
   StudyFacts facts_;

@@ -126,10 +126,6 @@ std::vector<double> floor_elevations(const std::vector<double>& storey_heights) 
   return elevations;
 }
 
-double height_of(const ReadBuilding& building) {
-  return building.elevations.empty() ? 0 : building.elevations.back() - building.spec.base_elevation;
-}
-
 std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseMemo* memo) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");

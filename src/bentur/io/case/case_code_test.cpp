@@ -99,7 +99,7 @@ TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {
   const Problem problem = make_problem(c);
   const Response response = solve(problem);
   const auto points = separations(problem, response, c.code, c.units);
-  const auto json = nlohmann::json::parse(gap_json(c, problem, response, points, "1"));
+  const auto json = nlohmann::json::parse(gap_json(run_results(c, problem, response), points, "1"));
   EXPECT_EQ(json["code_rules"][0]["rule"], "nbcc");
   EXPECT_EQ(json["code_rules"][0]["clause"], "4.1.8.14");
   EXPECT_EQ(json["code_rules"][1]["wording"], "checked, Q to check");

@@ -15,7 +15,8 @@
 namespace bentur {
 
 /// What many readings of nearly the same case share: buildings that are given alike, with their modes, and records.
-/// Only what was found right is kept, and only so much of it; anything else is read again. For many threads.
+/// Only what was found right is kept, and only so much of it; anything else is read again. Many threads may use it at
+/// once.
 class CaseMemo {
  public:
   /// The building made before of the same table, units and names of the buildings `before` it; null when there is none.

@@ -27,9 +27,6 @@ struct ReadBuilding {
   std::shared_ptr<const Building> made;  ///< with modes and damping, once the whole case is found right
 };
 
-/// Height of the building above its own base [length].
-[[nodiscard]] double height_of(const ReadBuilding& building);
-
 /// Elevations of floors above their building's base, from the heights of its storeys [length].
 [[nodiscard]] std::vector<double> floor_elevations(const std::vector<double>& storey_heights);
 

@@ -294,13 +294,8 @@ std::optional<Case> read_case_without_record(const std::string& text, const std:
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  std::string problem;
-  const auto text = read_input(file, case_input, problem);
-  if (!text) {
-    diagnostics.error({file.string(), 0, 0}, problem);
-    return std::nullopt;
-  }
-  return read_case_text(*text, file, diagnostics);
+  const auto text = read_input(file, case_input, diagnostics);
+  return text ? read_case_text(*text, file, diagnostics) : std::nullopt;
 }
 
 }  // namespace bentur

@@ -26,7 +26,7 @@ struct RecordOptions {
   std::optional<double> time_step;  ///< [s], where the file does not say it
   std::optional<int> column;        ///< from 1: of the accelerations, where a file has several columns
   std::optional<int> channel;       ///< from 1: which of the file's channels of accelerations, where it has several
-  int skip_lines = 0;               ///< so many lines at the beginning are not looked at
+  int skip_lines = 0;               ///< lines to pass over at the beginning
   bool of_command = false;          ///< messages call these --time-step and so on, not excitation.time_step
 
   /// `excitation.format`, or `--format`.

@@ -267,11 +267,11 @@ std::string gap_json(const RunResults& results, const std::vector<PointSeparatio
       largest.srss = std::max(largest.srss, separation.srss);
       largest.ddc = std::max(largest.ddc, separation.ddc);
       if (largest.codes.empty()) largest.codes = separation.codes;
-      for (std::size_t i = 0; i < separation.codes.size(); ++i) {
-        CodeSeparation& code = largest.codes[i];
-        code.gap = std::max(code.gap, separation.codes[i].gap);
-        code.to_left = std::max(code.to_left, separation.codes[i].to_left);
-        code.to_right = std::max(code.to_right, separation.codes[i].to_right);
+      for (std::size_t k = 0; k < separation.codes.size(); ++k) {
+        CodeSeparation& code = largest.codes[k];
+        code.gap = std::max(code.gap, separation.codes[k].gap);
+        code.to_left = std::max(code.to_left, separation.codes[k].to_left);
+        code.to_right = std::max(code.to_right, separation.codes[k].to_right);
       }
     }
     gaps.push_back({{"between", between(problem, gap.left)},

@@ -92,6 +92,7 @@ bool check_toml_text(const std::string& text, const std::string& file, Diagnosti
       continue;
     }
     const bool ascii = c < 0x80;
+    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
     switch (place) {
       case Place::comment:
         if (c == '\n') place = Place::outside;
@@ -125,8 +126,8 @@ bool check_toml_text(const std::string& text, const std::string& file, Diagnosti
           place = Place::outside;  // an unfinished string: the parser says so
         } else if (escaped) {
           escaped = false;
-          after_fold = place == Place::basic_lines && (c == ' ' || c == '\t' || c == '\r' || c == '\n');
-        } else if (after_fold && (c == ' ' || c == '\t' || c == '\r' || c == '\n')) {
+          after_fold = place == Place::basic_lines && blank;
+        } else if (after_fold && blank) {
           break;
         } else {
           after_fold = false;
@@ -137,9 +138,8 @@ bool check_toml_text(const std::string& text, const std::string& file, Diagnosti
           } else if ((place == Place::basic_lines && cursor.starts("\"\"\"")) ||
                      (place == Place::literal_lines && cursor.starts("'''"))) {
             // Up to two more quotes belong to the string: """ text""""" ends at the last three.
-            skip = 2;
-            const char* const more[] = {c == '"' ? "\"\"\"\"\"" : "'''''", c == '"' ? "\"\"\"\"" : "''''"};
-            skip = cursor.starts(more[0]) ? 4 : cursor.starts(more[1]) ? 3 : 2;
+            const std::string quotes(5, static_cast<char>(c));
+            skip = cursor.starts(quotes.c_str()) ? 4 : cursor.starts(quotes.c_str() + 1) ? 3 : 2;
             place = Place::outside;
           }
         }

@@ -13,52 +13,24 @@
 namespace bentur {
 namespace {
 
-bool obeys(Rule rule, double x) {
-  switch (rule) {
-    case Rule::finite:
-      return std::isfinite(x);
-    case Rule::positive:
-      return std::isfinite(x) && x > 0;
-    case Rule::not_negative:
-      return std::isfinite(x) && x >= 0;
-    case Rule::not_zero:
-      return std::isfinite(x) && x != 0;
-    case Rule::ratio:
-      return x >= 0 && x < 1;
-    case Rule::restitution:
-      return x > 0 && x <= 1;
-  }
-  return false;
-}
-
-std::string stated(Rule rule, double x) {
+/// The rule that a number breaks, as a message says it; empty where it keeps it.
+std::string broken(Rule rule, double x) {
   if (!std::isfinite(x)) return "must be finite";
   switch (rule) {
     case Rule::positive:
-      return "must be > 0";
+      return x > 0 ? "" : "must be > 0";
     case Rule::not_negative:
-      return "must be >= 0";
+      return x >= 0 ? "" : "must be >= 0";
     case Rule::not_zero:
-      return "must not be 0";
+      return x != 0 ? "" : "must not be 0";
     case Rule::ratio:
-      return "must be in [0, 1)";
+      return x >= 0 && x < 1 ? "" : "must be in [0, 1)";
     case Rule::restitution:
-      return "must be in (0, 1]";
+      return x > 0 && x <= 1 ? "" : "must be in (0, 1]";
     case Rule::finite:
       break;
   }
-  return "must be finite";
-}
-
-const char* kind_name(TomlValue::Kind kind) {
-  switch (kind) {
-    case TomlValue::Kind::table:
-      return "a table";
-    case TomlValue::Kind::list:
-      return "a list";
-    default:
-      return "a date";
-  }
+  return "";
 }
 
 }  // namespace
@@ -120,8 +92,15 @@ std::nullopt_t TomlView::error_value(const std::string& rule) const {
     case TomlValue::Kind::boolean:
       shown = fmt::format("= {}", value_->boolean);
       break;
-    default:
-      shown = std::string("is ") + kind_name(value_->kind);
+    case TomlValue::Kind::table:
+      shown = "is a table";
+      break;
+    case TomlValue::Kind::list:
+      shown = "is a list";
+      break;
+    case TomlValue::Kind::date:
+      shown = "is a date";
+      break;
   }
   return error(shown + ", " + rule);
 }
@@ -247,7 +226,8 @@ std::string TomlView::entries() const { return counted(size(), "entry", "entries
 
 std::optional<double> TomlView::as_number(Rule rule) const {
   if (!is_number()) return error_value("must be a number");
-  if (!obeys(rule, value_->real)) return error_value(stated(rule, value_->real));
+  const std::string why = broken(rule, value_->real);
+  if (!why.empty()) return error_value(why);
   return value_->real;
 }
 

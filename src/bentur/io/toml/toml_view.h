@@ -51,7 +51,9 @@ class TomlView {
   /// False (and an error) unless this is a table; an error for each key that is not in `known`.
   [[nodiscard]] bool is_table_of(const std::vector<std::string>& known) const;
   [[nodiscard]] bool has(const std::string& key) const { return value_->find(key) != nullptr; }
+  /// Nothing where the key is missing.
   [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;
+  /// An error where a required key is missing. So do the readers that follow, which then read the value.
   [[nodiscard]] std::optional<TomlView> get(const std::string& key, Need need = Need::required) const;
   [[nodiscard]] std::optional<double> number(const std::string& key, Rule rule, Need need = Need::required) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, Rule rule, const Length& length = {},

@@ -3,13 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "bentur/io/toml/toml_view.h"
 
 namespace bentur {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Fragility::Kind, {{Fragility::Kind::fitted, "fitted"},
+                                               {Fragility::Kind::separated, "separated"},
+                                               {Fragility::Kind::no_event, "no_event"},
+                                               {Fragility::Kind::all_events, "all_events"},
+                                               {Fragility::Kind::one_intensity, "one_intensity"},
+                                               {Fragility::Kind::falling, "falling"},
+                                               {Fragility::Kind::no_data, "no_data"}})
+
+NLOHMANN_JSON_SERIALIZE_ENUM(GapForProbability::Kind, {{GapForProbability::Kind::between, "between"},
+                                                       {GapForProbability::Kind::smallest, "smallest"},
+                                                       {GapForProbability::Kind::beyond, "beyond"}})
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -69,12 +81,8 @@ void find_gaps(const FragilityRequest& request, const ResultCoordinate& coordina
   }
 }
 
-/// JSON has neither NaN nor infinity.
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json interval_json(const Interval& interval) {
-  return Json::array({number_or_null(interval.lower), number_or_null(interval.upper)});
-}
+/// What is infinite or no number is null in the text.
+Json interval_json(const Interval& interval) { return Json::array({interval.lower, interval.upper}); }
 
 /// What the axes have in a case, but for the axis left out.
 Json case_json(const IdaResults& results, std::size_t c, std::optional<std::size_t> without) {
@@ -98,7 +106,7 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
   }
   const auto& bounds = fragility.bounds;
   return {{"case", case_json(results, c, std::nullopt)},
-          {"kind", name(fragility.fit.kind)},
+          {"kind", fragility.fit.kind},
           {"median", known ? Json(fragility.fit.median) : Json(nullptr)},
           {"median_bounds", known && bounds ? interval_json(bounds->median) : Json(nullptr)},
           {"dispersion", known ? Json(fragility.fit.dispersion) : Json(nullptr)},
@@ -110,18 +118,6 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
           {"counts", counts}};
 }
 
-std::string_view name(GapForProbability::Kind kind) {
-  switch (kind) {
-    case GapForProbability::Kind::between:
-      return "between";
-    case GapForProbability::Kind::smallest:
-      return "smallest";
-    case GapForProbability::Kind::beyond:
-      break;
-  }
-  return "beyond";
-}
-
 Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
   Json json = Json::array();
   for (const GapAt& gap : report.gaps) {
@@ -129,7 +125,7 @@ Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
     json.push_back({{"case", case_json(report.results, gap.first_case, report.gap_axis)},
                     {"at", *request.at},
                     {"probability", gap.probability},
-                    {"kind", estimate.gap ? Json(name(estimate.gap->kind)) : Json(nullptr)},
+                    {"kind", estimate.gap ? Json(estimate.gap->kind) : Json(nullptr)},
                     {report.gap_name, estimate.gap ? Json(estimate.gap->width) : Json(nullptr)},
                     {"bounds", estimate.bounds ? interval_json(*estimate.bounds) : Json(nullptr)}});
   }
@@ -137,26 +133,6 @@ Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
 }
 
 }  // namespace
-
-std::string_view name(Fragility::Kind kind) {
-  switch (kind) {
-    case Fragility::Kind::fitted:
-      return "fitted";
-    case Fragility::Kind::separated:
-      return "separated";
-    case Fragility::Kind::no_event:
-      return "no_event";
-    case Fragility::Kind::all_events:
-      return "all_events";
-    case Fragility::Kind::one_intensity:
-      return "one_intensity";
-    case Fragility::Kind::falling:
-      return "falling";
-    case Fragility::Kind::no_data:
-      break;
-  }
-  return "no_data";
-}
 
 std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
                                                 std::string& error) {

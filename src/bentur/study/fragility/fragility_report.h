@@ -40,9 +40,6 @@ struct FragilityReport {
 [[nodiscard]] std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
                                                               std::string& error);
 
-/// "fitted", "no_event", ... of a fragility, as in the JSON.
-[[nodiscard]] std::string_view name(Fragility::Kind kind);
-
 /// docs/studies.md. What does not exist is null.
 [[nodiscard]] std::string fragility_json(const FragilityReport& report, const FragilityRequest& request,
                                          std::string_view version);

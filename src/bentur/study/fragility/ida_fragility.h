@@ -31,10 +31,10 @@ struct CaseFragility {
   Fragility fit;
   std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
 
-  /// P(event | intensity) at an intensity from the lowest to the highest level. Without event at any level it is 0,
-  /// with nothing else 1; where data are separated it is 1 above the last level without an event, the safe side; where
-  /// there is one level alone it is the part of the runs there. Nothing where (1) of Fragility does not describe the
-  /// data.
+  /// P(event | intensity) at an intensity from the lowest to the highest level. It is 0 where no run has the event and
+  /// 1 where every run has it; where data are separated it is 1 above the last level without an event, the safe side;
+  /// with a single level it is the fraction of its runs that have the event. Nothing where (1) of Fragility does not
+  /// describe the data.
   [[nodiscard]] std::optional<double> probability(double intensity) const;
 };
 
@@ -45,8 +45,8 @@ struct CaseFragility {
 /// The gap for which P(event | intensity) ≤ p, from the fragilities at several widths.
 struct GapEstimate {
   std::optional<GapForProbability> gap;  ///< nothing where P at one of the widths is not known
-  /// Of the same estimate from each resample of the records; upper is ∞ where the largest width does not do. Nothing
-  /// where a width has no resamples and is not without any event or with nothing else.
+  /// Of the same estimate from each resample of the records; upper is ∞ where the largest width is not enough. Nothing
+  /// where a width has no resamples, unless none or all of its runs have the event.
   std::optional<Interval> bounds;
 };
 

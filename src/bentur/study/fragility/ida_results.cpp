@@ -1,7 +1,6 @@
 #include "bentur/study/fragility/ida_results.h"
 
-#include <charconv>
-#include <cmath>
+#include "bentur/core/number_text.h"
 
 namespace bentur {
 namespace {
@@ -36,12 +35,9 @@ std::optional<EventRule> parse_event(const std::string& text, std::string& error
   if (sign == std::string::npos) return std::nullopt;
   const bool equal = sign + 1 < text.size() && text[sign + 1] == '=';
   rule.quantity = trimmed(text.substr(0, sign));
-  const std::string number = trimmed(text.substr(sign + (equal ? 2 : 1)));
-  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), rule.threshold);
-  if (rule.quantity.empty() || failure != std::errc() || end != number.data() + number.size() ||
-      !std::isfinite(rule.threshold)) {
-    return std::nullopt;
-  }
+  const auto threshold = parse_number(trimmed(text.substr(sign + (equal ? 2 : 1))));
+  if (rule.quantity.empty() || !threshold) return std::nullopt;
+  rule.threshold = *threshold;
   rule.comparison = text[sign] == '>' ? (equal ? EventRule::Comparison::at_least : EventRule::Comparison::more)
                                       : (equal ? EventRule::Comparison::at_most : EventRule::Comparison::less);
   error.clear();

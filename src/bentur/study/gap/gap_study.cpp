@@ -9,13 +9,10 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/solve/solver.h"
 #include "bentur/study/plan/study_check.h"
-#include "bentur/study/plan/vary_toml.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
-
-constexpr double far_apart = 1e6;  // heights of the tallest building: no contact, so that only the free response counts
 
 /// Of records: the median plus and minus a standard deviation of a lognormal variable, and what codes and engineers ask
 /// for.
@@ -37,25 +34,19 @@ GapNeed need_of(const Problem& problem, const Response& response, const std::vec
   return need;
 }
 
-/// One number per record of gap `gap`, by `value`.
-template <typename Value>
-std::vector<double> over_records(const RecordNeeds& needs, std::size_t gap, Value value) {
-  std::vector<double> result;
-  for (const RecordNeed& record : needs.records) result.push_back(value(record.gaps[gap]));
-  return result;
-}
+constexpr double GapNeed::*single_numbers[] = {&GapNeed::simulated, &GapNeed::abs, &GapNeed::srss, &GapNeed::ddc};
 
-/// Of the numbers of all records, each by itself: `sum_up` makes one of many.
-template <typename SumUp>
-GapNeed summary_of(const RecordNeeds& needs, std::size_t gap, SumUp sum_up) {
-  const auto of = [&](auto value) { return sum_up(over_records(needs, gap, value)); };
-  GapNeed result{of([](const GapNeed& n) { return n.simulated; }),
-                 of([](const GapNeed& n) { return n.abs; }),
-                 of([](const GapNeed& n) { return n.srss; }),
-                 of([](const GapNeed& n) { return n.ddc; }),
-                 {}};
+/// The gap that the fraction p [-] of the records does not exceed, each number by itself; p = 1: the largest.
+GapNeed quantile_of_needs(const RecordNeeds& needs, std::size_t gap, double p) {
+  const auto quantile = [&](auto number_of) {
+    std::vector<double> numbers;
+    for (const RecordNeed& record : needs.records) numbers.push_back(number_of(record.gaps[gap]));
+    return quantile_of(std::move(numbers), p);
+  };
+  GapNeed result;
+  for (const auto number : single_numbers) result.*number = quantile([&](const GapNeed& need) { return need.*number; });
   for (std::size_t i = 0; i < needs.records.front().gaps[gap].codes.size(); ++i) {
-    result.codes.push_back(of([i](const GapNeed& n) { return n.codes[i]; }));
+    result.codes.push_back(quantile([&](const GapNeed& need) { return need.codes[i]; }));
   }
   return result;
 }
@@ -87,12 +78,8 @@ class Work {
         progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
       }
       for (std::size_t gap = 0; gap + 1 < facts_.problem.buildings.size(); ++gap) {
-        GapOverRecords over;
-        over.largest = summary_of(needs, gap, [](const Numbers& v) { return *std::max_element(v.begin(), v.end()); });
-        over.median = summary_of(needs, gap, [](const Numbers& v) { return median_of(v); });
-        for (const double p : told_quantiles) {
-          over.quantiles.push_back({p, summary_of(needs, gap, [p](const Numbers& v) { return quantile_of(v, p); })});
-        }
+        GapOverRecords over{quantile_of_needs(needs, gap, 1), quantile_of_needs(needs, gap, 0.5), {}, {}};
+        for (const double p : told_quantiles) over.quantiles.push_back({p, quantile_of_needs(needs, gap, p)});
         needs.gaps.push_back(std::move(over));
       }
       compare_with_given(widths, choices, needs);
@@ -101,8 +88,6 @@ class Work {
   }
 
  private:
-  using Numbers = std::vector<double>;
-
   /// The axes that `is_one` says true of.
   template <typename IsOne>
   static AxisSubset subset(const std::vector<SweepAxis>& axes, IsOne is_one) {
@@ -193,13 +178,9 @@ class Work {
     const ReadCase read = case_of(choices, found);
     const std::string record = record_name(choices, records, read);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
-    Problem problem = read.problem();
-    for (ContactPoint& point : problem.points) point.width = 0;
+    const Problem problem = read.problem();
     const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
-    double height = 0;
-    for (const ReadBuilding& building : read.buildings) height = std::max(height, height_of(building));
-    for (ContactPoint& point : problem.points) point.width = far_apart * height;
-    const Response response = free.solve(problem);
+    const Response& response = free.response();
     if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
     for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
@@ -222,9 +203,8 @@ class Work {
 }  // namespace
 
 bool is_study(const std::filesystem::path& file) {
-  std::string problem;
   Diagnostics ignored;
-  const auto text = read_input(file, study_input, problem);
+  const auto text = read_input(file, study_input, ignored);
   const auto root = text ? parse_toml(*text, file.string(), ignored) : std::nullopt;
   return root && root->find("case") != nullptr;
 }

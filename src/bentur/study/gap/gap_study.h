@@ -29,9 +29,9 @@ struct RecordNeed {
   std::vector<GapNeed> gaps;                 ///< per gap
 };
 
-/// What a part of the records does not need more than.
+/// The gap that a fraction of the records does not exceed.
 struct GapQuantile {
-  double probability = 0;  ///< the part [-]
+  double probability = 0;  ///< that fraction [-]
   GapNeed need;            ///< each number by itself, quantile_of()
 };
 

@@ -7,44 +7,50 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json object_of(const std::vector<std::pair<std::string, std::string>>& named) {
+  Json json = Json::object();
+  for (const auto& [name, value] : named) json[name] = value;
+  return json;
+}
+
+/// @param need a GapNeed or a PointSeparation
+Json numbers_json(const auto& need) {
+  return {{"simulated", need.simulated}, {"abs", need.abs}, {"srss", need.srss}, {"ddc", need.ddc}};
+}
+
 Json need_json(const GapNeed& need, const CodeSpec& code) {
   Json codes = Json::array();
   for (std::size_t i = 0; i < need.codes.size(); ++i) {
     codes.push_back({{"rule", code.rules[i].rule}, {"gap", need.codes[i]}});
   }
-  return {{"simulated", need.simulated}, {"abs", need.abs}, {"srss", need.srss}, {"ddc", need.ddc}, {"codes", codes}};
+  Json json = numbers_json(need);
+  json["codes"] = codes;
+  return json;
 }
 
 Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
   const auto left = static_cast<int>(gap);
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
-    Json json = {{"record", record.record}};
-    json.update(need_json(record.gaps[gap], study.code));
+    records.push_back({{"record", record.record}});
+    records.back().update(need_json(record.gaps[gap], study.code));
     Json points = Json::array();
     for (const PointSeparation& one : record.separations) {
       const ContactPoint& point = study.problem.points.at(static_cast<std::size_t>(one.point));
       if (point.left != left) continue;
-      points.push_back({{"elevation", point.elevation},
-                        {"simulated", one.simulated},
-                        {"abs", one.abs},
-                        {"srss", one.srss},
-                        {"ddc", one.ddc}});
+      points.push_back({{"elevation", point.elevation}});
+      points.back().update(numbers_json(one));
     }
-    json["points"] = points;
-    records.push_back(json);
+    records.back()["points"] = points;
   }
   const GapOverRecords& over = needs.gaps[gap];
   Json quantiles = Json::array(), given = Json::array();
   for (const GapQuantile& one : over.quantiles) {
-    Json json = {{"probability", one.probability}};
-    json.update(need_json(one.need, study.code));
-    quantiles.push_back(json);
+    quantiles.push_back({{"probability", one.probability}});
+    quantiles.back().update(need_json(one.need, study.code));
   }
   for (const GivenGap& one : over.given) {
-    Json with = Json::object();
-    for (const auto& [name, value] : one.others) with[name] = value;
-    given.push_back({{"with", with},
+    given.push_back({{"with", object_of(one.others)},
                      {"widths", one.widths},
                      {"records_beyond", one.beyond},
                      {"share_beyond", static_cast<double>(one.beyond) / static_cast<double>(needs.records.size())}});
@@ -68,11 +74,9 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
   }
   Json all = Json::array();
   for (const RecordNeeds& needs : study.needs) {
-    Json others = Json::object();
-    for (const auto& [name, value] : needs.others) others[name] = value;
     Json gaps = Json::array();
     for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) gaps.push_back(gap_json(study, needs, gap));
-    all.push_back({{"with", others}, {"gaps", gaps}});
+    all.push_back({{"with", object_of(needs.others)}, {"gaps", gaps}});
   }
   Json intensity = nullptr;
   if (study.at) intensity = {{"name", study.intensity}, {"unit", study.intensity_unit}, {"value", *study.at}};

@@ -27,7 +27,7 @@ struct Distribution {
   /// x with probability u of not being exceeded; always within [low, high] and within the support.
   [[nodiscard]] double quantile(double u) const;
   /// How far [low, high] lies from the centre of a normal or lognormal distribution, in σ; 0 where it holds the centre.
-  /// Beyond `farthest` there is no probability left to be reckoned with.
+  /// Beyond `farthest` no probability is left that a double could hold.
   [[nodiscard]] double deviations_off() const;
   static constexpr double farthest = 35;  ///< [-]
 };
@@ -35,8 +35,8 @@ struct Distribution {
 /// σ of ln x of a lognormal distribution whose x has coefficient of variation `cov` [-] > 0.
 [[nodiscard]] double lognormal_spread(double cov);
 
-/// Two values between which, or beyond which, a distribution has its values: its bounds, and where it has none a value
-/// that any rule for a key with a bound on that side forbids: below zero, above one.
+/// The ends of a distribution's support, in the units of its quantity. Where it is unbounded, a value so far out that
+/// any key with a limit on that side refuses it: below zero, above one.
 struct Extremes {
   double low = 0, high = 0;
 };

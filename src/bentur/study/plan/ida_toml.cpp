@@ -1,9 +1,7 @@
-#include "bentur/study/plan/ida_toml.h"
-
 #include <fmt/format.h>
 
 #include "bentur/core/units.h"
-#include "bentur/study/plan/vary_toml.h"
+#include "bentur/study/plan/internal/study_parts.h"
 
 namespace bentur {
 namespace {

@@ -1,16 +1,15 @@
-#include "bentur/study/plan/normalisation.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <sstream>
 
+#include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -32,13 +31,6 @@ std::vector<std::string> csv_cells(const std::string& line) {
     }
   }
   return cells;
-}
-
-std::optional<double> positive_number(const std::string& text) {
-  double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = failure == std::errc() && end == text.data() + text.size() && std::isfinite(value) && value > 0;
-  return good ? std::optional(value) : std::nullopt;
 }
 
 /// Factors by file name, or nothing and why in `problem`.
@@ -64,8 +56,8 @@ std::optional<std::map<std::string, double>> factor_table(const fs::path& file, 
       continue;
     }
     if (cells.size() == 1 && cells[0].empty()) continue;
-    const auto value = std::max(name, factor) < cells.size() ? positive_number(cells[factor]) : std::nullopt;
-    if (!value) {
+    const auto value = std::max(name, factor) < cells.size() ? parse_number(cells[factor]) : std::nullopt;
+    if (!value || !(*value > 0)) {
       problem = fmt::format("line {} must have a file's name and its factor, a number > 0", number);
       return std::nullopt;
     }

@@ -1,6 +1,4 @@
 // Records as a set: normalised, and both ways round.
-#include "bentur/study/plan/normalisation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

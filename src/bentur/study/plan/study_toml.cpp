@@ -5,11 +5,9 @@
 
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
-#include "bentur/study/plan/ida_toml.h"
-#include "bentur/study/plan/normalisation.h"
+#include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/plan/study.h"
 #include "bentur/study/plan/sweep_plan.h"
-#include "bentur/study/plan/vary_toml.h"
 
 namespace bentur {
 namespace {
@@ -238,14 +236,10 @@ TomlValue scaled(TomlValue value, double factor) {
 }  // namespace
 
 std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const auto text = read_input(file, study_input, diagnostics);
+  if (!text) return std::nullopt;
   Study study;
   study.file = file;
-  std::string problem;
-  const auto text = read_input(file, study_input, problem);
-  if (!text) {
-    diagnostics.error({file.string(), 0, 0}, problem);
-    return std::nullopt;
-  }
   study.text = *text;
   Diagnostics found;
   const std::string name = file.string();

@@ -8,7 +8,6 @@
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/plan/study.h"
-#include "bentur/study/plan/vary_toml.h"
 
 namespace bentur {
 namespace {

@@ -1,5 +1,3 @@
-#include "bentur/study/plan/vary_toml.h"
-
 #include <fmt/format.h>
 #include <glob.h>
 
@@ -9,7 +7,7 @@
 #include <set>
 #include <system_error>
 
-#include "bentur/study/plan/normalisation.h"
+#include "bentur/study/plan/internal/study_parts.h"
 
 namespace bentur {
 namespace {
@@ -49,11 +47,10 @@ void label_values(const TomlView& view, const TomlView& values, Vary& vary) {
       }
     }
   }
-  std::set<std::string> seen;
-  std::set<double> seen_numbers;
+  std::set<std::pair<std::string, double>> seen;
   for (std::size_t i = 0; i < vary.values.size(); ++i) {
-    const bool is_new =
-        vary.labels.empty() ? seen_numbers.insert(vary.values[i].real).second : seen.insert(vary.labels[i]).second;
+    const bool labelled = !vary.labels.empty();
+    const bool is_new = seen.emplace(labelled ? vary.labels[i] : "", labelled ? 0 : vary.values[i].real).second;
     if (!is_new) values.item(i).error("stands twice");
   }
 }

@@ -27,7 +27,7 @@ struct ColumnRows {
 [[nodiscard]] std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const RecordOptions& options,
                                                   RecordErrors& errors);
 
-/// Whether a column of times: it goes up from row to row, but for at most one row in ten.
+/// Whether a column can be one of times: it rises from row to row, with at most one exception in ten rows.
 [[nodiscard]] bool goes_up(const std::vector<double>& values);
 
 /// (t_n − t_0)/(n − 1) [s] when no step differs from it by more than one per cent; else nothing, and in `bad` the index
