@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <variant>
 
 #include "bentur/core/number_text.h"
@@ -138,31 +139,28 @@ Html structure_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
          matrix_echo(say("column.stiffness"), units.force + "/" + units.length, spec.stiffness);
 }
 
+/// Of values mode by mode those that are shown.
+std::vector<double> first_modes(const Eigen::VectorXd& values) {
+  return {values.begin(), values.begin() + std::min(values.size(), most_modes)};
+}
+
 Html modes_table(const Building& building, const Story& story) {
   const Words& say = story.say;
   const ModalProperties properties = modal_properties(building.modes, building.model.load);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
-  std::vector<std::string> numbers;
-  std::vector<double> periods, frequencies, damping, participation, fraction, cumulative;
-  double sum = 0;
-  for (Eigen::Index mode = 0; mode < shown; ++mode) {
-    sum += properties.effective_mass_fraction(mode);
-    numbers.push_back(std::to_string(mode + 1));
-    periods.push_back(properties.periods(mode));
-    frequencies.push_back(1 / properties.periods(mode));
-    damping.push_back(100 * building.modal_damping(mode, mode) / (2 * building.modes.omega(mode)));
-    participation.push_back(properties.participation(mode));
-    fraction.push_back(100 * properties.effective_mass_fraction(mode));
-    cumulative.push_back(100 * sum);
-  }
+  std::vector<std::string> numbers = storey_numbers(static_cast<std::size_t>(shown));
+  std::reverse(numbers.begin(), numbers.end());
+  Eigen::VectorXd cumulative = properties.effective_mass_fraction;
+  std::partial_sum(cumulative.begin(), cumulative.end(), cumulative.begin());
+  const Eigen::VectorXd damping = building.modal_damping.diagonal().cwiseQuotient(2 * building.modes.omega);
   HtmlTable table;
   table.add(say("column.mode"), "", numbers);
-  table.add(say("column.period"), "s", periods);
-  table.add(say("column.frequency"), "Hz", frequencies);
-  table.add(say("column.damping"), "%", damping);
-  table.add(say("column.participation"), "(" + mass_unit(story.c) + ")^½", participation);
-  table.add(say("column.effective_mass"), "%", fraction);
-  table.add(say("column.cumulative_mass"), "%", cumulative);
+  table.add(say("column.period"), "s", first_modes(properties.periods));
+  table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse()));
+  table.add(say("column.damping"), "%", first_modes(100 * damping));
+  table.add(say("column.participation"), "(" + mass_unit(story.c) + ")^½", first_modes(properties.participation));
+  table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
+  table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
   Html content = element("h4", say("heading.modes")) + table.markup();
   if (shown < properties.periods.size()) {
     content += element("p", say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}}),
@@ -338,10 +336,9 @@ Html buildings_of_results(const Story& story) {
   Html content = element("p", story.say("input.from_results"), "class=\"note\"");
   for (const Building& building : story.problem.buildings) {
     const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
-    const std::vector<double> first(periods.begin(), periods.begin() + std::min(periods.size(), most_modes));
     content += element("h3", building.name) +
                facts({{story.say("input.floors"), list_text(building.model.elevations) + " " + story.c.units.length},
-                      {story.say("input.periods"), list_text(first) + " s"}});
+                      {story.say("input.periods"), list_text(first_modes(periods)) + " s"}});
   }
   return content;
 }

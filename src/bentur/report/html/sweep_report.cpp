@@ -1,5 +1,7 @@
 #include "bentur/report/html/sweep_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,10 +43,7 @@ std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, 
 /// ", at width = 0.2, excitation = El Centro": where a run stands, without the directions in which `values` does not
 /// change.
 std::string where(const SweepData& sweep, std::size_t run, const std::vector<double>& values, const Words& say) {
-  std::string text;
-  const auto add = [&](const std::string& name, const std::string& value) {
-    text += (text.empty() ? "" : ", ") + name + " = " + value;
-  };
+  std::vector<std::string> places;
   std::size_t stride = values.size();
   for (const SweepDimension& one : sweep.dimensions()) {
     stride /= one.size;
@@ -53,12 +52,12 @@ std::string where(const SweepData& sweep, std::size_t run, const std::vector<dou
     for (std::size_t i = 0; i < one.size; ++i) {
       constant = constant && values[run - at * stride + i * stride] == values[run];
     }
-    if (!constant && (one.is_text() || !one.numbers.empty())) add(one.name, one.value(at));
+    if (!constant && (one.is_text() || !one.numbers.empty())) places.push_back(one.name + " = " + one.value(at));
   }
   for (const SweepDimension& one : sweep.sample_coordinates()) {
-    add(one.name, one.is_text() ? one.texts.at(run) : number(one.numbers.at(run)));
+    places.push_back(one.name + " = " + (one.is_text() ? one.texts.at(run) : number(one.numbers.at(run))));
   }
-  return text.empty() ? text : say("sweep.where", {{"where", text}});
+  return places.empty() ? "" : say("sweep.where", {{"where", fmt::format("{}", fmt::join(places, ", "))}});
 }
 
 std::string with_unit_of(const SweepData& sweep, double value, const std::string& variable) {
@@ -117,11 +116,9 @@ Html varied(const SweepData& sweep, const Words& say) {
     names.push_back(one.label.empty() ? one.name : one.label);
     counts.push_back(std::to_string(one.size));
     if (one.numbers.empty()) {
-      std::string list;
-      for (std::size_t i = 0; i < std::min<std::size_t>(one.texts.size(), 12); ++i) {
-        list += (i > 0 ? ", " : "") + one.texts[i];
-      }
-      values.push_back(list + (one.texts.size() > 12 ? ", …" : ""));
+      const auto shown = std::min<std::ptrdiff_t>(std::ssize(one.texts), 12);
+      values.push_back(fmt::format("{}{}", fmt::join(one.texts.begin(), one.texts.begin() + shown, ", "),
+                                   shown < std::ssize(one.texts) ? ", …" : ""));
     } else {
       const auto [least, most] = std::minmax_element(one.numbers.begin(), one.numbers.end());
       values.push_back(number(*least) + " … " + number(*most));

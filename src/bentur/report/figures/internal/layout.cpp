@@ -95,7 +95,8 @@ double arrange(std::vector<LegendEntry>& list, double width) {
   const std::size_t columns = (list.size() + rows - 1) / rows;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].x = static_cast<double>(i % columns) * step;
-    list[i].y = -(static_cast<double>(i / columns) + 0.5) * line_height;
+    const std::size_t row = i / columns;
+    list[i].y = -(static_cast<double>(row) + 0.5) * line_height;
   }
   return static_cast<double>(rows) * line_height;
 }

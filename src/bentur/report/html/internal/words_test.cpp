@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/model/quantities.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/example_laws.h"
@@ -32,6 +33,15 @@ TEST(Catalogue, EveryKeyHasATextInEveryLanguageThatTakesTheSameValues) {
       ASSERT_TRUE(texts.contains(language)) << key << " " << language;
       EXPECT_FALSE(texts.at(language).empty()) << key << " " << language;
       EXPECT_EQ(names(texts.at(language)), names(texts.begin()->second)) << key;
+    }
+  }
+}
+
+TEST(Catalogue, QuantitiesHaveALabelInEveryLanguage) {
+  EXPECT_EQ(std::size(Quantity{}.label), report_languages().size());
+  for (const Quantity& quantity : quantities()) {
+    for (const std::string_view label : quantity.label) {
+      EXPECT_EQ(label.empty(), quantity.label[0].empty()) << quantity.key;
     }
   }
 }
