@@ -193,7 +193,7 @@ void write_impacts(const NetcdfFile& file, const std::vector<Impact>& impacts, c
   if (impacts.empty()) return;
   const int dimension = file.dimension("impact", impacts.size());
   std::vector<int> points;
-  for (const Impact& impact : impacts) points.push_back(impact.point);
+  for (const Impact& impact : impacts) points.push_back(static_cast<int>(impact.point));
   file.write("impact_point", {dimension}, points, "number of the contact point of each impact, counted from 0");
   const auto column = [&](const std::string& name, double Impact::*member, const std::string& units,
                           const std::string& what) {

@@ -78,7 +78,8 @@ Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
   const FloorLevels other = levels_of(faced_building(problem, floor).model);
   double tolerance = 0;
   for (int i = 0; i < static_cast<int>(other.elevations.size()); ++i) {
-    const double storey = std::min(smallest_storey_at(own, floor.floor), smallest_storey_at(other, i));
+    const double storey =
+        std::min(smallest_storey_at(own, static_cast<int>(floor.floor)), smallest_storey_at(other, i));
     const double apart = std::abs(other.elevations[static_cast<std::size_t>(i)] - floor.elevation);
     if (apart > near_part * storey) continue;
     tolerance = rounded_up(apart);
