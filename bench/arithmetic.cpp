@@ -76,7 +76,7 @@ std::vector<std::pair<std::string, double>> arithmetic_rates() {
 
 Arithmetic arithmetic_of(const Problem& problem, const Response& response) {
   Arithmetic count;
-  const long common = static_cast<long>(Equations(problem, 1.0).breakpoints().size()) - 1;
+  const long common = std::ssize(Equations(problem, 1.0).breakpoints()) - 1;
   count.free_steps = std::lround(problem.duration / std::get<SampledMotion>(problem.motion).time_step);
   count.contact_steps = std::max(0L, response.steps - common);
   double modes = 0, peaks = 0, points = 0;
@@ -86,7 +86,7 @@ Arithmetic arithmetic_of(const Problem& problem, const Response& response) {
     peaks += 16 * static_cast<double>(building.model.floors()) * of_building;
   }
   for (const ContactPoint& point : problem.points) {
-    const auto left = static_cast<std::size_t>(point.left);
+    const Eigen::Index left = point.left;
     points += static_cast<double>(problem.buildings[left].modes.omega.size() +
                                   problem.buildings[left + 1].modes.omega.size());
   }

@@ -92,7 +92,7 @@ class Table {
 
 Found by(const Solver& solver, const Problem& problem) {
   const Response response = solve(problem, solver);
-  return {peak_force(response), static_cast<long>(response.impacts.size()), response.steps};
+  return {peak_force(response), std::ssize(response.impacts), response.steps};
 }
 
 void ours(Table& table, const Problem& problem) {
@@ -101,7 +101,7 @@ void ours(Table& table, const Problem& problem) {
   const FreeResponse free(problem);
   table.add("exact after free response", "", [&] {
     const Response response = free.solve(problem);
-    return Found{peak_force(response), static_cast<long>(response.impacts.size()), response.steps};
+    return Found{peak_force(response), std::ssize(response.impacts), response.steps};
   });
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
     if (!table.add("adaptive", fmt::format("{:.0e}", tolerance), [&] { return run(AdaptiveSolver{tolerance}); })) break;

@@ -48,16 +48,16 @@ Table quantity_table(const RunResults& run, Owner owner, const std::vector<Quant
 }
 
 /// The contact points of a gap from the top down.
-std::vector<std::size_t> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
+std::vector<Eigen::Index> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
 
 /// What to do about floors that met something where no contact is modelled; empty where none did.
-std::string unmodelled_text(const RunResults& run, const std::vector<std::size_t>& floors) {
+std::string unmodelled_text(const RunResults& run, const std::vector<Eigen::Index>& floors) {
   const Problem& problem = run.problem;
   const std::string& length = run.c.units.length;
   constexpr std::size_t most = 3;  // told one by one
   std::string text;
   for (std::size_t n = 0; n < std::min(most, floors.size()); ++n) {
-    const std::size_t i = floors[n];
+    const Eigen::Index i = floors[n];
     const WatchedFloor& floor = problem.watched[i];
     const WatchedSummary& summary = run.response.watched[i];
     const std::string met = fmt::format(
@@ -144,7 +144,7 @@ std::string law_text(const RunResults& run) {
     for (const auto& [name, word] : gaps[gap].contact.choices()) {
       made += (made.empty() ? "" : ", ") + word;
     }
-    for (const std::size_t i : points_from_top(gap_at(run.problem, gap))) {
+    for (const Eigen::Index i : points_from_top(gap_at(run.problem, gap))) {
       between.push_back(gap_name(run.problem, gap));
       elevation.push_back(run.problem.points[i].elevation);
       law.push_back(gaps[gap].contact.law);

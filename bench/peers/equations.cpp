@@ -37,13 +37,13 @@ Equations::Equations(const Problem& problem, double length)
   }
   for (const Building& building : problem.buildings) {
     first_.push_back(modes_);
-    const auto count = static_cast<std::size_t>(building.modes.omega.size());
+    const Eigen::Index count = building.modes.omega.size();
     const Eigen::VectorXd load = building.modes.shapes.transpose() * building.model.load;
     const Eigen::MatrixXd& damping = building.modal_damping;
     if (!damping.isDiagonal(1e-12)) throw std::invalid_argument("the peers take damping that does not couple modes");
     omega_.insert(omega_.end(), building.modes.omega.begin(), building.modes.omega.end());
     load_.insert(load_.end(), load.begin(), load.end());
-    for (std::size_t i = 0; i < count; ++i) damping_.push_back(damping(static_cast<long>(i), static_cast<long>(i)));
+    for (Eigen::Index i = 0; i < count; ++i) damping_.push_back(damping(i, i));
     modes_ += count;
     const double shape = building.modes.shapes.col(0).cwiseAbs().maxCoeff();
     scale_ = std::max(scale_, building.modes.omega(0) * length / shape);
@@ -52,7 +52,7 @@ Equations::Equations(const Problem& problem, double length)
   for (const ContactPoint& point : problem.points) {
     const LawParameters parameters = point.law->parameters();
     if (point.law->name() != "linear") throw std::invalid_argument("the peers take linear contact");
-    const auto left = static_cast<std::size_t>(point.left);
+    const Eigen::Index left = point.left;
     Contact contact{first_[left], first_[left + 1], first_[left + 2], point.width, parameters.front().second, {}, {}};
     const Eigen::RowVectorXd of_left = -problem.buildings[left].modes.shapes.row(point.left_floor);
     const Eigen::RowVectorXd of_right = problem.buildings[left + 1].modes.shapes.row(point.right_floor);

@@ -14,7 +14,7 @@ FloorPeaks::FloorPeaks(const Problem& problem) {
     Eigen::MatrixXd all(3 * floors, count);
     all.topRows(floors) = displacement;
     for (Eigen::Index i = 0; i < floors; ++i) {
-      const double height = building.model.storey_heights[static_cast<std::size_t>(i)];
+      const double height = building.model.storey_heights[i];
       all.row(floors + i) = displacement.row(i) / height;
       if (i > 0) all.row(floors + i) -= displacement.row(i - 1) / height;
       all.row(2 * floors + i) = force.bottomRows(floors - i).colwise().sum();
@@ -24,7 +24,7 @@ FloorPeaks::FloorPeaks(const Problem& problem) {
     for (auto* list : {&values_, &rates_, &new_values_, &new_rates_, &peaks_}) {
       list->emplace_back(Eigen::VectorXd::Zero(3 * floors));
     }
-    modes_ += static_cast<std::size_t>(count);
+    modes_ += count;
   }
 }
 
@@ -48,7 +48,7 @@ void FloorPeaks::look(double time, const double* y) {
     }
     std::swap(values_[b], new_values_[b]);
     std::swap(rates_[b], new_rates_[b]);
-    first += static_cast<std::size_t>(count);
+    first += count;
   }
   time_ = time;
 }

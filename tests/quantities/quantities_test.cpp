@@ -59,7 +59,9 @@ class NewQuantity : public testing::Test {
     Diagnostics diagnostics;
     Case c = read_case(example, diagnostics).value();
     Problem problem = make_problem(c);
-    Response response = solve(problem, c.analysis.solver, {.output_step = 0.01});
+    SolveOptions options;
+    options.output_step = 0.01;
+    Response response = solve(problem, c.analysis.solver, options);
     ASSERT_FALSE(response.impacts.empty());
     results = new RunResults(run_results(std::move(c), std::move(problem), std::move(response)));
   }

@@ -13,28 +13,20 @@ namespace {
 std::string without_zeros(std::string text) {
   if (text.find('.') != std::string::npos && text.find('e') == std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-      text.pop_back();
-    }
+    if (text.back() == '.') text.pop_back();
   }
   return text;
 }
 
 /// Decimals that leave four significant digits of `largest`; −1 where an exponent reads better.
 int decimals_for(double largest) {
-  if (largest == 0) {
-    return 0;
-  }
-  if (largest < 1e-4 || largest >= 1e7) {
-    return -1;
-  }
+  if (largest == 0) return 0;
+  if (largest < 1e-4 || largest >= 1e7) return -1;
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 7);
 }
 
 std::string with_decimals(double value, int decimals) {
-  if (std::isnan(value)) {
-    return "–";
-  }
+  if (std::isnan(value)) return "–";
   return decimals < 0 && value != 0 ? fmt::format("{:.3e}", value)
                                     : fmt::format("{:.{}f}", value, std::max(decimals, 0));
 }
@@ -58,9 +50,7 @@ std::vector<std::string> column(const std::vector<double>& values) {
   const int decimals = most < 0 ? most : needed;
   std::vector<std::string> cells;
   cells.reserve(values.size());
-  for (const double value : values) {
-    cells.push_back(value == 0 ? "0" : with_decimals(value, decimals));
-  }
+  for (const double value : values) cells.push_back(value == 0 ? "0" : with_decimals(value, decimals));
   return cells;
 }
 

@@ -37,7 +37,7 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
   }
 }
 
-void write_building(const NetcdfWriter& file, Dimension time, std::size_t b, const RunView& run,
+void write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
                     const std::string& length, const std::string& force) {
   const Histories& histories = run.response.histories;
   const Building& building = run.problem.buildings[b];
@@ -118,7 +118,7 @@ void write_impacts(const NetcdfWriter& file, const RunView& run) {
   if (impacts.empty()) return;
   const Dimension dimension = file.dimension("impact", impacts.size());
   std::vector<int> points;
-  for (const Impact& impact : impacts) points.push_back(impact.point);
+  for (const Impact& impact : impacts) points.push_back(static_cast<int>(impact.point));
   file.write("impact_point", {dimension}, points, "", "number of the contact point of each impact, counted from 0");
   write_quantities(file, Owner::impact, run, {dimension}, first_places(impacts.size()), "impact_", "",
                    " of each impact");

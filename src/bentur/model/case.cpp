@@ -272,7 +272,7 @@ std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Buildi
 
 FloorLevels levels_of(const StructuralModel& model) { return {model.elevations, base_of(model)}; }
 
-std::optional<double> watched_width(const std::vector<ContactPoint>& points, int gap, double elevation) {
+std::optional<double> watched_width(const std::vector<ContactPoint>& points, Eigen::Index gap, double elevation) {
   const ContactPoint* below = nullptr;
   const ContactPoint* above = nullptr;
   for (const ContactPoint& point : points) {

@@ -161,7 +161,8 @@ struct SpecAndModel {
 
 /// The width of gap `gap` at an elevation [length]: the smaller one of the contact points next above and next below, so
 /// that no opening is taken for wider than it is; of the nearest point beyond them. Nothing where the gap has none.
-[[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, int gap, double elevation);
+[[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, Eigen::Index gap,
+                                                  double elevation);
 
 /// Floor levels of a model.
 [[nodiscard]] FloorLevels levels_of(const StructuralModel& model);

@@ -34,9 +34,8 @@ double first_period(const RunView& r, const QuantityPlace& at) {
 double period_per_storey(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).period_per_storey; }
 double amplification(const RunView& r, const QuantityPlace& at) {
   const BuildingPeaks& peaks = r.response.buildings[at.item];
-  const auto i = static_cast<Eigen::Index>(at.floor);
-  const double without = peaks.displacement_no_contact(i);
-  return without > 0 ? peaks.displacement(i) / without : none;
+  const double without = peaks.displacement_no_contact(at.floor);
+  return without > 0 ? peaks.displacement(at.floor) / without : none;
 }
 double point_width(const RunView& r, const QuantityPlace& at) { return r.problem.points[at.item].width; }
 double smallest_restitution(const RunView& r, const QuantityPlace& at) {
@@ -48,7 +47,7 @@ double largest_restitution(const RunView& r, const QuantityPlace& at) {
 double gap_of_points(const RunView& r, const QuantityPlace& at) {
   const Gap between = gap_at(r.problem, at.item);
   double needed = 0;
-  for (const std::size_t i : between.points) needed = std::max(needed, r.response.points[i].minimum_gap_no_contact);
+  for (const Eigen::Index i : between.points) needed = std::max(needed, r.response.points[i].minimum_gap_no_contact);
   return needed;
 }
 double whole_gap(const RunView& r, const QuantityPlace& at) { return gap_needed(r.problem, r.response, at.item); }
@@ -159,17 +158,17 @@ const Quantity& quantity_named(std::string_view key, Owner owner) {
 
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
-std::size_t place_count(Owner owner, const Problem& problem, const Response& response) {
+Eigen::Index place_count(Owner owner, const Problem& problem, const Response& response) {
   switch (owner) {
     case Owner::building:
     case Owner::floor:
-      return problem.buildings.size();
+      return std::ssize(problem.buildings);
     case Owner::point:
-      return problem.points.size();
+      return std::ssize(problem.points);
     case Owner::gap:
-      return problem.buildings.size() - 1;
+      return std::ssize(problem.buildings) - 1;
     case Owner::impact:
-      return response.impacts.size();
+      return std::ssize(response.impacts);
     case Owner::run:
       break;
   }
@@ -177,10 +176,9 @@ std::size_t place_count(Owner owner, const Problem& problem, const Response& res
 }
 
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
-  const auto floor_of = static_cast<Eigen::Index>(at.floor);
   const Response& response = r.response;
   return std::visit(
-      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) { return (response.buildings[at.item].*member)(floor_of); },
+      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) { return (response.buildings[at.item].*member)(at.floor); },
               [&](std::optional<double> PointSummary::*member) {
                 return (response.points[at.item].*member).value_or(none);
               },
@@ -206,9 +204,8 @@ bool is_kept(const Quantity& quantity) {
 void put_value(const Quantity& quantity, double value, const QuantityPlace& at, Response& response) {
   std::visit(Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
                        Eigen::VectorXd& values = response.buildings.at(at.item).*member;
-                       const auto size = static_cast<Eigen::Index>(at.floor) + 1;
-                       if (values.size() < size) values.conservativeResize(size);
-                       values(size - 1) = value;
+                       if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
+                       values(at.floor) = value;
                      },
                      [&](std::optional<double> PointSummary::*member) {
                        response.points.at(at.item).*member = std::isnan(value) ? std::nullopt : std::optional(value);
@@ -266,27 +263,27 @@ std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std:
   return columns;
 }
 
-std::vector<QuantityPlace> floors_of(const Problem& problem, std::size_t b) {
+std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
   std::vector<QuantityPlace> places;
-  for (std::size_t i = 0; i < problem.buildings[b].model.elevations.size(); ++i) places.push_back({b, i});
+  for (Eigen::Index i = 0; i < problem.buildings[b].model.floors(); ++i) places.push_back({b, i});
   return places;
 }
 
-std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t b) {
+std::vector<QuantityPlace> floors_from_top(const Problem& problem, Eigen::Index b) {
   std::vector<QuantityPlace> places = floors_of(problem, b);
   std::reverse(places.begin(), places.end());
   return places;
 }
 
-std::vector<QuantityPlace> first_places(std::size_t count) {
+std::vector<QuantityPlace> first_places(Eigen::Index count) {
   std::vector<QuantityPlace> places;
-  for (std::size_t i = 0; i < count; ++i) places.push_back({i, 0});
+  for (Eigen::Index i = 0; i < count; ++i) places.push_back({i, 0});
   return places;
 }
 
-std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items) {
+std::vector<QuantityPlace> places_of(const std::vector<Eigen::Index>& items) {
   std::vector<QuantityPlace> places;
-  for (const std::size_t item : items) places.push_back({item, 0});
+  for (const Eigen::Index item : items) places.push_back({item, 0});
   return places;
 }
 

@@ -30,8 +30,8 @@ struct RunView {
 
 /// Where a value is: number of the building, point, gap or impact, and of the floor.
 struct QuantityPlace {
-  std::size_t item = 0;
-  std::size_t floor = 0;
+  Eigen::Index item = 0;
+  Eigen::Index floor = 0;
 };
 
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
@@ -68,7 +68,7 @@ struct Quantity {
 void add_quantity(const Quantity& quantity);
 
 /// How many places a quantity of this owner has in a run, but for floors, which are counted building by building.
-[[nodiscard]] std::size_t place_count(Owner owner, const Problem& problem, const Response& response);
+[[nodiscard]] Eigen::Index place_count(Owner owner, const Problem& problem, const Response& response);
 
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
@@ -97,12 +97,12 @@ struct TableColumn {
                                                      const std::vector<QuantityPlace>& places,
                                                      std::size_t language = 0);
 /// The floors of a building, bottom to top.
-[[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, std::size_t building);
+[[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.
-[[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, std::size_t building);
+[[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, Eigen::Index building);
 /// The first `count` items as places.
-[[nodiscard]] std::vector<QuantityPlace> first_places(std::size_t count);
+[[nodiscard]] std::vector<QuantityPlace> first_places(Eigen::Index count);
 /// Those items as places.
-[[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<std::size_t>& items);
+[[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<Eigen::Index>& items);
 
 }  // namespace bentur

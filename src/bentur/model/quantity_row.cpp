@@ -10,7 +10,7 @@ namespace bentur {
 
 std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {
   std::vector<RowPart> parts;
-  const auto add = [&](const Quantity& quantity, std::size_t count) -> RowPart& {
+  const auto add = [&](const Quantity& quantity, Eigen::Index count) -> RowPart& {
     parts.push_back({.name = std::string(quantity.key),
                      .units = udunits(quantity.units, units),
                      .long_name = std::string(quantity.long_name),
@@ -20,11 +20,11 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
                      .quantity = &quantity});
     return parts.back();
   };
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     for (const Owner owner : {Owner::floor, Owner::building}) {
       for (const Quantity* quantity : quantities_of(owner)) {
-        RowPart& part = add(*quantity, owner == Owner::floor ? building.model.elevations.size() : 1);
+        RowPart& part = add(*quantity, owner == Owner::floor ? building.model.floors() : 1);
         part.name += fmt::format("_{}", b + 1);
         part.long_name += fmt::format(", building \"{}\"", building.name);
         part.building = b;
@@ -56,8 +56,8 @@ void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<d
     throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
   }
   for (const RowPart& part : parts) {
-    for (std::size_t i = 0; i < part.count; ++i) {
-      const bool of_building = part.owner == Owner::floor || part.owner == Owner::building;
+    const bool of_building = part.owner == Owner::floor || part.owner == Owner::building;
+    for (Eigen::Index i = 0; i < part.count; ++i) {
       const QuantityPlace at = of_building ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
       row[part.first + i] = value_of(*part.quantity, run, at);
     }

@@ -11,13 +11,13 @@ namespace bentur {
 
 /// The values of one quantity in the row of numbers that a study keeps of each run.
 struct RowPart {
-  std::string name;          ///< "peak_force"; of buildings and floors with their number, "peak_displacement_1"
-  std::string units;         ///< as UDUNITS reads it; "1" where there is none
-  std::string long_name;     ///< for a legend
-  Owner owner = Owner::run;  ///< one value, or one for each floor, point or gap
-  std::size_t building = 0;  ///< of buildings and floors
-  std::size_t count = 1;     ///< how many values
-  std::size_t first = 0;     ///< place of the first one in the row
+  std::string name;           ///< "peak_force"; of buildings and floors with their number, "peak_displacement_1"
+  std::string units;          ///< as UDUNITS reads it; "1" where there is none
+  std::string long_name;      ///< for a legend
+  Owner owner = Owner::run;   ///< one value, or one for each floor, point or gap
+  Eigen::Index building = 0;  ///< of buildings and floors
+  Eigen::Index count = 1;     ///< how many values
+  std::size_t first = 0;      ///< place of the first one in the row
   const Quantity* quantity = nullptr;
 };
 

@@ -114,7 +114,7 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
   }
 }
 
-double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t building, int floor) {
+double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t building, Eigen::Index floor) {
   return all.empty() ? 0.0 : all[building](floor);
 }
 

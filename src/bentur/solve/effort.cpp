@@ -28,7 +28,7 @@ constexpr double overhead = 48e6;              // [byte] of the program and of w
 /// The force of every point while its bodies touch.
 engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
   engine::ContactForces forces;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+  for (Eigen::Index i = 0; i < std::ssize(problem.points); ++i) {
     const ContactLaw& law = *problem.points[i].law;
     const ContactState closed = law.next({}, 0, 0.0, 0.0, 1.0);
     const Branch branch = law.branch(closed);
@@ -53,10 +53,10 @@ void raise(Effort::Fastest& fastest, double rate, const Effort::Fastest& other) 
 Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system) {
   Effort::Fastest fastest;
   raise(fastest, system.nu, {.by = By::motion});
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     Eigen::Index mode = 0;
     const double omega = problem.buildings[b].modes.omega.maxCoeff(&mode);
-    raise(fastest, omega, {.by = By::mode, .building = b, .mode = static_cast<long>(mode)});
+    raise(fastest, omega, {.by = By::mode, .building = b, .mode = mode});
     raise(fastest, system.blocks[b].half_damping, {.by = By::damping, .building = b});
   }
   return fastest;
@@ -65,8 +65,8 @@ Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system)
 /// The same with contacts, each as if it were the only one.
 Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::ContactForces& forces,
                                    Effort::Fastest fastest) {
-  for (const std::size_t i : forces.pressing) {
-    const double own = system.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+  for (const Eigen::Index i : forces.pressing) {
+    const double own = system.coupling(i, i);
     raise(fastest, std::sqrt(own * forces.linear[i].stiffness), {.by = By::contact, .point = i});
     raise(fastest, 0.5 * own * forces.linear[i].damping, {.by = By::contact, .point = i});
     raise(fastest, forces.fading, {.by = By::contact, .point = i});

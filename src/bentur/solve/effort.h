@@ -19,9 +19,9 @@ struct Effort {
     enum class By { mode, damping, contact, motion };
     double frequency = 0;  ///< [Hz]; of damping or a surface that comes back: rate/2π
     By by = By::mode;
-    std::size_t building = 0;
-    long mode = 0;          ///< of the building, from 0
-    std::size_t point = 0;  ///< of contact
+    Eigen::Index building = 0;
+    Eigen::Index mode = 0;   ///< of the building, from 0
+    Eigen::Index point = 0;  ///< of contact
   };
   Fastest apart, in_contact;
   double steps = 0;             ///< [-] of the response, where no floors touch

@@ -9,12 +9,9 @@
 namespace bentur {
 namespace {
 
-void require(bool ok, const std::string& parameter, const std::string& value, const std::string& rule) {
-  if (!ok) throw InvalidParameter(parameter, value, rule);
-}
-
-void require(bool ok, const std::string& parameter, double value, const std::string& rule) {
-  require(ok, parameter, fmt::format("{}", value), rule);
+template <class Value>
+void require(bool ok, const std::string& parameter, const Value& value, const std::string& rule) {
+  if (!ok) throw InvalidParameter(parameter, fmt::format("{}", value), rule);
 }
 
 /// A time of which the whole analysis has so many has no phase left in a double [-].
@@ -43,10 +40,10 @@ void check_building(const Building& building, std::size_t b, double duration) {
 
 void check_point(const Problem& problem, const ContactPoint& point, std::size_t i) {
   const auto name = fmt::format("points[{}]", i);
-  const auto last = static_cast<int>(problem.buildings.size()) - 1;
+  const Eigen::Index last = std::ssize(problem.buildings) - 1;
   require(point.left >= 0 && point.left < last, name + ".left", point.left, "must have a building to its right");
-  const auto left = static_cast<std::size_t>(point.left);
-  const auto floors = [&](std::size_t b) { return static_cast<int>(problem.buildings[b].model.floors()); };
+  const Eigen::Index left = point.left;
+  const auto floors = [&](Eigen::Index b) { return problem.buildings[b].model.floors(); };
   require(point.left_floor >= 0 && point.left_floor < floors(left), name + ".left_floor", point.left_floor,
           "must be a floor of the left building");
   require(point.right_floor >= 0 && point.right_floor < floors(left + 1), name + ".right_floor", point.right_floor,
@@ -72,11 +69,11 @@ void check_floors_of_points(const Problem& problem) {
 
 void check_watched(const Problem& problem, const WatchedFloor& watched, std::size_t i) {
   const auto name = fmt::format("watched[{}]", i);
-  const auto last = static_cast<int>(problem.buildings.size()) - 1;
+  const Eigen::Index last = std::ssize(problem.buildings) - 1;
   require(watched.left >= 0 && watched.left < last, name + ".left", watched.left, "must have a building to its right");
   require(watched.floor_of == watched.left || watched.floor_of == watched.left + 1, name + ".floor_of",
           watched.floor_of, "must be one of the two neighbours");
-  const auto left = static_cast<std::size_t>(watched.left);
+  const Eigen::Index left = watched.left;
   require(watched.left_row.size() == problem.buildings[left].model.dofs() && watched.left_row.allFinite(),
           name + ".left_row", fmt::format("{} entries", watched.left_row.size()),
           "must have one finite entry per degree of freedom");
@@ -100,14 +97,14 @@ void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& pr
   }
 }
 
-double initial_at(const Problem& problem, std::size_t building, int floor) {
+double initial_at(const Problem& problem, Eigen::Index building, Eigen::Index floor) {
   return problem.initial_displacement.empty() ? 0.0 : problem.initial_displacement[building](floor);
 }
 
 /// Faces that collide without a force cannot be inside one another: no force would part them.
 void check_overlap(const ContactPoint& point, const Problem& problem, std::size_t i) {
   if (!point.law->restitution()) return;
-  const auto left = static_cast<std::size_t>(point.left);
+  const Eigen::Index left = point.left;
   const double left_at = initial_at(problem, left, point.left_floor);
   const double right_at = initial_at(problem, left + 1, point.right_floor);
   require(!overlap(point.width, left_at, right_at), fmt::format("points[{}]", i), left_at - right_at - point.width,
@@ -121,22 +118,22 @@ bool overlap(double width, double left, double right) {
   return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
 }
 
-Gap gap_at(const Problem& problem, std::size_t gap) {
-  require(gap + 1 < problem.buildings.size(), "gap", fmt::format("{}", gap), "must have a building on either side");
-  Gap result{.left = gap, .points = {}, .watched = {}};
-  const auto is_there = [gap](const auto& one) { return one.left == static_cast<int>(gap); };
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    if (is_there(problem.points[i])) result.points.push_back(i);
-  }
-  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-    if (is_there(problem.watched[i])) result.watched.push_back(i);
-  }
-  return result;
+Gap gap_at(const Problem& problem, Eigen::Index gap) {
+  require(gap >= 0 && gap + 1 < std::ssize(problem.buildings), "gap", fmt::format("{}", gap),
+          "must have a building on either side");
+  const auto indices = [gap](const auto& all) {
+    std::vector<Eigen::Index> found;
+    for (Eigen::Index i = 0; i < std::ssize(all); ++i) {
+      if (all[i].left == gap) found.push_back(i);
+    }
+    return found;
+  };
+  return {gap, indices(problem.points), indices(problem.watched)};
 }
 
 std::vector<Gap> gaps_of(const Problem& problem) {
   std::vector<Gap> gaps;
-  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) gaps.push_back(gap_at(problem, gap));
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) gaps.push_back(gap_at(problem, gap));
   return gaps;
 }
 

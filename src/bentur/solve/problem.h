@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,29 +16,30 @@ namespace bentur {
 /// A place where two neighbouring buildings can touch: building `left` and building `left + 1`, at one elevation.
 /// Opening g = width + x_right − x_left (T-1).
 struct ContactPoint {
-  int left = 0;        ///< index of the left building
-  int left_floor = 0;  ///< floor index of the left building (0 the lowest)
-  int right_floor = 0;
-  double elevation = 0;  ///< [length]
-  double width = 0;      ///< w [length] ≥ 0
+  Eigen::Index left = 0;         ///< index of the left building
+  Eigen::Index left_floor = 0;   ///< index of its floor (0 the lowest)
+  Eigen::Index right_floor = 0;  ///< the same of the right building
+  double elevation = 0;          ///< [length]
+  double width = 0;              ///< w [length] ≥ 0
   std::shared_ptr<const ContactLaw> law;
 };
 
 /// A floor that faces its neighbour where no contact is modelled: nothing acts there, but how near it comes is watched.
 /// Opening g = width + x_right − x_left, each x a row over the dofs of its building.
 struct WatchedFloor {
-  int left = 0;                         ///< index of the left building
-  int floor_of = 0;                     ///< index of the building whose floor it is: left or left + 1
-  int floor = 0;                        ///< index of that floor
-  int facing_floor = -1;                ///< of the other building; −1: a column between two floors
-  double elevation = 0;                 ///< [length]
-  double width = 0;                     ///< w [length] ≥ 0
-  Eigen::VectorXd left_row, right_row;  ///< [-, or length on rotations]
+  Eigen::Index left = 0;                     ///< index of the left building
+  Eigen::Index floor_of = 0;                 ///< index of the building whose floor it is: left or left + 1
+  Eigen::Index floor = 0;                    ///< index of that floor
+  std::optional<Eigen::Index> facing_floor;  ///< of the other building; nothing: a column between two floors
+  double elevation = 0;                      ///< [length]
+  double width = 0;                          ///< w [length] ≥ 0
+  Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
 };
 
 enum class Kinematics { relative, absolute };
 
-/// Everything a solver needs, in consistent units. It reads no file and knows no key.
+/// Everything a solver needs, in consistent units. It reads no file and knows no key. Indices of buildings, floors and
+/// points count from 0 and are Eigen::Index, the signed type that both vectors and matrices take.
 struct Problem {
   std::vector<Building> buildings;         ///< left to right
   std::vector<ContactPoint> points;        ///< ordered by left building, then elevation
@@ -53,14 +55,14 @@ struct Problem {
 /// What lies between building `left` and building `left` + 1: indices into Problem::points and Problem::watched, from
 /// the lowest up.
 struct Gap {
-  std::size_t left = 0;
-  std::vector<std::size_t> points, watched;
+  Eigen::Index left = 0;
+  std::vector<Eigen::Index> points, watched;
 };
 
 /// The gaps of a problem, left to right.
 [[nodiscard]] std::vector<Gap> gaps_of(const Problem& problem);
 /// One of them. @throws InvalidParameter unless there are so many.
-[[nodiscard]] Gap gap_at(const Problem& problem, std::size_t gap);
+[[nodiscard]] Gap gap_at(const Problem& problem, Eigen::Index gap);
 
 /// τ_b [s] of a building: 0 where the problem gives no delays.
 [[nodiscard]] double delay_of(const Problem& problem, std::size_t building);

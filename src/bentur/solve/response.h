@@ -9,7 +9,7 @@ namespace bentur {
 
 /// One contact of one point from touching to parting.
 struct Impact {
-  int point = 0;             ///< index into Problem::points
+  Eigen::Index point = 0;    ///< index into Problem::points
   double start = 0;          ///< [s]
   double end = 0;            ///< [s]; the end of the analysis where `open_ended`
   bool open_ended = false;   ///< still closed when the analysis ended

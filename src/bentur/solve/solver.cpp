@@ -35,7 +35,7 @@ std::vector<double> largest_displacements(const Problem& problem, const std::vec
                                           const Run& run) {
   std::vector<double> result;
   for (const ContactPoint& point : problem.points) {
-    const auto left = static_cast<std::size_t>(point.left);
+    const Eigen::Index left = point.left;
     result.push_back(peaks[left].displacement_no_contact(point.left_floor) +
                      peaks[left + 1].displacement_no_contact(point.right_floor) +
                      run.largest_ground_displacement(left) + run.largest_ground_displacement(left + 1));
@@ -48,7 +48,7 @@ std::vector<double> largest_displacements_watched(const Problem& problem, const 
                                                   const Run& run) {
   std::vector<double> result;
   for (const WatchedFloor& floor : problem.watched) {
-    const auto left = static_cast<std::size_t>(floor.left);
+    const Eigen::Index left = floor.left;
     result.push_back(peaks[left].displacement_no_contact.maxCoeff() +
                      peaks[left + 1].displacement_no_contact.maxCoeff() + run.largest_ground_displacement(left) +
                      run.largest_ground_displacement(left + 1));
@@ -69,7 +69,7 @@ void summarise_watched(const Problem& problem, const std::vector<FloorWatch::Nea
 
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
   for (const Impact& impact : impacts) {
-    PointSummary& point = points[static_cast<std::size_t>(impact.point)];
+    PointSummary& point = points[impact.point];
     ++point.impacts;
     if (impact.slow_start) ++point.slow_starts;
     point.contact_duration += impact.end - impact.start;
@@ -95,9 +95,7 @@ Problem without_widths(Problem problem) {
 void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
   if (status == Status::stopped) response.message = "stopped on request";
-  if (status == Status::failed) {
-    response.message = run.trouble();
-  }
+  if (status == Status::failed) response.message = run.trouble();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct StructuralModel {
   /// θ of a frame's joints, clockwise, as rows over the dofs [1/length, or 1 on a rotation that was kept]: of its
   /// leftmost and its rightmost column line, floors × dofs each; both empty where there are no joints.
   Eigen::MatrixXd left_joints, right_joints;
-  [[nodiscard]] Eigen::Index floors() const { return static_cast<Eigen::Index>(elevations.size()); }
+  [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };
 

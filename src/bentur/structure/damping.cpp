@@ -17,11 +17,11 @@ Eigen::MatrixXd diagonal(const Eigen::VectorXd& terms) { return terms.asDiagonal
 Eigen::MatrixXd damp(const ModalDamping& damping, const Modes& modes) {
   const Eigen::Index n = modes.omega.size();
   const std::size_t given = damping.ratios.size();
-  if (given != 1) require_size("damping ratios", given, static_cast<std::size_t>(n));
+  if (given != 1) require_size("damping ratios", given, n);
   for (std::size_t i = 0; i < given; ++i) require_not_negative(indexed("damping ratios", i), damping.ratios[i]);
   Eigen::VectorXd terms(n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    terms(j) = 2 * damping.ratios[given == 1 ? 0 : static_cast<std::size_t>(j)] * modes.omega(j);
+    terms(j) = 2 * damping.ratios[given == 1 ? 0 : j] * modes.omega(j);
   }
   return diagonal(terms);
 }

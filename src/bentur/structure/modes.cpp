@@ -33,13 +33,13 @@ Modes sorted(const Eigen::VectorXd& omega_squared, const Eigen::MatrixXd& shapes
   if (!omega_squared.allFinite() || !shapes.allFinite()) {
     throw std::runtime_error("stiffness over mass is beyond what numbers can hold");
   }
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+  std::vector<Eigen::Index> order(n);
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](Eigen::Index a, Eigen::Index b) { return omega_squared(a) < omega_squared(b); });
   Modes result{Eigen::VectorXd(n), Eigen::MatrixXd(shapes.rows(), n)};
   for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::Index from = order[static_cast<std::size_t>(j)];
+    const Eigen::Index from = order[j];
     const auto shape = shapes.col(from);
     const double threshold = 1e-9 * shape.cwiseAbs().maxCoeff();
     Eigen::Index first = 0;

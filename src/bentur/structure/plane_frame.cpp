@@ -44,8 +44,8 @@ Eigen::Matrix4d element_mass(double mass, double length) {
 void add(Eigen::MatrixXd& matrix, const Eigen::Matrix4d& element, const ElementDofs& dofs) {
   for (Eigen::Index i = 0; i < 4; ++i) {
     for (Eigen::Index j = 0; j < 4; ++j) {
-      const Eigen::Index row = dofs[static_cast<std::size_t>(i)];
-      const Eigen::Index column = dofs[static_cast<std::size_t>(j)];
+      const Eigen::Index row = dofs[i];
+      const Eigen::Index column = dofs[j];
       if (row != fixed && column != fixed) matrix(row, column) += element(i, j);
     }
   }
@@ -85,8 +85,8 @@ void check(const PlaneFrame& frame, double base_elevation) {
 
 StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation) {
   check(frame, base_elevation);
-  const auto floors = static_cast<Eigen::Index>(frame.storey_heights.size());
-  const auto lines = static_cast<Eigen::Index>(frame.bay_widths.size()) + 1;
+  const Eigen::Index floors = std::ssize(frame.storey_heights);
+  const Eigen::Index lines = std::ssize(frame.bay_widths) + 1;
   const Eigen::Index dofs = floors + floors * lines;
   // Floor −1 is the base.
   const auto sway = [&](Eigen::Index floor) { return floor < 0 ? fixed : floor; };
@@ -107,9 +107,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);   // m_g [mass]
 
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
-    const auto i = static_cast<std::size_t>(floor);
-    const Section& column = frame.columns[i];
-    const double height = frame.storey_heights[i];
+    const Section& column = frame.columns[floor];
+    const double height = frame.storey_heights[floor];
     const Eigen::Matrix4d column_stiffness = element_stiffness(frame.elastic_modulus * column.inertia, height);
     const double mass = column.mass_of(height);
     const Eigen::Matrix4d column_mass = element_mass(mass, height);
@@ -123,27 +122,25 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
           base_coupling(ends[3]) += column_mass(3, 0);
         }
       }
-      model.floor_masses[i] += mass / 2;
-      if (floor > 0) model.floor_masses[i - 1] += mass / 2;
+      model.floor_masses[floor] += mass / 2;
+      if (floor > 0) model.floor_masses[floor - 1] += mass / 2;
     }
-    const Section& beam = frame.beams[i];
-    for (std::size_t bay = 0; bay < frame.bay_widths.size(); ++bay) {
+    const Section& beam = frame.beams[floor];
+    for (Eigen::Index bay = 0; bay + 1 < lines; ++bay) {
       const double width = frame.bay_widths[bay];
-      const auto line = static_cast<Eigen::Index>(bay);
-      const ElementDofs ends = {fixed, rotation(floor, line), fixed, rotation(floor, line + 1)};
+      const ElementDofs ends = {fixed, rotation(floor, bay), fixed, rotation(floor, bay + 1)};
       add(model.stiffness, element_stiffness(frame.elastic_modulus * beam.inertia, width), ends);
       if (consistent) add(model.mass, element_mass(beam.mass_of(width), width), ends);
-      moving[i] += beam.mass_of(width);  // it moves bodily with its floor
+      moving[floor] += beam.mass_of(width);  // it moves bodily with its floor
     }
-    if (!frame.floor_masses.empty()) moving[i] += frame.floor_masses[i];
+    if (!frame.floor_masses.empty()) moving[floor] += frame.floor_masses[floor];
   }
-  for (std::size_t i = 0; i < moving.size(); ++i) {
+  for (Eigen::Index i = 0; i < floors; ++i) {
     model.floor_masses[i] += moving[i];
     if (!(model.floor_masses[i] > 0)) {
       throw InvalidParameter(indexed("floor_masses", i), "0", "must be > 0 where columns and beams have no mass");
     }
-    const auto floor = static_cast<Eigen::Index>(i);
-    model.mass(floor, floor) += consistent ? moving[i] : model.floor_masses[i];
+    model.mass(i, i) += consistent ? moving[i] : model.floor_masses[i];
   }
 
   model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);

@@ -20,7 +20,7 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
   }
 
   StructuralModel model;
-  const auto n = static_cast<Eigen::Index>(floors);
+  const Eigen::Index n = std::ssize(stick.masses);
   model.storey_heights = stick.storey_heights;
   model.elevations.resize(floors);
   std::partial_sum(stick.storey_heights.begin(), stick.storey_heights.end(), model.elevations.begin());
@@ -30,7 +30,7 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
   model.floor_masses = stick.masses;
   model.stiffness = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double k = stick.stiffnesses[static_cast<std::size_t>(i)];
+    const double k = stick.stiffnesses[i];
     model.stiffness(i, i) += k;
     if (i > 0) {
       model.stiffness(i - 1, i - 1) += k;

@@ -18,7 +18,7 @@ Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face fac
   }
   const auto above = std::lower_bound(model.elevations.begin(), model.elevations.end() - 1, elevation);
   const Eigen::Index upper = above - model.elevations.begin();
-  const double length = model.storey_heights[static_cast<std::size_t>(upper)];
+  const double length = model.storey_heights[upper];
   const double s = std::clamp(1 - (*above - elevation) / length, 0.0, 1.0);
   Eigen::VectorXd row = Eigen::VectorXd::Zero(model.dofs());
   const Eigen::MatrixXd& joints = face == Face::left ? model.left_joints : model.right_joints;

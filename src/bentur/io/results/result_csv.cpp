@@ -36,7 +36,7 @@ std::string impacts_csv(const RunView& run) {
   std::string csv = fmt::format("left,right,elevation [{}]", run.units.length);
   for (const Quantity* quantity : columns) csv += "," + heading(*quantity, run.units);
   csv += "\n";
-  for (std::size_t i = 0; i < run.response.impacts.size(); ++i) {
+  for (Eigen::Index i = 0; i < std::ssize(run.response.impacts); ++i) {
     const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));
     const auto left = static_cast<std::size_t>(point.left);
     csv += fmt::format("{},{},{}", field(run.problem.buildings[left].name), field(run.problem.buildings[left + 1].name),

@@ -53,8 +53,8 @@ Json source_json(const std::optional<CaseSource>& source) {
 }
 
 /// Every quantity of `owner` at a place into the object that stands for it, where nothing stands yet.
-void put_quantities(Json& object, Owner owner, const RunView& run, std::size_t item = 0) {
-  const auto json_of = [&](const Quantity& quantity, std::size_t floor) -> Json {
+void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index item = 0) {
+  const auto json_of = [&](const Quantity& quantity, Eigen::Index floor) -> Json {
     const double value = value_of(quantity, run, {item, floor});
     if (std::isnan(value)) return nullptr;
     return is_whole(quantity) ? Json(static_cast<long>(value)) : Json(value);
@@ -65,7 +65,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, std::size_t i
     if (object.contains(at)) continue;
     if (owner == Owner::floor) {
       Json list = Json::array();
-      for (std::size_t i = 0; i < run.problem.buildings[item].model.elevations.size(); ++i) {
+      for (Eigen::Index i = 0; i < run.problem.buildings[item].model.floors(); ++i) {
         list.push_back(json_of(*quantity, i));
       }
       object[at] = list;
@@ -136,7 +136,7 @@ Json watched_json(const Problem& problem, const WatchedFloor& floor) {
 /// Every watched floor of a gap.
 Json watched_list(const Problem& problem, const Response& response, const Gap& gap, bool of_run) {
   Json list = Json::array();
-  for (const std::size_t i : gap.watched) {
+  for (const Eigen::Index i : gap.watched) {
     Json json = watched_json(problem, problem.watched[i]);
     const WatchedSummary& summary = response.watched.at(i);
     json[of_run ? "minimum_gap_no_contact" : "simulated"] = summary.needed;
@@ -152,7 +152,7 @@ Json watched_list(const Problem& problem, const Response& response, const Gap& g
 /// Those that met what they face, the deepest first.
 Json unmodelled_list(const Problem& problem, const Response& response, std::size_t gap, const std::string& length) {
   Json list = Json::array();
-  for (const std::size_t i : unmodelled_contacts(problem, response, gap)) {
+  for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
     const WatchedFloor& floor = problem.watched[i];
     list.push_back({{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
                     {"elevation", floor.elevation},
@@ -177,7 +177,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
-    for (const std::size_t i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
+    for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
     Json json = {{"between", between(run.problem, gap.left)}};
     put_quantities(json, Owner::gap, run, gap.left);
     json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
@@ -253,7 +253,7 @@ std::string gap_json(const RunResults& results, const std::vector<PointSeparatio
     Json points = Json::array();
     PointSeparation largest;
     largest.simulated = gap_needed(problem, results.response, gap.left);
-    for (const std::size_t i : gap.points) {
+    for (const Eigen::Index i : gap.points) {
       const ContactPoint& point = problem.points[i];
       const PointSeparation& separation = separations.at(i);
       points.push_back({{"elevation", point.elevation},

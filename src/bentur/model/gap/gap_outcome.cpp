@@ -15,7 +15,7 @@ constexpr double near_part = 0.25;  // of the smallest storey at two floors: fur
 
 /// The neighbour that a watched floor faces.
 const Building& faced_building(const Problem& problem, const WatchedFloor& floor) {
-  return problem.buildings[static_cast<std::size_t>(2 * floor.left + 1 - floor.floor_of)];
+  return problem.buildings[static_cast<Eigen::Index>(2 * floor.left + 1 - floor.floor_of)];
 }
 
 /// A tolerance of two digits that lets floors so far apart meet [length].
@@ -26,7 +26,7 @@ double rounded_up(double apart) {
 
 }  // namespace
 
-GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t number) {
+GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
   const Gap gap = gap_at(problem, number);
   std::optional<GoverningLevel> worst;
   const auto take = [&](const GoverningLevel& level) {
@@ -36,34 +36,34 @@ GoverningLevel governing_level(const Problem& problem, const Response& response,
     const ContactPoint& point = problem.points[*i];
     take({std::nullopt, point.elevation, point.width, response.points.at(*i).minimum_gap_no_contact});
   }
-  for (const std::size_t i : gap.watched) {
+  for (const Eigen::Index i : gap.watched) {
     take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed});
   }
   return worst.value_or(GoverningLevel{});
 }
 
-double gap_needed(const Problem& problem, const Response& response, std::size_t number) {
+double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {
   const Gap gap = gap_at(problem, number);
   double needed = 0;
-  for (const std::size_t i : gap.points) needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
-  for (const std::size_t i : gap.watched) needed = std::max(needed, response.watched.at(i).needed);
+  for (const Eigen::Index i : gap.points) needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
+  for (const Eigen::Index i : gap.watched) needed = std::max(needed, response.watched.at(i).needed);
   return needed;
 }
 
-std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response, std::size_t gap) {
-  std::vector<std::size_t> floors = gap_at(problem, gap).watched;
-  std::erase_if(floors, [&](std::size_t i) { return !response.watched.at(i).closes; });
-  std::stable_sort(floors.begin(), floors.end(), [&](std::size_t a, std::size_t b) {
+std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response, Eigen::Index gap) {
+  std::vector<Eigen::Index> floors = gap_at(problem, gap).watched;
+  std::erase_if(floors, [&](Eigen::Index i) { return !response.watched.at(i).closes; });
+  std::stable_sort(floors.begin(), floors.end(), [&](Eigen::Index a, Eigen::Index b) {
     return response.watched[a].least_opening < response.watched[b].least_opening;
   });
   return floors;
 }
 
-GapOutcome gap_outcome(const Problem& problem, const Response& response, std::size_t gap) {
+GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::Index gap) {
   GapOutcome outcome{.gap = gap_at(problem, gap),
                      .governing = governing_level(problem, response, gap),
                      .unmodelled = unmodelled_contacts(problem, response, gap)};
-  const auto harder = [&](std::size_t i, std::size_t than) {
+  const auto harder = [&](Eigen::Index i, Eigen::Index than) {
     const PointSummary &a = response.points[i], &b = response.points[than];
     return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
   };
@@ -78,17 +78,18 @@ GapOutcome gap_outcome(const Problem& problem, const Response& response, std::si
 Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
   if (floor.facing_floor >= 0) return {Remedy::Kind::name_elevation, floor.elevation, 0};
   const bool of_left = floor.floor_of == floor.left;
-  const FloorLevels own = levels_of(problem.buildings[static_cast<std::size_t>(floor.floor_of)].model);
+  const FloorLevels own = levels_of(problem.buildings[static_cast<Eigen::Index>(floor.floor_of)].model);
   const FloorLevels other = levels_of(faced_building(problem, floor).model);
   double tolerance = 0;
   for (int i = 0; i < static_cast<int>(other.elevations.size()); ++i) {
-    const double storey = std::min(smallest_storey_at(own, floor.floor), smallest_storey_at(other, i));
-    const double apart = std::abs(other.elevations[static_cast<std::size_t>(i)] - floor.elevation);
+    const double storey =
+        std::min(smallest_storey_at(own, static_cast<int>(floor.floor)), smallest_storey_at(other, i));
+    const double apart = std::abs(other.elevations[static_cast<Eigen::Index>(i)] - floor.elevation);
     if (apart > near_part * storey) continue;
     tolerance = rounded_up(apart);
     for (const LevelPair& pair : of_left ? level_floors(own, other, tolerance) : level_floors(other, own, tolerance)) {
       if ((of_left ? pair.left_floor : pair.right_floor) == floor.floor) {
-        return {Remedy::Kind::raise_tolerance, other.elevations[static_cast<std::size_t>(i)], tolerance};
+        return {Remedy::Kind::raise_tolerance, other.elevations[static_cast<Eigen::Index>(i)], tolerance};
       }
     }
   }
@@ -112,7 +113,7 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
 }
 
 std::string floor_text(const Problem& problem, const WatchedFloor& floor) {
-  return "the floor of " + problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
+  return "the floor of " + problem.buildings[static_cast<Eigen::Index>(floor.floor_of)].name;
 }
 
 std::string faced_text(const Problem& problem, const WatchedFloor& floor) {

@@ -13,33 +13,33 @@ namespace bentur {
 /// Where the gap between two neighbours falls short the most, or has least to spare, when they move freely: at a
 /// contact point, or at a watched floor.
 struct GoverningLevel {
-  std::optional<std::size_t> watched;  ///< index into Problem::watched; nothing: a contact point
-  double elevation = 0;                ///< [length]
-  double width = 0;                    ///< given [length]
-  double needed = 0;                   ///< [length]
+  std::optional<Eigen::Index> watched;  ///< index into Problem::watched; nothing: a contact point
+  double elevation = 0;                 ///< [length]
+  double width = 0;                     ///< given [length]
+  double needed = 0;                    ///< [length]
 };
 
 /// Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
-[[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, std::size_t gap);
+[[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// The gap needed, the largest over its contact points and its watched floors [length].
-[[nodiscard]] double gap_needed(const Problem& problem, const Response& response, std::size_t gap);
+[[nodiscard]] double gap_needed(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// Indices into Problem::watched of those floors that met what they face in the run, the deepest first.
-[[nodiscard]] std::vector<std::size_t> unmodelled_contacts(const Problem& problem, const Response& response,
-                                                           std::size_t gap);
+[[nodiscard]] std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response,
+                                                            Eigen::Index gap);
 
 /// What is told first of a gap.
 struct GapOutcome {
   Gap gap;
   int impacts = 0;
   int touched = 0;  ///< contact points hit
-  std::optional<std::size_t> hardest =
+  std::optional<Eigen::Index> hardest =
       {};                    ///< contact point with the largest force, else the fastest impact; the highest
   GoverningLevel governing;  ///< where the gap falls short the most
-  std::vector<std::size_t> unmodelled = {};  ///< as unmodelled_contacts()
+  std::vector<Eigen::Index> unmodelled = {};  ///< as unmodelled_contacts()
 };
-[[nodiscard]] GapOutcome gap_outcome(const Problem& problem, const Response& response, std::size_t gap);
+[[nodiscard]] GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// How a case can model what a watched floor does.
 struct Remedy {

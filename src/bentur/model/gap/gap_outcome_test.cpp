@@ -189,7 +189,7 @@ TEST(WatchedFloor, NeedsTheGapOfAFrameWithANodeThere) {
     const Problem problem = make_problem(c);
     ASSERT_EQ(problem.points.size(), 1U);
     const Response response = solve(problem);
-    const std::vector<std::size_t> floors = gap_at(problem, 0).watched;
+    const std::vector<Eigen::Index> floors = gap_at(problem, 0).watched;
     const std::size_t roof = floors.back();
     EXPECT_EQ(problem.watched[roof].floor_of, 0);
     EXPECT_EQ(problem.watched[roof].elevation, 24.0);

@@ -12,7 +12,7 @@
 namespace bentur {
 namespace {
 
-SeparationInput separation_input(const Building& building, const BuildingPeaks& peaks, int floor) {
+SeparationInput separation_input(const Building& building, const BuildingPeaks& peaks, Eigen::Index floor) {
   const double omega = building.modes.omega(0);
   return {.displacement = peaks.displacement_no_contact(floor),
           .period = 2 * std::numbers::pi / omega,
@@ -23,7 +23,7 @@ double height_of(const StructuralModel& model) {
   return std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
 }
 
-CodeSide code_side(const Building& building, const BuildingPeaks& peaks, int floor) {
+CodeSide code_side(const Building& building, const BuildingPeaks& peaks, Eigen::Index floor) {
   const auto& storeys = building.model.storey_heights;
   return {.displacement = peaks.displacement_no_contact(floor),
           .level = std::accumulate(storeys.begin(), storeys.begin() + floor + 1, 0.0),

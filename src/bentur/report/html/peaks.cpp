@@ -16,7 +16,7 @@ std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 
 std::string mass_unit(const Case& c) { return c.units.force + "·s²/" + c.units.length; }
 
-std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap) {
+std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   const Gap between = gap_at(problem, gap);
   return {between.points.rbegin(), between.points.rend()};
 }
@@ -39,9 +39,9 @@ namespace {
 constexpr std::size_t rows_in_print = 30;  // report.css hides the others
 
 Html contact_table(const Story& story, std::size_t gap) {
-  const std::vector<std::size_t> points = points_of(story.problem, gap);
+  const std::vector<Eigen::Index> points = points_of(story.problem, gap);
   std::vector<double> elevations;
-  for (const std::size_t i : points) elevations.push_back(story.problem.points[i].elevation);
+  for (const Eigen::Index i : points) elevations.push_back(story.problem.points[i].elevation);
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, elevations);
   add_quantities(table, story, Owner::point, places_of(points));
@@ -133,13 +133,13 @@ Html peaks_section(const Story& story) {
   return section("peaks", say("heading.peaks"), content);
 }
 
-Html impacts_section(const Story& story, const std::vector<std::size_t>& listed) {
+Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
   const Words& say = story.say;
   const std::vector<Impact>& all = story.response.impacts;
   if (all.empty()) return section("impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none"))));
   std::vector<std::string> numbers, gaps;
   std::vector<double> elevations;
-  for (const std::size_t k : listed) {
+  for (const Eigen::Index k : listed) {
     const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
     gaps.push_back(gap_name(story.problem, point.left));

@@ -24,9 +24,9 @@ using html::Story;
 using html::Words;
 
 /// The hardest impacts, the hardest first.
-std::vector<std::size_t> hardest_impacts(const std::vector<Impact>& impacts) {
-  std::vector<std::size_t> order(impacts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
+  std::vector<Eigen::Index> order(impacts.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return html::is_harder(impacts[a], impacts[b]); });
   order.resize(std::min(order.size(), html::most_impacts));
@@ -139,7 +139,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
       say,
       remarks,
       c.buildings.empty() ? from_peaks(problem, response) : separations(problem, response, c.code, c.units)};
-  const std::vector<std::size_t> listed = hardest_impacts(response.impacts);
+  const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
   Html body = element("header", element("h1", title) +

@@ -81,7 +81,7 @@ std::string remedy(const Story& story, const WatchedFloor& floor) {
 }
 
 /// Where a floor met something that no contact is modelled with, and what to do.
-std::string unmodelled_text(const Story& story, const std::vector<std::size_t>& floors) {
+std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>& floors) {
   const WatchedFloor& deepest = story.problem.watched[floors.front()];
   const WatchedSummary& summary = story.response.watched[floors.front()];
   const std::string& length = story.c.units.length;
@@ -117,11 +117,11 @@ struct RuleFinding {
   bool known = true;
 };
 
-std::vector<RuleFinding> rules(const Story& story, const std::vector<std::size_t>& points) {
+std::vector<RuleFinding> rules(const Story& story, const std::vector<Eigen::Index>& points) {
   std::vector<RuleFinding> found;
   const auto add = [&](const std::string& name, const auto& gap_of) {
     RuleFinding rule{.name = name};
-    for (const std::size_t i : points) {
+    for (const Eigen::Index i : points) {
       const PointSeparation& s = story.separations.at(i);
       rule.gap = std::max(rule.gap, gap_of(s));
       rule.falls_short = rule.falls_short || gap_of(s) < s.simulated * (1 - 1e-9);
@@ -148,7 +148,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
   return text;
 }
 
-std::string rules_text(const Story& story, const std::vector<std::size_t>& points) {
+std::string rules_text(const Story& story, const std::vector<Eigen::Index>& points) {
   std::vector<std::string> gaps, unsafe;
   for (const RuleFinding& rule : rules(story, points)) {
     gaps.push_back(quantity(rule.gap, story.c.units.length) + " (" + rule.name + ")");
@@ -219,19 +219,19 @@ std::string wording_text(const CodeRule& rule, const Words& say) {
 }
 
 /// The rules of codes at the level where each asks for most over what is given.
-Html code_table(const Story& story, const std::vector<std::size_t>& points) {
+Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
   const Words& say = story.say;
   const std::string& length = story.c.units.length;
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> titles, clauses, wordings, verdicts;
   std::vector<double> gaps, elevations, lefts, rights;
-  const auto width = [&](std::size_t i) { return story.problem.points[i].width; };
+  const auto width = [&](Eigen::Index i) { return story.problem.points[i].width; };
   const std::size_t count = story.separations.at(points.front()).codes.size();
   bool property_line = false;
   for (std::size_t k = 0; k < count; ++k) {
-    const auto short_by = [&](std::size_t i) { return story.separations[i].codes[k].gap - width(i); };
-    const std::size_t most = *std::max_element(points.begin(), points.end(),
-                                               [&](std::size_t a, std::size_t b) { return short_by(a) < short_by(b); });
+    const auto short_by = [&](Eigen::Index i) { return story.separations[i].codes[k].gap - width(i); };
+    const Eigen::Index most = *std::max_element(
+        points.begin(), points.end(), [&](Eigen::Index a, Eigen::Index b) { return short_by(a) < short_by(b); });
     const CodeSeparation& code = story.separations[most].codes[k];
     const CodeRule& rule = *find_code_rule(code.rule);
     titles.emplace_back(rule.title);
@@ -263,7 +263,7 @@ Html code_table(const Story& story, const std::vector<std::size_t>& points) {
 Html verdict_section(const Story& story) {
   Html blocks;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
-    const std::vector<std::size_t> points = points_of(story.problem, gap);
+    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GapOutcome found = gap_outcome(story.problem, story.response, gap);
     const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
     const std::string badge = !found.unmodelled.empty() ? "verdict.unmodelled"
@@ -288,13 +288,13 @@ namespace {
 /// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
 Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& governing) {
   const Words& say = story.say;
-  std::vector<std::size_t> floors = gap_at(story.problem, gap).watched;
+  std::vector<Eigen::Index> floors = gap_at(story.problem, gap).watched;
   if (floors.empty()) return {};
   std::reverse(floors.begin(), floors.end());
   HtmlTable table;
   std::vector<double> elevations, widths, simulated;
   std::vector<std::string> owners, faces, marks;
-  for (const std::size_t i : floors) {
+  for (const Eigen::Index i : floors) {
     const WatchedFloor& floor = story.problem.watched[i];
     const double needed = story.response.watched.at(i).needed;
     if (governing.watched == i && needed > floor.width) table.mark(elevations.size());
@@ -322,12 +322,12 @@ Html gap_section(const Story& story) {
   Html content;
   bool codes = false;
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
-    const std::vector<std::size_t> points = points_of(story.problem, gap);
+    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GoverningLevel governing = governing_level(story.problem, story.response, gap);
     HtmlTable table;
     std::vector<double> elevations, widths, simulated, abs, srss, ddc;
     std::vector<std::string> marks;
-    for (const std::size_t i : points) {
+    for (const Eigen::Index i : points) {
       const PointSeparation& s = story.separations.at(i);
       const bool governs = !governing.watched && story.problem.points[i].elevation == governing.elevation;
       if (governs && s.simulated > story.problem.points[i].width) table.mark(elevations.size());

@@ -16,8 +16,8 @@ struct Window {
 };
 
 /// A row of a table of histories.
-std::vector<double> row_of(const Eigen::MatrixXd& table, std::size_t row) {
-  const auto values = table.row(static_cast<Eigen::Index>(row));
+std::vector<double> row_of(const Eigen::MatrixXd& table, Eigen::Index row) {
+  const auto values = table.row(row);
   return {values.begin(), values.end()};
 }
 
@@ -111,11 +111,10 @@ Figure histories(const RunResults& run, const FigureOptions& options, std::size_
 Figure displacement_figure(const RunResults& run, const FigureOptions& options) {
   const std::size_t i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
-  const auto curve = [&](int building, int floor) {
-    const auto b = static_cast<std::size_t>(building);
+  const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
     return Curve{.label = run.problem.buildings[b].name,
                  .x = run.response.histories.time,
-                 .y = row_of(run.response.histories.displacement[b], static_cast<std::size_t>(floor))};
+                 .y = row_of(run.response.histories.displacement[b], floor)};
   };
   Curve right = curve(point.left + 1, point.right_floor);
   right.tone = Tone::orange;

@@ -317,9 +317,9 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
       RunResult& result = results[i];
       status.push_back(static_cast<signed char>(result.status));
       if (result.status == RunStatus::done) {
-        for (std::size_t k = 0; k < impacts->count; ++k) totals.impacts += result.values[impacts->first + k];
+        for (Eigen::Index k = 0; k < impacts->count; ++k) totals.impacts += result.values[impacts->first + k];
         bool some = false;
-        for (std::size_t k = 0; k < unmodelled->count; ++k) some = some || result.values[unmodelled->first + k] > 0;
+        for (Eigen::Index k = 0; k < unmodelled->count; ++k) some = some || result.values[unmodelled->first + k] > 0;
         totals.unmodelled += some ? 1 : 0;
         continue;
       }

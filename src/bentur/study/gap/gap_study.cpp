@@ -144,10 +144,10 @@ class Work {
       const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
       return point.left == gap && one.simulated > point.width;
     };
-    const std::vector<std::size_t> floors = gap_at(given, static_cast<std::size_t>(gap)).watched;
+    const std::vector<Eigen::Index> floors = gap_at(given, static_cast<std::size_t>(gap)).watched;
     return std::any_of(record.separations.begin(), record.separations.end(), more) ||
            std::any_of(floors.begin(), floors.end(),
-                       [&](std::size_t i) { return record.watched.at(i) > given.watched[i].width; });
+                       [&](Eigen::Index i) { return record.watched.at(i) > given.watched[i].width; });
   }
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {

@@ -69,7 +69,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string animation_json(const Story& story, const std::vector<std::size_t>& listed) {
+std::string animation_json(const Story& story, const std::vector<Eigen::Index>& listed) {
   const Histories& histories = story.response.histories;
   const double wanted = report_output_step(story.problem);
   const double step = histories.time.size() > 1 ? histories.time[1] - histories.time[0] : story.problem.duration;
@@ -95,7 +95,7 @@ std::string animation_json(const Story& story, const std::vector<std::size_t>& l
     std::for_each(story.problem.points.begin(), story.problem.points.end(), narrow);
     std::for_each(story.problem.watched.begin(), story.problem.watched.end(), narrow);
   }
-  std::vector<std::size_t> by_start = listed;
+  std::vector<Eigen::Index> by_start = listed;
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
   Response shown;

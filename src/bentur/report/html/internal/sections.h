@@ -43,7 +43,7 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] Html peaks_section(const Story& story);
 
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
-[[nodiscard]] Html impacts_section(const Story& story, const std::vector<std::size_t>& listed);
+[[nodiscard]] Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
 
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] Html input_section(const Story& story);
@@ -59,7 +59,7 @@ constexpr std::size_t most_impacts = 1500;
 /// Every quantity of an owner that is for tables, at these places, behind the columns that say where they are.
 void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
 /// Indices of the contact points of a gap, highest first.
-[[nodiscard]] std::vector<std::size_t> points_of(const Problem& problem, std::size_t gap);
+[[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
 /// A heading and what belongs to it.
 [[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
 

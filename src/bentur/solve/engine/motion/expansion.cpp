@@ -26,7 +26,7 @@ Eigen::MatrixXd& Expansion::coefficients() {
   return c_;
 }
 
-Polynomial& Expansion::fill_opening(std::size_t point) {
+Polynomial& Expansion::fill_opening(Index point) {
   opening_known_[point] = 1;
   openings_[point].degree = degree_;
   return openings_[point];
@@ -40,7 +40,7 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
   degree_ = degree;
 }
 
-void Expansion::set_resting_force(std::size_t point, const Polynomial& force) { resting_force_[point] = force; }
+void Expansion::set_resting_force(Index point, const Polynomial& force) { resting_force_[point] = force; }
 
 bool Expansion::find_rises() {
   return std::isfinite(kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, 1.0, 1.0 / (h_ * h_),
@@ -61,7 +61,7 @@ void Expansion::evaluate(double s, State& state) const {
   for (Index j = 0; j < count_; ++j) v[j] *= rate;
 }
 
-const Polynomial& Expansion::opening(std::size_t i) const {
+const Polynomial& Expansion::opening(Index i) const {
   Polynomial& p = openings_[i];
   if (opening_known_[i] != 0) return p;
   opening_known_[i] = 1;

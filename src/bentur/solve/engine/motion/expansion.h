@@ -30,9 +30,9 @@ class Expansion {
   /// Coefficients: coordinates × powers of s.
   [[nodiscard]] Eigen::MatrixXd& coefficients();
   /// The opening of a point, for a solver that finds it on the way.
-  [[nodiscard]] Polynomial& fill_opening(std::size_t point);
+  [[nodiscard]] Polynomial& fill_opening(Eigen::Index point);
   /// Force of a resting point [force].
-  void set_resting_force(std::size_t point, const Polynomial& force);
+  void set_resting_force(Eigen::Index point, const Polynomial& force);
   /// Works out how far coordinates leave their chords between s = 0 and 1 (T-5), of those that were filled. False where
   /// that is not finite.
   bool find_rises();
@@ -49,8 +49,8 @@ class Expansion {
   /// Where that was last asked for, and d²q/ds² there.
   [[nodiscard]] double place() const { return place_; }
   [[nodiscard]] const Eigen::VectorXd& curved() const { return curved_; }
-  [[nodiscard]] const Polynomial& opening(std::size_t point) const;  ///< g(s) of (T-1) [length]
-  [[nodiscard]] const Polynomial& resting_force(std::size_t point) const { return resting_force_[point]; }
+  [[nodiscard]] const Polynomial& opening(Eigen::Index point) const;  ///< g(s) of (T-1) [length]
+  [[nodiscard]] const Polynomial& resting_force(Eigen::Index point) const { return resting_force_[point]; }
   /// How far each coordinate, and its acceleration q̈, leaves its chord between s = 0 and 1 at most.
   [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }

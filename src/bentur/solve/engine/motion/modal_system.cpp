@@ -26,7 +26,7 @@ MatrixXd output_rows(const Building& building) {
     rows.row(f).head(modes) = shapes.row(f);
     rows.row(floors + f).head(modes) = shapes.row(f);
     if (f > 0) rows.row(floors + f).head(modes) -= shapes.row(f - 1);
-    rows.row(floors + f) /= model.storey_heights[static_cast<std::size_t>(f)];
+    rows.row(floors + f) /= model.storey_heights[f];
     rows.row(2 * floors + f).head(modes) = forces.bottomRows(floors - f).colwise().sum();
   }
   return rows;
@@ -108,7 +108,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(problem.initial_velocity[b]);
   }
 
-  const auto opening_between = [&](std::size_t left, const VectorXd& left_shapes, const VectorXd& right_shapes) {
+  const auto opening_between = [&](Index left, const VectorXd& left_shapes, const VectorXd& right_shapes) {
     Point point;
     point.left_begin = blocks[left].begin;
     point.left_size = blocks[left].padded_size;
@@ -119,7 +119,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     return point;
   };
   for (const ContactPoint& contact : problem.points) {
-    const auto left = static_cast<std::size_t>(contact.left);
+    const Index left = contact.left;
     Point point = opening_between(left, problem.buildings[left].modes.shapes.row(contact.left_floor),
                                   problem.buildings[left + 1].modes.shapes.row(contact.right_floor));
     point.push_left = push_column(point.sense_left, blocks[left].size - 1);
@@ -127,18 +127,18 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     points.push_back(std::move(point));
   }
   for (const WatchedFloor& floor : problem.watched) {
-    const auto left = static_cast<std::size_t>(floor.left);
+    const Index left = floor.left;
     watched.push_back(opening_between(left, problem.buildings[left].modes.shapes.transpose() * floor.left_row,
                                       problem.buildings[left + 1].modes.shapes.transpose() * floor.right_row));
   }
-  const auto count = static_cast<Index>(points.size());
+  const Index count = std::ssize(points);
   coupling = MatrixXd::Zero(count, count);
   for (Index i = 0; i < count; ++i) {
     VectorXd push = VectorXd::Zero(size);
-    const Point& from = points[static_cast<std::size_t>(i)];
+    const Point& from = points[i];
     push.segment(from.left_begin, from.left_size) = from.push_left;
     push.segment(from.right_begin, from.right_size) = from.push_right;
-    for (Index j = 0; j < count; ++j) coupling(i, j) = points[static_cast<std::size_t>(j)].sense(push);
+    for (Index j = 0; j < count; ++j) coupling(i, j) = points[j].sense(push);
   }
 }
 
@@ -146,11 +146,11 @@ double ModalSystem::rate(const ContactForces& forces) const {
   // The largest row sum of the pressing points' coupling bounds its largest eigenvalue.
   double stiffness = 0.0;
   double damping = 0.0;
-  for (const std::size_t i : forces.pressing) {
+  for (const Index i : forces.pressing) {
     double stiffness_row = 0.0;
     double damping_row = 0.0;
-    for (const std::size_t j : forces.pressing) {
-      const double between = std::abs(coupling(static_cast<Index>(i), static_cast<Index>(j)));
+    for (const Index j : forces.pressing) {
+      const double between = std::abs(coupling(i, j));
       stiffness_row += between * std::sqrt(std::abs(forces.linear[i].stiffness * forces.linear[j].stiffness));
       damping_row += between * std::sqrt(std::abs(forces.linear[i].damping * forces.linear[j].damping));
     }
@@ -182,11 +182,11 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
     }
   }
   for (Index i = 0; i < forces.size(); ++i) {
-    if (forces(i) != 0.0) push(static_cast<std::size_t>(i), forces(i), result);
+    if (forces(i) != 0.0) push(i, forces(i), result);
   }
 }
 
-void ModalSystem::push(std::size_t i, double force, VectorXd& result) const {
+void ModalSystem::push(Index i, double force, VectorXd& result) const {
   const Point& point = points[i];
   const auto add = [&](Index begin, const VectorXd& by) {
     double* to = result.data() + begin;
@@ -196,14 +196,11 @@ void ModalSystem::push(std::size_t i, double force, VectorXd& result) const {
   add(point.right_begin, point.push_right);
 }
 
-VectorXd ModalSystem::forces_for(const std::vector<std::size_t>& at, const VectorXd& missing) const {
-  const auto count = static_cast<Index>(at.size());
+VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& missing) const {
+  const Index count = std::ssize(at);
   MatrixXd matrix(count, count);
   for (Index i = 0; i < count; ++i) {
-    for (Index j = 0; j < count; ++j) {
-      matrix(i, j) = coupling(static_cast<Index>(at[static_cast<std::size_t>(i)]),
-                              static_cast<Index>(at[static_cast<std::size_t>(j)]));
-    }
+    for (Index j = 0; j < count; ++j) matrix(i, j) = coupling(at[i], at[j]);
   }
   return matrix.ldlt().solve(missing);
 }

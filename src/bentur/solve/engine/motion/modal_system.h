@@ -21,11 +21,11 @@ struct ContactForces {
   struct Linear {
     double base = 0, stiffness = 0, damping = 0;
   };
-  std::vector<Linear> linear;          ///< per point
-  std::vector<std::size_t> pressing;   ///< points with a linear force
-  std::vector<std::size_t> resting;    ///< points whose opening stays zero, whatever force it takes
-  std::vector<std::size_t> nonlinear;  ///< points with a force that no Linear describes
-  double fading = 0;                   ///< fastest rate at which a surface comes back [1/s]
+  std::vector<Linear> linear;           ///< per point
+  std::vector<Eigen::Index> pressing;   ///< points with a linear force
+  std::vector<Eigen::Index> resting;    ///< points whose opening stays zero, whatever force it takes
+  std::vector<Eigen::Index> nonlinear;  ///< points with a force that no Linear describes
+  double fading = 0;                    ///< fastest rate at which a surface comes back [1/s]
 
   [[nodiscard]] bool none() const { return pressing.empty() && resting.empty() && nonlinear.empty(); }
 };
@@ -99,10 +99,10 @@ struct ModalSystem {
                     Eigen::VectorXd& result) const;
 
   /// result += push_i F for one point.
-  void push(std::size_t point, double force, Eigen::VectorXd& result) const;
+  void push(Eigen::Index point, double force, Eigen::VectorXd& result) const;
 
   /// The forces λ at the given points that change the opening's acceleration there by `missing` [length/s²].
-  [[nodiscard]] Eigen::VectorXd forces_for(const std::vector<std::size_t>& at, const Eigen::VectorXd& missing) const;
+  [[nodiscard]] Eigen::VectorXd forces_for(const std::vector<Eigen::Index>& at, const Eigen::VectorXd& missing) const;
 
   /// The inputs `dt` later.
   void advance(std::vector<GroundInput>& inputs, double dt) const;

@@ -229,7 +229,7 @@ double value(const Polynomial& p, double s) {
 double first_derivative(const Polynomial& p, double s) {
   if (p.degree == 0) return 0.0;
   const double square = s * s;
-  const auto term = [&p](int k) { return power_factors.first[static_cast<std::size_t>(k)] * p[k]; };
+  const auto term = [&p](int k) { return power_factors.first[k] * p[k]; };
   double first = term(p.degree);
   double second = term(p.degree - 1);
   int k = p.degree - 2;
@@ -245,14 +245,14 @@ Polynomial second_derivative(const Polynomial& p, double rate) {
   Polynomial second;
   second.degree = std::max(p.degree - 2, 0);
   for (int k = 0; k + 2 <= p.degree; ++k) {
-    second[k] = p[k + 2] * (power_factors.second[static_cast<std::size_t>(k) + 2] * rate);
+    second[k] = p[k + 2] * (power_factors.second[k + 2] * rate);
   }
   return second;
 }
 
 double integral(const Polynomial& p, double end) {
   double sum = 0.0;
-  for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * power_factors.integral[static_cast<std::size_t>(k)];
+  for (int k = p.degree; k >= 0; --k) sum = sum * end + p[k] * power_factors.integral[k];
   return sum * end;
 }
 

@@ -19,8 +19,8 @@ struct Polynomial {
   Polynomial() = default;
   Polynomial(std::initializer_list<double> values);  ///< at most highest_degree + 1 of them
 
-  [[nodiscard]] double operator[](int k) const { return coefficients[static_cast<std::size_t>(k)]; }
-  [[nodiscard]] double& operator[](int k) { return coefficients[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] double operator[](int k) const { return coefficients[k]; }
+  [[nodiscard]] double& operator[](int k) { return coefficients[k]; }
   [[nodiscard]] Polynomial operator-() const;
 };
 

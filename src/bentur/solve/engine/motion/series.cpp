@@ -18,7 +18,7 @@ int needed_degree(double rate_times_h) {
     std::array<double, highest_degree + 1> products{};
     const double remainder = std::pow(series_reach, highest_degree + 1) / std::tgamma(highest_degree + 2.0);
     for (int n = 0; n <= highest_degree; ++n) {
-      products[static_cast<std::size_t>(n)] = std::pow(remainder * std::tgamma(n + 2.0), 1.0 / (n + 1.0));
+      products[n] = std::pow(remainder * std::tgamma(n + 2.0), 1.0 / (n + 1.0));
     }
     return products;
   }();
@@ -50,7 +50,7 @@ void Series::add_full_damping(const ModalSystem::Block& block, int k) {
 }
 
 /// F = base + k δ + c δ̇ with δ = −g, coefficient k of the power series, times h².
-void Series::add_contact(std::size_t i, const ContactForces::Linear& linear, int k) {
+void Series::add_contact(Index i, const ContactForces::Linear& linear, int k) {
   const auto& point = system_->points[i];
   double force = -linear.stiffness * (point.sense(c_->col(k).data()) + (k == 0 ? widths_[i] : 0.0)) * h_ * h_;
   if (k == 0) force += linear.base * h_ * h_;
@@ -59,15 +59,15 @@ void Series::add_contact(std::size_t i, const ContactForces::Linear& linear, int
 }
 
 /// Changes c_{k+2} so that the openings of the resting points have no coefficient k + 2.
-void Series::hold(const std::vector<std::size_t>& resting, int k) {
-  Eigen::VectorXd missing(static_cast<Index>(resting.size()));
-  for (std::size_t n = 0; n < resting.size(); ++n) {
-    missing(static_cast<Index>(n)) = -system_->points[resting[n]].sense(c_->col(k + 2).data());
+void Series::hold(const std::vector<Index>& resting, int k) {
+  Eigen::VectorXd missing(std::ssize(resting));
+  for (Index n = 0; n < missing.size(); ++n) {
+    missing(n) = -system_->points[resting[n]].sense(c_->col(k + 2).data());
   }
   const Eigen::VectorXd forces = system_->forces_for(resting, missing);
   force_ = c_->col(k + 2);
-  for (std::size_t n = 0; n < resting.size(); ++n) {
-    const double force = forces(static_cast<Index>(n));
+  for (Index n = 0; n < forces.size(); ++n) {
+    const double force = forces(n);
     system_->push(resting[n], force, force_);
     resting_force_[n][k] = force * (k + 2.0) * (k + 1.0) / (h_ * h_);
   }
@@ -84,7 +84,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
     return;
   }
   pressing_.clear();
-  for (const std::size_t i : forces.pressing) {
+  for (const Index i : forces.pressing) {
     const auto& point = system_->points[i];
     const auto& linear = forces.linear[i];
     pressing_.push_back({point.left_begin, point.left_size, point.right_begin, point.right_size,
@@ -104,7 +104,7 @@ void Series::expand_term_by_term(Index first, Index count, const ContactForces& 
       const double a = ground.next(k);
       force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
     }
-    for (const std::size_t i : forces.pressing) add_contact(i, forces.linear[i], k);
+    for (const Index i : forces.pressing) add_contact(i, forces.linear[i], k);
     for (const auto& block : system_->blocks) {
       if (block.damping && block.begin >= first && block.begin < first + count) add_full_damping(block, k);
     }

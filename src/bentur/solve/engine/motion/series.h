@@ -36,8 +36,8 @@ class Series {
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const ContactForces& forces, Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
-  void add_contact(std::size_t point, const ContactForces::Linear& force, int k);
-  void hold(const std::vector<std::size_t>& resting, int k);
+  void add_contact(Eigen::Index point, const ContactForces::Linear& force, int k);
+  void hold(const std::vector<Eigen::Index>& resting, int k);
 
   const ModalSystem* system_;
   std::vector<double> widths_;

@@ -61,7 +61,7 @@ bool StepBuffer::next_instant() {
   joined_ = true;
   ++last_;
   if (last_ > 0) {  // after a jump, from where the last step ended
-    const auto jump = static_cast<std::size_t>(last_ - 1);
+    const Index jump = last_ - 1;
     steps_[jump] = {};
     steps_[jump].segment = jump > 0 ? steps_[jump - 1].segment : 0;
     rise_.col(last_ - 1).setZero();
@@ -80,26 +80,26 @@ void StepBuffer::begin(const State& state, const std::vector<GroundInput>& input
 
 /// Of the step that starts at the last instant.
 void StepBuffer::note_inputs(const std::vector<GroundInput>& inputs) {
-  std::copy(inputs.begin(), inputs.end(), inputs_.begin() + last_ * static_cast<Index>(inputs.size()));
+  std::copy(inputs.begin(), inputs.end(), inputs_.begin() + last_ * std::ssize(inputs));
 }
 
 void StepBuffer::fly_on(long segment, Index count) {
-  const auto kind = static_cast<std::size_t>(segment) % plan_->flights.size();
-  kernels::fly_on({ranges_, std::span(maps_).subspan(kind, plan_->flights.size()),
-                   plan_->inputs.data() + static_cast<std::size_t>(segment) * ranges_.size(), system_->size,
-                   q_.col(last_).data(), v_.col(last_).data(), acceleration_.col(last_).data(), rise_.col(last_).data(),
-                   acceleration_rise_.col(last_).data()},
-                  count);
+  const std::size_t kind = segment % plan_->flights.size();
+  kernels::fly_on(
+      {ranges_, std::span(maps_).subspan(kind, plan_->flights.size()),
+       plan_->inputs.data() + segment * std::ssize(ranges_), system_->size, q_.col(last_).data(), v_.col(last_).data(),
+       acceleration_.col(last_).data(), rise_.col(last_).data(), acceleration_rise_.col(last_).data()},
+      count);
 }
 
 void StepBuffer::accept(long segment, Index count) {
-  const kernels::FlightInput* input = plan_->inputs.data() + static_cast<std::size_t>(segment) * ranges_.size();
-  auto at = inputs_.begin() + last_ * static_cast<Index>(ranges_.size());
-  std::size_t kind = static_cast<std::size_t>(segment) % plan_->flights.size();
+  const kernels::FlightInput* input = plan_->inputs.data() + segment * std::ssize(ranges_);
+  auto at = inputs_.begin() + last_ * std::ssize(ranges_);
+  std::size_t kind = segment % plan_->flights.size();
   for (const Index end = last_ + count; last_ < end; ++last_, ++segment) {
     const Flights& flights = plan_->flights[kind];
     if (++kind == plan_->flights.size()) kind = 0;
-    Step& step = steps_[static_cast<std::size_t>(last_)];
+    Step& step = steps_[last_];
     step.segment = segment;
     step.flights = &flights;
     step.halvings = 0;
@@ -123,8 +123,7 @@ void StepBuffer::fly(const Flights& flights, std::size_t halvings, const std::ve
 void StepBuffer::accept(long segment, double offset, const Flights& flights, std::size_t halvings,
                         const std::vector<GroundInput>& inputs) {
   note_inputs(inputs);
-  steps_[static_cast<std::size_t>(last_)] = {segment, &flights, halvings, flights[halvings].length(), offset, 0,
-                                             0,       0,        0};
+  steps_[last_] = {segment, &flights, halvings, flights[halvings].length(), offset, 0, 0, 0, 0};
   ++last_;
 }
 
@@ -139,8 +138,8 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   const Index count = system_->size * (motion.degree() + 1);
   if (kept_count_ + count > kept_.size()) kept_.conservativeResize(2 * (kept_count_ + count));
   std::copy_n(motion.coefficients().data(), count, kept_.data() + kept_count_);
-  steps_[static_cast<std::size_t>(last_)] = {
-      segment, nullptr, 0, taken.cut * motion.h(), offset, motion.h(), taken.cut, motion.degree(), kept_count_};
+  steps_[last_] = {segment,   nullptr,         0,          taken.cut * motion.h(), offset, motion.h(),
+                   taken.cut, motion.degree(), kept_count_};
   kept_count_ += count;
   if (taken.cut < 1.0) {
     motion.find_rises(taken.cut, rise_.col(last_).data(), acceleration_rise_.col(last_).data());

@@ -77,10 +77,10 @@ class StepBuffer {
   void add(long segment, double offset, const SeriesStep& taken);
 
   [[nodiscard]] Eigen::Index size() const { return std::max<Eigen::Index>(last_, 0); }
-  [[nodiscard]] const Step& step(Eigen::Index n) const { return steps_[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const Step& step(Eigen::Index n) const { return steps_[n]; }
   /// Of every building at the start of a step.
   [[nodiscard]] const GroundInput* inputs(Eigen::Index step) const {
-    return inputs_.data() + static_cast<std::size_t>(step) * system_->blocks.size();
+    return inputs_.data() + step * std::ssize(system_->blocks);
   }
   /// Of a power series.
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, Eigen::Index n) const {

@@ -9,7 +9,7 @@ namespace bentur::engine {
 namespace {
 
 constexpr double contact_tolerance = 1e-10;  // of the pair in the exact solver; by measurement, docs/decisions.md
-constexpr double end_slack = 1e-9;           // of what is left: a remainder shorter than this is not a step
+constexpr double remainder_slack = 1e-9;     // of what is left: a remainder shorter than this is not a step
 constexpr double parting_part = 0.8;         // of the time that is left of a contact
 constexpr double parting_crossed = 1e-3;     // of a step: when so little is left the end is crossed
 constexpr int attempts = 60;                 // each may shorten a step to a fifth
@@ -29,25 +29,25 @@ Stepper::Stepper(const ModalSystem& system, const Problem& problem, const Solver
       series_(system, gap_widths(problem)),
       pair_(system, tolerance_of(solver)),
       fixed_(system),
-      range_{0, system.blocks.size()},
+      range_{0, std::ssize(system.blocks)},
       first_guess_(first_part / std::max(system.rate({}), 1e-300)) {}
 
 bool Stepper::advance(const Start& start, double longest, bool in_contact, Expansion& motion, State& to) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver_)) {
     way_ = Way::fixed;
     const double step = in_contact ? fixed->step / 3.0 : fixed->step;
-    retake(start, step >= longest * (1.0 - end_slack) ? longest : step, motion, to);
+    retake(start, step >= longest * (1.0 - remainder_slack) ? longest : step, motion, to);
     return true;
   }
   const bool adaptive = std::holds_alternative<AdaptiveSolver>(solver_);
   if (adaptive || !start.forces.nonlinear.empty()) {
     way_ = Way::pair;
-    range_ = adaptive ? BuildingRange{0, system_->blocks.size()} : island(start.forces);
+    range_ = adaptive ? BuildingRange{0, std::ssize(system_->blocks)} : island(start.forces);
     return advance_by_pair(start, longest, motion, to);
   }
   way_ = Way::series;
   double h = series_reach / system_->rate(start.forces);
-  if (h >= longest * (1.0 - end_slack)) h = longest;
+  if (h >= longest * (1.0 - remainder_slack)) h = longest;
   series_.expand(start.state, start.inputs, h, start.forces, motion);
   motion.evaluate(1.0, to);
   return true;
@@ -56,7 +56,7 @@ bool Stepper::advance(const Start& start, double longest, bool in_contact, Expan
 /// Where a force ends like a root of the penetration, steps across the end are hopeless until little is left of it.
 /// Once a step has failed, those that would end the contact are kept to a part of what is left.
 double Stepper::longest_before_parting(const Start& start, double h) const {
-  for (const std::size_t i : start.forces.nonlinear) {
+  for (const Eigen::Index i : start.forces.nonlinear) {
     const auto& point = system_->points[i];
     const double depth = -(problem_->points[i].width + point.sense(start.state.q));
     const double opening_speed = point.sense(start.state.v);
@@ -75,7 +75,7 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
   using Gauss = boost::math::quadrature::gauss<double, 7>;
   const double limit = std::sqrt(tolerance_of(solver_));
   const double size = system_->speed(start.state.v);
-  const auto points = static_cast<Eigen::Index>(system_->points.size());
+  const Eigen::Index points = std::ssize(system_->points);
   longest = std::min(longest, series_reach / system_->rate(start.forces));
   double h = first_guess_;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -101,12 +101,12 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
     }
     dv.setZero(system_->size);
     dq.setZero(system_->size);
-    for (const std::size_t i : start.forces.nonlinear) {
-      system_->push(i, impulse(static_cast<Eigen::Index>(i)), dv);
-      system_->push(i, moment(static_cast<Eigen::Index>(i)), dq);
+    for (const Eigen::Index i : start.forces.nonlinear) {
+      system_->push(i, impulse(i), dv);
+      system_->push(i, moment(i), dq);
     }
     double change = system_->speed(dv) / size;
-    for (const std::size_t i : start.forces.nonlinear) {  // and, at each point, its closing speed
+    for (const Eigen::Index i : start.forces.nonlinear) {  // and, at each point, its closing speed
       const auto& point = system_->points[i];
       change = std::max(change, std::abs(point.sense(dv) / point.sense(start.state.v)));
     }
@@ -127,9 +127,9 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
 }
 
 bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {
-  const bool all = range_.first == 0 && range_.end == system_->blocks.size();
+  const bool all = range_.first == 0 && range_.end == std::ssize(system_->blocks);
   // Others advance by power series; and where damping sets the pace the interpolant is worse than the step.
-  const auto damps = [&](std::size_t i) { return start.forces.linear[i].damping > 0.0; };
+  const auto damps = [&](Eigen::Index i) { return start.forces.linear[i].damping > 0.0; };
   const bool damped = std::any_of(start.forces.pressing.begin(), start.forces.pressing.end(), damps);
   if (!all || damped) longest = std::min(longest, series_reach / system_->rate(start.forces));
   const bool first = fresh_;
@@ -145,7 +145,7 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
   double h = guess_;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (parting_scale_ > 0.0) h = longest_before_parting(start, h);
-    const bool last = h >= longest * (1.0 - end_slack);
+    const bool last = h >= longest * (1.0 - remainder_slack);
     if (last) h = longest;
     const double error = pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
     const double next = control_.next(h, error);
@@ -163,7 +163,7 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
 
 /// The step that the pair has just taken, as an expansion of all buildings.
 void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State& to) {
-  const bool all = range_.first == 0 && range_.end == system_->blocks.size();
+  const bool all = range_.first == 0 && range_.end == std::ssize(system_->blocks);
   int degree = EmbeddedPair::degree;
   if (!all) {
     there_ = to;
@@ -205,7 +205,7 @@ void Stepper::fill_resting(const Start& start, const State& to, Expansion& motio
     }
     return Square(powers.inverse());
   }();
-  Eigen::MatrixXd values(nodes, static_cast<Eigen::Index>(system_->points.size()));
+  Eigen::MatrixXd values(nodes, std::ssize(system_->points));
   State state = to;
   Eigen::VectorXd forces;
   for (int n = 0; n < nodes; ++n) {
@@ -216,8 +216,8 @@ void Stepper::fill_resting(const Start& start, const State& to, Expansion& motio
     start.force_at(state, inputs, forces);
     values.row(n) = forces.transpose();
   }
-  for (const std::size_t i : start.forces.resting) {
-    const Eigen::Matrix<double, nodes, 1> powers = to_powers * values.col(static_cast<Eigen::Index>(i));
+  for (const Eigen::Index i : start.forces.resting) {
+    const Eigen::Matrix<double, nodes, 1> powers = to_powers * values.col(i);
     Polynomial force;
     force.degree = nodes - 1;
     for (int k = 0; k < nodes; ++k) force[k] = powers(k);
@@ -232,15 +232,15 @@ double Stepper::accuracy() const {
 
 /// The buildings that a nonlinear force shakes, directly or through other contacts.
 BuildingRange Stepper::island(const ContactForces& forces) const {
-  const auto left = [&](std::size_t i) { return static_cast<std::size_t>(problem_->points[i].left); };
-  const auto touches_next = [&](std::size_t building) {
-    const auto is_of = [&](std::size_t i) { return left(i) == building; };
+  const auto left = [&](Eigen::Index i) { return problem_->points[i].left; };
+  const auto touches_next = [&](Eigen::Index building) {
+    const auto is_of = [&](Eigen::Index i) { return left(i) == building; };
     return std::ranges::any_of(forces.pressing, is_of) || std::ranges::any_of(forces.resting, is_of) ||
            std::ranges::any_of(forces.nonlinear, is_of);
   };
-  std::size_t first = system_->blocks.size();
-  std::size_t last = 0;
-  for (const std::size_t i : forces.nonlinear) {
+  Eigen::Index first = std::ssize(system_->blocks);
+  Eigen::Index last = 0;
+  for (const Eigen::Index i : forces.nonlinear) {
     first = std::min(first, left(i));
     last = std::max(last, left(i) + 1);
   }

@@ -59,13 +59,13 @@ double TimeGrid::length(std::size_t kind) const {
 }
 
 double TimeGrid::start(long segment) const {
-  const auto count = static_cast<long>(offsets_.size());
-  return start(segment / count, static_cast<std::size_t>(segment % count));
+  const long count = std::ssize(offsets_);
+  return start(segment / count, segment % count);
 }
 
 void TimeGrid::input(long segment, std::vector<GroundInput>& inputs) const {
-  const auto count = static_cast<long>(offsets_.size());
-  input(segment / count, static_cast<std::size_t>(segment % count), inputs);
+  const long count = std::ssize(offsets_);
+  input(segment / count, segment % count, inputs);
 }
 
 void TimeGrid::input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const {
@@ -80,10 +80,9 @@ void TimeGrid::input(long period, std::size_t kind, std::vector<GroundInput>& in
 GroundInput TimeGrid::input_at(long period, double within) const {
   if (period < 0) return {};
   if (const auto* sampled = std::get_if<SampledMotion>(motion_)) {
-    const auto k = static_cast<std::size_t>(period);
-    if (k + 1 >= sampled->acceleration.size()) return {};
-    const double slope = (sampled->acceleration[k + 1] - sampled->acceleration[k]) / period_;
-    return {sampled->acceleration[k] + slope * within, slope};
+    if (period + 1 >= std::ssize(sampled->acceleration)) return {};
+    const double slope = (sampled->acceleration[period + 1] - sampled->acceleration[period]) / period_;
+    return {sampled->acceleration[period] + slope * within, slope};
   }
   if (const auto* harmonic = std::get_if<HarmonicMotion>(motion_)) {
     const double nu = 2.0 * std::numbers::pi / harmonic->period;

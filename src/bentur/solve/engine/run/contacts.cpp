@@ -6,6 +6,9 @@
 #include "bentur/solve/engine/run/impulses.h"
 
 namespace bentur::engine {
+
+using Eigen::Index;
+
 namespace {
 
 constexpr double round_off_band = 0x1p-46;  // of displacements and speeds at a point, and of resting forces
@@ -46,7 +49,7 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, const Scal
       leaves_band_(system.points.size(), 0),
       log_(system.points.size()) {
   forces_.linear.resize(system.points.size());
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     branches_[i] = law(i).branch(states_[i]);
     tolerances_.push_back(round_off_band * scales.displacement[i]);
     least_speeds_.push_back(least_speed * scales.speed[i]);
@@ -54,15 +57,15 @@ Contacts::Contacts(const ModalSystem& system, const Problem& problem, const Scal
   }
 }
 
-double Contacts::penetration(std::size_t i, const State& state) const {
+double Contacts::penetration(Index i, const State& state) const {
   return -(problem_->points[i].width + system_->points[i].sense(state.q));
 }
 
-double Contacts::closing_speed(std::size_t i, const State& state) const { return -system_->points[i].sense(state.v); }
+double Contacts::closing_speed(Index i, const State& state) const { return -system_->points[i].sense(state.v); }
 
-bool Contacts::resting(std::size_t i) const { return branches_[i].touching && law(i).restitution().has_value(); }
+bool Contacts::resting(Index i) const { return branches_[i].touching && law(i).restitution().has_value(); }
 
-double Contacts::tolerance(std::size_t i, const Guard& guard, const State& state) const {
+double Contacts::tolerance(Index i, const Guard& guard, const State& state) const {
   if (branches_[i].touching && of_opening_alone(guard)) return 0.0;
   double result = std::abs(guard.penetration) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
   if (guard.decaying != 0.0) result += tolerances_[i];
@@ -73,8 +76,7 @@ double Contacts::tolerance(std::size_t i, const Guard& guard, const State& state
 }
 
 /// The guard's function over the expanded step.
-Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial& opening, double h,
-                             double time) const {
+Polynomial Contacts::guarded(Index i, const Guard& guard, const Polynomial& opening, double h, double time) const {
   Polynomial p;
   p.degree = opening.degree;
   for (int k = 0; k <= p.degree; ++k) p[k] = -guard.penetration * opening[k];
@@ -91,7 +93,7 @@ Polynomial Contacts::guarded(std::size_t i, const Guard& guard, const Polynomial
 }
 
 void Contacts::gauge(const State& from, const State& to, const GapMonitor& monitor) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (states_[i].branch == 0 && monitor.stays_open(i)) continue;
     const auto& point = system_->points[i];
     const double size = problem_->points[i].width + std::max(point.sense_abs(from.q), point.sense_abs(to.q));
@@ -102,10 +104,10 @@ void Contacts::gauge(const State& from, const State& to, const GapMonitor& monit
 std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, const State& from,
                                                     const GapMonitor& monitor, double time) {
   std::optional<Event> first;
-  const auto take = [&first](std::size_t point, std::size_t guard, const std::optional<double>& s) {
+  const auto take = [&first](Index point, std::size_t guard, const std::optional<double>& s) {
     if (s && (!first || *s < first->s)) first = Event{point, guard, *s};
   };
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (resting(i)) {
       Polynomial force = motion.resting_force(i);
       double size = 0.0;
@@ -135,9 +137,9 @@ std::optional<Contacts::Event> Contacts::due(const State& state, const std::vect
                                              double time) const {
   Eigen::VectorXd forces;
   if (!forces_.resting.empty()) forces_at(state, inputs, forces);
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (resting(i)) {
-      if (forces(static_cast<Eigen::Index>(i)) < 0.0) return Event{i, 0, 1.0};
+      if (forces(i) < 0.0) return Event{i, 0, 1.0};
       continue;
     }
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
@@ -151,28 +153,28 @@ std::optional<Contacts::Event> Contacts::due(const State& state, const std::vect
 }
 
 void Contacts::forces_at(const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& result) const {
-  result.setZero(static_cast<Eigen::Index>(states_.size()));
-  const auto press = [&](std::size_t i) {
-    result(static_cast<Eigen::Index>(i)) = law(i).force(states_[i], penetration(i, state), closing_speed(i, state));
+  result.setZero(std::ssize(states_));
+  const auto press = [&](Index i) {
+    result(i) = law(i).force(states_[i], penetration(i, state), closing_speed(i, state));
   };
-  for (const std::size_t i : forces_.pressing) press(i);
-  for (const std::size_t i : forces_.nonlinear) press(i);
+  for (const Index i : forces_.pressing) press(i);
+  for (const Index i : forces_.nonlinear) press(i);
   if (forces_.resting.empty()) return;
   Eigen::VectorXd acceleration;
   system_->acceleration(state, inputs, result, acceleration);
-  Eigen::VectorXd missing(static_cast<Eigen::Index>(forces_.resting.size()));
-  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
-    missing(static_cast<Eigen::Index>(n)) = -system_->points[forces_.resting[n]].sense(acceleration);
+  Eigen::VectorXd missing(std::ssize(forces_.resting));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    missing(n) = -system_->points[forces_.resting[n]].sense(acceleration);
   }
   const Eigen::VectorXd held = system_->forces_for(forces_.resting, missing);
-  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
-    result(static_cast<Eigen::Index>(forces_.resting[n])) = held(static_cast<Eigen::Index>(n));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    result(forces_.resting[n]) = held(n);
   }
 }
 
 double Contacts::stored_energy(const State& state) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (branches_[i].touching) sum += law(i).stored_energy(states_[i], penetration(i, state));
   }
   return sum;
@@ -180,7 +182,7 @@ double Contacts::stored_energy(const State& state) const {
 
 void Contacts::accumulate(const Expansion& motion, double time, double end) {
   if (forces_.none() && all_apart_) return;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (!branches_[i].touching) continue;
     if (resting(i)) {
       log_.rest(i, motion.resting_force(i), motion.h(), time, end);
@@ -197,7 +199,7 @@ void Contacts::accumulate(const Expansion& motion, double time, double end) {
 
 void Contacts::note_touches(const Expansion& motion, const GapMonitor& monitor, double time, double end,
                             const State& state) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (states_[i].branch != 0) continue;
     if (monitor.stays_open(i) || penetration(i, state) < 0.0) {
       touches_[i] = {};
@@ -217,7 +219,7 @@ void Contacts::note_touches(const Expansion& motion, const GapMonitor& monitor, 
 
 /// A surface that has come back to within round-off of its place is a fresh one.
 void Contacts::forget_faded(double time) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
       if (guard.decaying == 0.0 || std::abs(fading(guard, states_[i], time)) > tolerances_[i]) continue;
@@ -227,7 +229,7 @@ void Contacts::forget_faded(double time) {
   }
 }
 
-void Contacts::set(std::size_t point, const ContactState& state) {
+void Contacts::set(Index point, const ContactState& state) {
   states_[point] = state;
   branches_[point] = law(point).branch(state);
   forces_.pressing.clear();
@@ -235,7 +237,7 @@ void Contacts::set(std::size_t point, const ContactState& state) {
   forces_.nonlinear.clear();
   forces_.fading = 0.0;
   all_apart_ = true;
-  for (std::size_t i = 0; i < branches_.size(); ++i) {
+  for (Index i = 0; i < std::ssize(branches_); ++i) {
     const Branch& branch = branches_[i];
     all_apart_ = all_apart_ && states_[i].branch == 0;
     forces_.linear[i] = {};
@@ -254,7 +256,7 @@ void Contacts::set(std::size_t point, const ContactState& state) {
 }
 
 void Contacts::change(const Event& event, double time, State& state) {
-  const std::size_t i = event.point;
+  const Index i = event.point;
   ++events_;
   jumps_.clear();
   began_ = false;
@@ -288,57 +290,56 @@ void Contacts::change(const Event& event, double time, State& state) {
 
 /// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add
 /// up to. It lets go at zero, or what is left would decide whether it closes again at once.
-void Contacts::let_go(std::size_t point, State& state) {
-  Eigen::VectorXd missing = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(forces_.resting.size()));
-  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
-    if (forces_.resting[n] == point) missing(static_cast<Eigen::Index>(n)) = penetration(point, state);
+void Contacts::let_go(Index point, State& state) {
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(std::ssize(forces_.resting));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    if (forces_.resting[n] == point) missing(n) = penetration(point, state);
   }
   const Eigen::VectorXd moves = system_->forces_for(forces_.resting, missing);
-  for (std::size_t n = 0; n < forces_.resting.size(); ++n) {
-    system_->push(forces_.resting[n], moves(static_cast<Eigen::Index>(n)), state.q);
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    system_->push(forces_.resting[n], moves(n), state.q);
   }
   set(point, {});
 }
 
 /// Impacts without duration: every point that is closed and has such a law takes part; or a resting point lets go.
-void Contacts::collide(std::size_t point, double time, State& state) {
+void Contacts::collide(Index point, double time, State& state) {
   if (resting(point)) {
     let_go(point, state);
     log_.end(point, time, 0.0);
     return;
   }
-  std::vector<std::size_t> at;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
+  std::vector<Index> at;
+  for (Index i = 0; i < std::ssize(states_); ++i) {
     if (law(i).restitution() && (i == point || resting(i) || penetration(i, state) >= -tolerances_[i])) at.push_back(i);
     fastest_ = std::max(fastest_, system_->points[i].sense_abs(state.v));
   }
-  const auto count = static_cast<Eigen::Index>(at.size());
+  const Index count = std::ssize(at);
   Eigen::MatrixXd a(count, count);
   Eigen::VectorXd before(count), b(count);
   std::vector<char> slow(at.size(), 0);
-  for (Eigen::Index n = 0; n < count; ++n) {
-    const std::size_t i = at[static_cast<std::size_t>(n)];
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
     before(n) = closing_speed(i, state);
-    slow[static_cast<std::size_t>(n)] = std::abs(before(n)) <= resting_threshold * fastest_ ? 1 : 0;
-    b(n) = before(n) * (1.0 + (slow[static_cast<std::size_t>(n)] != 0 ? 0.0 : *law(i).restitution()));
-    for (Eigen::Index m = 0; m < count; ++m) {
-      a(n, m) =
-          system_->coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(at[static_cast<std::size_t>(m)]));
+    slow[n] = std::abs(before(n)) <= resting_threshold * fastest_ ? 1 : 0;
+    b(n) = before(n) * (1.0 + (slow[n] != 0 ? 0.0 : *law(i).restitution()));
+    for (Index m = 0; m < count; ++m) {
+      a(n, m) = system_->coupling(i, at[m]);
     }
   }
   const std::optional<Eigen::VectorXd> found = impulses(a, b);
   failed_ = !found;
   if (failed_) return;
   const Eigen::VectorXd& p = *found;
-  for (Eigen::Index n = 0; n < count; ++n) system_->push(at[static_cast<std::size_t>(n)], p(n), state.v);
-  for (Eigen::Index n = 0; n < count; ++n) {
-    const std::size_t i = at[static_cast<std::size_t>(n)];
+  for (Index n = 0; n < count; ++n) system_->push(at[n], p(n), state.v);
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
     const double after = closing_speed(i, state);
     const double lost = 0.5 * p(n) * (before(n) + after);
     if (p(n) > 0.0) jumps_.push_back({i, p(n), lost});
     const bool was_resting = resting(i);
     const bool pressed = p(n) > 0.0 || (was_resting && after >= -round_off_band * fastest_);
-    const bool rests = pressed && slow[static_cast<std::size_t>(n)] != 0;
+    const bool rests = pressed && slow[n] != 0;
     if (!was_resting && p(n) > 0.0) {
       const bool touched_before = touches_[i].time >= 0.0;
       log_.begin(i, touched_before ? touches_[i].time : time, before(n));

@@ -20,13 +20,13 @@ namespace bentur::engine {
 class Contacts {
  public:
   struct Event {
-    std::size_t point = 0;
+    Eigen::Index point = 0;
     std::size_t guard = 0;
     double s = 0;  ///< place in the expanded step
   };
   /// Velocities that changed at one instant.
   struct Jump {
-    std::size_t point = 0;
+    Eigen::Index point = 0;
     double impulse = 0;      ///< [force·s]
     double energy_lost = 0;  ///< [force·length]
   };
@@ -83,20 +83,20 @@ class Contacts {
   [[nodiscard]] std::vector<Impact>& impacts() { return log_.impacts(); }
 
  private:
-  [[nodiscard]] const ContactLaw& law(std::size_t point) const { return *problem_->points[point].law; }
-  [[nodiscard]] double penetration(std::size_t point, const State& state) const;
-  [[nodiscard]] double closing_speed(std::size_t point, const State& state) const;
-  [[nodiscard]] bool resting(std::size_t point) const;
-  [[nodiscard]] bool from_rest(std::size_t point, double closing_speed) const {
+  [[nodiscard]] const ContactLaw& law(Eigen::Index point) const { return *problem_->points[point].law; }
+  [[nodiscard]] double penetration(Eigen::Index point, const State& state) const;
+  [[nodiscard]] double closing_speed(Eigen::Index point, const State& state) const;
+  [[nodiscard]] bool resting(Eigen::Index point) const;
+  [[nodiscard]] bool from_rest(Eigen::Index point, double closing_speed) const {
     return std::abs(closing_speed) < least_speeds_[point];
   }
-  [[nodiscard]] double tolerance(std::size_t point, const Guard& guard, const State& state) const;
-  [[nodiscard]] Polynomial guarded(std::size_t point, const Guard& guard, const Polynomial& opening, double h,
+  [[nodiscard]] double tolerance(Eigen::Index point, const Guard& guard, const State& state) const;
+  [[nodiscard]] Polynomial guarded(Eigen::Index point, const Guard& guard, const Polynomial& opening, double h,
                                    double time) const;
-  void set(std::size_t point, const ContactState& state);
+  void set(Eigen::Index point, const ContactState& state);
   void forget_faded(double time);
-  void let_go(std::size_t point, State& state);
-  void collide(std::size_t point, double time, State& state);
+  void let_go(Eigen::Index point, State& state);
+  void collide(Eigen::Index point, double time, State& state);
 
   const ModalSystem* system_;
   const Problem* problem_;

@@ -4,13 +4,13 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "bentur/solve/engine/run/sampler.h"
+
 namespace bentur::engine {
 namespace {
 
 using Eigen::Index;
 using Gauss = boost::math::quadrature::gauss<double, 15>;
-
-constexpr double slack = 1e-9;  // of the output step: a sample this little beyond the end counts
 
 }  // namespace
 
@@ -20,7 +20,7 @@ EnergyAccount::EnergyAccount(const ModalSystem& system, const Problem& problem, 
       is_mode_(Eigen::VectorXd::Ones(system.size)),
       state_{system.initial_q, system.initial_v} {
   for (const auto& block : system.blocks) is_mode_(block.begin + block.size - 1) = 0.0;
-  if (output_step > 0.0) count_ = static_cast<Index>(std::floor(problem.duration / output_step + slack)) + 1;
+  if (output_step > 0.0) count_ = sample_count(problem.duration, output_step);
   EnergyHistories& curves = audit_.histories;
   for (auto* curve : {&curves.input, &curves.kinetic, &curves.strain, &curves.damping, &curves.contact_stored,
                       &curves.contact_lost}) {
@@ -36,7 +36,7 @@ double EnergyAccount::strain(const State& state) const {
   return 0.5 * system_->omega_squared.cwiseProduct(state.q).dot(state.q);
 }
 
-double EnergyAccount::ground_speed(std::size_t i, const State& state) const {
+double EnergyAccount::ground_speed(Index i, const State& state) const {
   const auto& point = system_->points[i];
   return (point.sense_left - point.push_left).dot(state.v.segment(point.left_begin, point.left_size)) +
          (point.sense_right - point.push_right).dot(state.v.segment(point.right_begin, point.right_size));
@@ -60,8 +60,8 @@ void EnergyAccount::integrate(const Expansion& motion, double from, double to, c
     }
     if (contacts.forces().none()) return;
     contacts.forces_at(state_, inputs_, forces_);
-    for (std::size_t i = 0; i < system_->points.size(); ++i) {
-      const double force = forces_(static_cast<Index>(i));
+    for (Index i = 0; i < std::ssize(system_->points); ++i) {
+      const double force = forces_(i);
       if (force == 0.0) continue;
       sums_.contact -= weight * force * system_->points[i].sense(state_.v);
       sums_.input -= weight * force * ground_speed(i, state_);
@@ -83,7 +83,7 @@ void EnergyAccount::take(const Expansion& motion, double time, double end, const
   double from = 0.0;
   for (;;) {
     const double sample = static_cast<double>(taken_) * step_;
-    if (taken_ >= count_ || sample > time + end * motion.h() + slack * step_) break;
+    if (taken_ >= count_ || sample > time + end * motion.h() + sample_slack * step_) break;
     const double s = std::clamp((sample - time) / motion.h(), from, end);
     integrate(motion, from, s, inputs, contacts);
     motion.evaluate(s, state_);

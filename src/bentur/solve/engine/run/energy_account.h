@@ -36,7 +36,7 @@ class EnergyAccount {
   [[nodiscard]] double kinetic(const State& state) const;
   [[nodiscard]] double strain(const State& state) const;
   /// sense_i · q̇ of the ground coordinates alone [length/s].
-  [[nodiscard]] double ground_speed(std::size_t point, const State& state) const;
+  [[nodiscard]] double ground_speed(Eigen::Index point, const State& state) const;
 
   const ModalSystem* system_;
   double step_;

@@ -18,7 +18,7 @@ FreeRun::FreeRun(const Setup& setup)
       no_force_([](const State&, const std::vector<GroundInput>&, Eigen::VectorXd& forces) { forces.resize(0); }),
       gaps_(gaps_between(system_.points)) {
   for (Gaps& gaps : gaps_) {
-    for (std::size_t n = 0; n < gaps.count; ++n) needed_.push_back(gaps.closing.peak.data() + n);
+    for (Eigen::Index n = 0; n < gaps.count; ++n) needed_.push_back(gaps.closing.peak.data() + n);
   }
   result_.reaches.resize(needed_.size());
   result_.speeds.resize(needed_.size(), 0.0);
@@ -35,7 +35,7 @@ std::vector<double> FreeRun::needed() const {
 }
 
 /// How far a point reaches in a segment.
-void FreeRun::note(std::size_t i, long segment, double reach) {
+void FreeRun::note(Eigen::Index i, long segment, double reach) {
   auto& reaches = result_.reaches[i];
   if (reach <= reaches.back().reach) return;
   if (reaches.back().segment == segment) reaches.pop_back();
@@ -61,14 +61,13 @@ void FreeRun::note_speeds(const double* v) {
 
 /// Notes how far the points reach in all steps of a buffer that has been taken in.
 void FreeRun::note_reaches(const Gaps& gaps, const StepBuffer& buffer) {
-  for (std::size_t n = 0; n < gaps.count; ++n) {
-    const auto row = static_cast<Eigen::Index>(n);
-    const double needed = gaps.closing.peak(row);
+  for (Eigen::Index n = 0; n < gaps.count; ++n) {
+    const double needed = gaps.closing.peak(n);
     const auto& reaches = result_.reaches[gaps.first + n];
     for (Eigen::Index step = 0; step < buffer.size(); ++step) {
       // What rises in between as a part of the gap needed, which may be none.
       const double beyond = needed > 0.0 ? gaps.closing.between(step) * needed : unbounded;
-      const double reach = gaps.closing.larger_value(row, step) + beyond;
+      const double reach = gaps.closing.larger_value(n, step) + beyond;
       if (reach > reaches.back().reach) note(gaps.first + n, buffer.step(step).segment, reach);
     }
   }
@@ -115,7 +114,7 @@ double FreeRun::look(double /*time*/) {
   note_speeds(state_.v.data());
   note_speeds(next_.v.data());
   raise(state_, next_);
-  for (std::size_t i = 0; i < needed_.size(); ++i) note(i, segment(), *needed_[i]);
+  for (Eigen::Index i = 0; i < std::ssize(needed_); ++i) note(i, segment(), *needed_[i]);
   return 1.0;
 }
 
@@ -123,10 +122,10 @@ double FreeRun::look(double /*time*/) {
 void FreeRun::raise(const State& from, const State& to) {
   for (Gaps& gaps : gaps_) {
     if (gaps.look(from.q.data(), to.q.data(), motion_.rise().data())) continue;
-    for (std::size_t n = 0; n < gaps.count; ++n) {
-      const std::size_t i = gaps.first + n;
+    for (Eigen::Index n = 0; n < gaps.count; ++n) {
+      const Eigen::Index i = gaps.first + n;
       double where = 0.0;
-      if (gaps.reach(static_cast<Eigen::Index>(n)) > *needed_[i]) {
+      if (gaps.reach(n) > *needed_[i]) {
         raise_to_maximum(-motion_.opening(i), 1.0, *needed_[i], where);
       }
     }

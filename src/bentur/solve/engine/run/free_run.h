@@ -44,7 +44,7 @@ class FreeRun final : public Run {
   [[nodiscard]] bool settle_before(long /*segment*/) override { return true; }
   void settled_before(long /*segment*/) override { result_.checkpoints.push_back(checkpoint()); }
   void settle() override;
-  void note(std::size_t point, long segment, double reach);
+  void note(Eigen::Index point, long segment, double reach);
   void note_speeds(const double* v);
   void raise(const State& from, const State& to);
   [[nodiscard]] bool below(const std::vector<double>& reach) const;

@@ -15,13 +15,13 @@ bool Gaps::look(const double* q, const double* q_end, const double* rise) {
 
 std::vector<Gaps> gaps_between(const std::vector<ModalSystem::Point>& points) {
   std::vector<Gaps> all;
-  for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+  for (Index first = 0, end = 0; first < std::ssize(points); first = end) {
     const auto& of = points[first];
-    while (end < points.size() && points[end].left_begin == of.left_begin) ++end;
-    Eigen::MatrixXd closing(static_cast<Index>(end - first), of.left_size + of.right_size);
-    for (std::size_t i = first; i < end; ++i) {
+    while (end < std::ssize(points) && points[end].left_begin == of.left_begin) ++end;
+    Eigen::MatrixXd closing(end - first, of.left_size + of.right_size);
+    for (Index i = first; i < end; ++i) {
       const auto& point = points[i];
-      closing.row(static_cast<Index>(i - first)) << -point.sense_left.transpose(), -point.sense_right.transpose();
+      closing.row(i - first) << -point.sense_left.transpose(), -point.sense_right.transpose();
     }
     BoundedOutputs rows(closing, closing.cols(), kernels::Peaks::of_values);
     const VectorXd reach = VectorXd::Zero(rows.size());
@@ -37,7 +37,7 @@ GapMonitor::GapMonitor(const ModalSystem& system, std::vector<double> widths)
       open_(system.points.size(), 0) {
   for (Gaps& gaps : gaps_) {
     VectorXd limits = VectorXd::Zero(gaps.closing.size());
-    for (std::size_t n = 0; n < gaps.count; ++n) limits(static_cast<Index>(n)) = widths_[gaps.first + n];
+    for (Index n = 0; n < gaps.count; ++n) limits(n) = widths_[gaps.first + n];
     gaps.closing.limit(limits);
   }
 }
@@ -60,8 +60,8 @@ bool GapMonitor::look(const double* q, const double* q_end, const double* rise) 
   bool all_open = true;
   for (Gaps& gaps : gaps_) {
     (void)gaps.look(q, q_end, rise);
-    for (std::size_t n = 0; n < gaps.count; ++n) {
-      const bool open = gaps.reach(static_cast<Index>(n)) < widths_[gaps.first + n];
+    for (Index n = 0; n < gaps.count; ++n) {
+      const bool open = gaps.reach(n) < widths_[gaps.first + n];
       open_[gaps.first + n] = open ? 1 : 0;
       all_open = all_open && open;
     }

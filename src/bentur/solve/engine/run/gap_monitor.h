@@ -9,10 +9,10 @@ namespace bentur::engine {
 
 /// The gaps between two neighbours: how far their points come together.
 struct Gaps {
-  std::size_t first = 0, count = 0;  ///< points
-  Eigen::Index begin = 0;            ///< first coordinate of the left building; those of the right one follow
-  BoundedOutputs closing;            ///< −(sense_i q)
-  Eigen::VectorXd reach;             ///< of these, in the interval last looked at
+  Eigen::Index first = 0, count = 0;  ///< points
+  Eigen::Index begin = 0;             ///< first coordinate of the left building; those of the right one follow
+  BoundedOutputs closing;             ///< −(sense_i q)
+  Eigen::VectorXd reach;              ///< of these, in the interval last looked at
 
   /// Looks at an interval whose coordinates leave the chords between q and q_end by `rise` at most, lists of all
   /// coordinates. Whether no reach exceeds its peak so far.
@@ -34,7 +34,7 @@ class GapMonitor {
   /// Looks at every point over such an interval. Whether all gaps stay open.
   bool look(const double* q, const double* q_end, const double* rise);
   /// Whether one of them does, as was found then.
-  [[nodiscard]] bool stays_open(std::size_t point) const { return open_[point] != 0; }
+  [[nodiscard]] bool stays_open(Eigen::Index point) const { return open_[point] != 0; }
 
  private:
   std::vector<double> widths_;

@@ -84,7 +84,7 @@ void accumulate_nonlinear(const ImpactLog::Stretch& at, Impact& impact) {
   std::array<double, samples> f{};
   const auto place = [&](std::size_t n) { return at.end * static_cast<double>(n) / (samples - 1.0); };
   for (std::size_t n = 0; n < samples; ++n) f[n] = force(place(n));
-  const auto best = static_cast<std::size_t>(std::max_element(f.begin(), f.end()) - f.begin());
+  const std::size_t best = std::max_element(f.begin(), f.end()) - f.begin();
   const std::size_t low = best == 0 ? 0 : best - 1;
   const std::size_t high = std::min(best + 1, samples - 1);
   if (f[best] + std::max(f[best] - f[low], f[best] - f[high]) <= impact.peak_force) return;
@@ -107,22 +107,22 @@ void accumulate_nonlinear(const ImpactLog::Stretch& at, Impact& impact) {
 
 ImpactLog::ImpactLog(std::size_t points) : under_way_(points) {}
 
-void ImpactLog::begin(std::size_t point, double start, double closing_speed) {
+void ImpactLog::begin(Eigen::Index point, double start, double closing_speed) {
   Impact& impact = under_way_[point] = Impact{};
-  impact.point = static_cast<int>(point);
+  impact.point = point;
   impact.start = start;
   impact.peak_force_time = start;
   impact.closing_speed = closing_speed;
 }
 
-void ImpactLog::end(std::size_t point, double time, double separation_speed) {
+void ImpactLog::end(Eigen::Index point, double time, double separation_speed) {
   Impact& impact = under_way_[point];
   impact.end = time;
   impact.separation_speed = separation_speed;
   impacts_.push_back(impact);
 }
 
-void ImpactLog::accumulate(std::size_t point, const Stretch& stretch) {
+void ImpactLog::accumulate(Eigen::Index point, const Stretch& stretch) {
   Impact& impact = under_way_[point];
   const Branch branch = stretch.law.branch(stretch.state);
   if (branch.linear) {
@@ -134,7 +134,7 @@ void ImpactLog::accumulate(std::size_t point, const Stretch& stretch) {
   }
 }
 
-void ImpactLog::rest(std::size_t point, const Polynomial& force, double h, double time, double end) {
+void ImpactLog::rest(Eigen::Index point, const Polynomial& force, double h, double time, double end) {
   Impact& impact = under_way_[point];
   double where = 0.0;
   if (raise_to_maximum(force, end, impact.peak_force, where)) impact.peak_force_time = time + where * h;
@@ -142,7 +142,7 @@ void ImpactLog::rest(std::size_t point, const Polynomial& force, double h, doubl
 }
 
 void ImpactLog::finish(const std::vector<Branch>& branches, double time) {
-  for (std::size_t i = 0; i < branches.size(); ++i) {
+  for (Eigen::Index i = 0; i < std::ssize(branches); ++i) {
     if (!branches[i].touching) continue;
     under_way_[i].open_ended = true;
     end(i, time, 0.0);

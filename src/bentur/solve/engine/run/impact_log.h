@@ -13,9 +13,9 @@ class ImpactLog {
  public:
   explicit ImpactLog(std::size_t points);
 
-  void begin(std::size_t point, double start, double closing_speed);
-  [[nodiscard]] Impact& under_way(std::size_t point) { return under_way_[point]; }
-  void end(std::size_t point, double time, double separation_speed);
+  void begin(Eigen::Index point, double start, double closing_speed);
+  [[nodiscard]] Impact& under_way(Eigen::Index point) { return under_way_[point]; }
+  void end(Eigen::Index point, double time, double separation_speed);
 
   /// A stretch of the expanded step over which a point was in contact.
   struct Stretch {
@@ -27,10 +27,10 @@ class ImpactLog {
     double end = 1;             ///< s where the stretch ends
     double force_band = 0;      ///< pulls up to this are round-off [force]
   };
-  void accumulate(std::size_t point, const Stretch& stretch);
+  void accumulate(Eigen::Index point, const Stretch& stretch);
 
   /// Adds a stretch of resting contact under the force λ(s).
-  void rest(std::size_t point, const Polynomial& force, double h, double time, double end);
+  void rest(Eigen::Index point, const Polynomial& force, double h, double time, double end);
 
   /// Impacts still under way count, up to `time`; then sorts by start and point.
   void finish(const std::vector<Branch>& branches, double time);

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index most_kept = 1 << 21;  // numbers: when there are more, it is time to look into what is open
+constexpr Index most_kept = 1 << 21;  // numbers: when there are more, it is time to look into what is unsettled
 constexpr int parts_of_step = 8;      // at whose ends a step is looked at
 constexpr Index few_quantities = 4;   // that are searched at once
 
@@ -174,7 +174,7 @@ Curves PeakSearch::curves(const UnsettledStep& step) const {
           step.h, step.end};
 }
 
-/// By samples, which raise all peaks nearly to where they belong, or by a search of what is then still open.
+/// By samples, which raise all peaks nearly to where they belong, or by a search of what is unsettled even then.
 template <class Unsettled, class CurvesOf>
 void PeakSearch::look_into(std::vector<Unsettled>& intervals, const CurvesOf& curves_of, bool search) {
   std::erase_if(intervals, [&](const auto& interval) {

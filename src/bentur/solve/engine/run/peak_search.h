@@ -32,7 +32,7 @@ class PeakSearch {
   [[nodiscard]] bool much_is_unsettled() const;
   /// Is told how many steps the search takes next; false: it ends there.
   using GoOn = std::function<bool(long)>;
-  /// Looks into all that is open.
+  /// Looks into all that is unsettled.
   void settle(Series& series, Expansion& motion, const GoOn& go_on);
 
   [[nodiscard]] PeakWatch& watch() { return watch_; }

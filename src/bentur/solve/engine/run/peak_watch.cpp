@@ -22,7 +22,7 @@ PeakWatch::PeakWatch(const ModalSystem& system) : system_(&system) {
   seconds_.resize(most * (most_parts + 1));
   rise_.setZero(most);
   second_rise_.setZero(most);
-  unknown_.assign(static_cast<std::size_t>(most_quantities), std::numeric_limits<double>::infinity());
+  unknown_.assign(most_quantities, std::numeric_limits<double>::infinity());
 }
 
 Index PeakWatch::quantities(std::size_t b) const { return positions_[b].size() + accelerations_[b].size(); }

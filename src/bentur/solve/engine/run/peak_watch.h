@@ -55,7 +55,7 @@ class PeakWatch {
   /// Number of quantities whose reach does not stay below their peaks so far.
   [[nodiscard]] Eigen::Index count_unsettled(std::size_t block, const double* reach) const;
 
-  /// Searches a whole step for what its reach leaves open.
+  /// Searches a whole step for what its reach leaves unsettled.
   void scan(std::size_t block, const Curves& step, const double* reach);
 
   /// Copies what was kept into the response of one building.

@@ -48,7 +48,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
   progress_ = &progress;
   for (long reported = segment_ - segments_between_reports;;) {
     const double start = grid_.start(segment_);
-    const std::size_t kind = static_cast<std::size_t>(segment_) % grid_.kinds();
+    const std::size_t kind = segment_ % grid_.kinds();
     const double left = problem_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
@@ -306,7 +306,7 @@ void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& e
   }
 }
 
-/// Looks into what bounds left open, so that what is nearest so far is known.
+/// Looks into what bounds left unsettled, so that what is nearest so far is known.
 void Run::settle_peaks() {
   search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
 }

@@ -1,6 +1,7 @@
 #include "bentur/solve/engine/run/sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bentur::engine {
@@ -9,28 +10,33 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 namespace {
-constexpr double slack = 1e-9;  // of a step: a sample this near the end of an interval belongs to it
+
+/// Those of every floor or storey.
+std::array<std::vector<MatrixXd>*, 5> of_floors(Histories& h) {
+  return {&h.displacement, &h.velocity, &h.acceleration, &h.drift_ratio, &h.storey_shear};
+}
+
+}  // namespace
+
+Index sample_count(double duration, double step) {
+  return static_cast<Index>(std::floor(duration / step + sample_slack)) + 1;
 }
 
 Sampler::Sampler(const ModalSystem& system, const Problem& problem, double output_step)
     : system_(&system), problem_(&problem), step_(output_step) {
   if (step_ <= 0.0) return;
-  count_ = static_cast<Index>(std::floor(problem.duration / step_ + slack)) + 1;
+  count_ = sample_count(problem.duration, step_);
   state_.q.setZero(system.size);
   state_.v.setZero(system.size);
   for (const auto& block : system.blocks) {
-    histories_.displacement.emplace_back(MatrixXd::Zero(block.floors, count_));
-    histories_.velocity.emplace_back(MatrixXd::Zero(block.floors, count_));
-    histories_.acceleration.emplace_back(MatrixXd::Zero(block.floors, count_));
-    histories_.drift_ratio.emplace_back(MatrixXd::Zero(block.floors, count_));
-    histories_.storey_shear.emplace_back(MatrixXd::Zero(block.floors, count_));
+    for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
   }
-  const auto points = static_cast<Index>(system.points.size());
+  const Index points = std::ssize(system.points);
   histories_.opening = MatrixXd::Zero(points, count_);
   histories_.force = MatrixXd::Zero(points, count_);
 }
 
-bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= time + slack * step_; }
+bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= time + sample_slack * step_; }
 
 void Sampler::take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
                    const Contacts& contacts) {
@@ -53,19 +59,16 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
-    for (std::size_t i = 0; i < system_->points.size(); ++i) {
-      const double opening = problem_->points[i].width + system_->points[i].sense(state_.q);
-      const auto row = static_cast<Index>(i);
-      histories_.opening(row, taken_) = opening;
-      histories_.force(row, taken_) = forces_(row);
+    for (Index i = 0; i < std::ssize(system_->points); ++i) {
+      histories_.opening(i, taken_) = problem_->points[i].width + system_->points[i].sense(state_.q);
+      histories_.force(i, taken_) = forces_(i);
     }
   }
 }
 
 void Sampler::finish() {
   if (taken_ == count_) return;
-  for (auto* list : {&histories_.displacement, &histories_.velocity, &histories_.acceleration, &histories_.drift_ratio,
-                     &histories_.storey_shear}) {
+  for (auto* list : of_floors(histories_)) {
     for (MatrixXd& matrix : *list) matrix.conservativeResize(Eigen::NoChange, taken_);
   }
   histories_.opening.conservativeResize(Eigen::NoChange, taken_);

@@ -6,6 +6,11 @@
 
 namespace bentur::engine {
 
+inline constexpr double sample_slack = 1e-9;  ///< of a step: a sample this little beyond the end of an interval counts
+
+/// Samples at 0, `step`, 2 `step`, … up to `duration` [s].
+[[nodiscard]] Eigen::Index sample_count(double duration, double step);
+
 /// Fills histories at equal times from solutions that are known anyway; it never changes the solution.
 class Sampler {
  public:

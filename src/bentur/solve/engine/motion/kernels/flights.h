@@ -41,11 +41,11 @@ struct FlightMap {
     two_sigma,
     columns
   };
-  explicit FlightMap(Index coordinates) : table(static_cast<std::size_t>(coordinates * columns), 0.0) {}
+  explicit FlightMap(Index coordinates) : table(coordinates * columns, 0.0) {}
   std::vector<double> table;
 
   [[nodiscard]] double& operator()(Index coordinate, Column column) {
-    return table[static_cast<std::size_t>((coordinate / 4 * columns + column) * 4 + coordinate % 4)];
+    return table[(coordinate / 4 * columns + column) * 4 + coordinate % 4];
   }
 };
 

@@ -60,9 +60,7 @@ BENTUR_INLINE Four largest_of(Four a, Four b, Four c, Four d) {
   return max(__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
 }
 
-BENTUR_INLINE Four factor(const std::array<double, PowerFactors::powers>& list, int k) {
-  return all(list[static_cast<std::size_t>(k)]);
-}
+BENTUR_INLINE Four factor(const std::array<double, PowerFactors::powers>& list, int k) { return all(list[k]); }
 
 BENTUR_INLINE bool any(Bits x) { return (x[0] | x[1] | x[2] | x[3]) != 0; }
 BENTUR_INLINE bool every(Bits x) { return (x[0] & x[1] & x[2] & x[3]) != 0; }

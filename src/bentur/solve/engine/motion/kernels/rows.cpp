@@ -114,12 +114,10 @@ BENTUR_INLINE void sum_products(Index count, const double* x, Index stride, Inde
 }  // namespace
 
 PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
-    : rows_((matrix.rows() + four - 1) / four * four),
-      columns_(columns),
-      weights_(static_cast<std::size_t>(rows_ * columns), 0.0) {
+    : rows_((matrix.rows() + four - 1) / four * four), columns_(columns), weights_(rows_ * columns, 0.0) {
   for (Index r = 0; r < matrix.rows(); ++r) {
     for (Index j = 0; j < matrix.cols(); ++j) {
-      weights_[static_cast<std::size_t>(r / four * four * columns + four * j + r % four)] = matrix(r, j);
+      weights_[r / four * four * columns + four * j + r % four] = matrix(r, j);
     }
   }
 }

@@ -17,7 +17,7 @@ using Eigen::Index;
 [[nodiscard]] inline double dot(Index n, const double* a, const double* b) {
   std::array<double, 4> sum{};
   for (Index j = 0; j < n; j += 4) {
-    for (Index l = 0; l < 4; ++l) sum[static_cast<std::size_t>(l)] += a[j + l] * b[j + l];
+    for (Index l = 0; l < 4; ++l) sum[l] += a[j + l] * b[j + l];
   }
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
@@ -26,7 +26,7 @@ using Eigen::Index;
 [[nodiscard]] inline double dot_abs(Index n, const double* a, const double* b) {
   std::array<double, 4> sum{};
   for (Index j = 0; j < n; j += 4) {
-    for (Index l = 0; l < 4; ++l) sum[static_cast<std::size_t>(l)] += std::abs(a[j + l] * b[j + l]);
+    for (Index l = 0; l < 4; ++l) sum[l] += std::abs(a[j + l] * b[j + l]);
   }
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
@@ -41,7 +41,7 @@ class PackedRows {
   [[nodiscard]] Index rows() const { return rows_; }  ///< a multiple of four
   [[nodiscard]] Index columns() const { return columns_; }
   [[nodiscard]] double operator()(Index row, Index column) const {
-    return weights_[static_cast<std::size_t>(row / 4 * 4 * columns_ + 4 * column + row % 4)];
+    return weights_[row / 4 * 4 * columns_ + 4 * column + row % 4];
   }
   /// Four rows from row r on.
   [[nodiscard]] const double* from(Index r) const { return weights_.data() + r * columns_; }

@@ -138,8 +138,8 @@ BENTUR_INLINE Four leave_chords_of(const double* c, Index stride, int degree, co
   Four y[groups] = {};
   double power = 1.0;  // end^(k − 2)
   for (int k = 2; k <= degree; ++k) {
-    const Four far = all(power_factors.rise[static_cast<std::size_t>(k)] * power);
-    const Four second_far = all(power_factors.second_rise[static_cast<std::size_t>(k)] * power);
+    const Four far = all(power_factors.rise[k] * power);
+    const Four second_far = all(power_factors.second_rise[k] * power);
     for (int g = 0; g < groups; ++g) {
       const Four term = abs(load(c + k * stride + four * g));
       x[g] += far * term;

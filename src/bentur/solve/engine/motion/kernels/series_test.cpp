@@ -31,13 +31,13 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
                           0.2, 0.1, 1.3, 0.4, opening.data()};
   expand(stiff.data(), damp.data(), gamma.data(), grounds, {&pressing, 1}, degree, n, c.data());
 
-  const auto open = [&](int k) {
+  const auto opening_at = [&](int k) {
     const double* x = expected.data() + k * n;
     return dot(4, sense.data() + 4, x + 4) + dot(4, sense.data(), x) + (k == 0 ? 0.2 : 0.0);
   };
   for (int k = 0; k + 2 <= degree; ++k) {
     const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-    double force = -1.3 * opening_series(k) - 0.4 * (k + 1.0) * opening_series(k + 1);
+    double force = -1.3 * opening_at(k) - 0.4 * (k + 1.0) * opening_at(k + 1);
     if (k == 0) force += 0.1;
     const double input[] = {again[0].next(k), again[1].next(k)};
     for (Index j = 0; j < n; ++j) {
@@ -49,7 +49,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
     }
   }
   EXPECT_EQ(c, expected);
-  for (int k = 0; k <= degree; ++k) EXPECT_EQ(opening[static_cast<std::size_t>(k)], opening_series(k)) << k;
+  for (int k = 0; k <= degree; ++k) EXPECT_EQ(opening[static_cast<std::size_t>(k)], opening_at(k)) << k;
 }
 
 TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {

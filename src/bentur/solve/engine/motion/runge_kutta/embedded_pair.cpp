@@ -169,13 +169,13 @@ EmbeddedPair::EmbeddedPair(const ModalSystem& system, double tolerance)
     : system_(&system),
       tolerance_(tolerance),
       rate_(MatrixXd::Zero(system.size, all_stages)),
-      forces_(static_cast<Index>(system.points.size())) {}
+      forces_(std::ssize(system.points)) {}
 
 /// Slope of stage i, from those before it.
 void EmbeddedPair::stage(int i, const ForceFunction& forces) {
-  const double after = nodes[static_cast<std::size_t>(i)] * h_;
-  const auto* speeds = i > 0 ? weights[static_cast<std::size_t>(i - 1)].data() : nullptr;
-  const auto* positions = i > 0 ? tables().position[static_cast<std::size_t>(i - 1)].data() : nullptr;
+  const double after = nodes[i] * h_;
+  const auto* speeds = i > 0 ? weights[i - 1].data() : nullptr;
+  const auto* positions = i > 0 ? tables().position[i - 1].data() : nullptr;
   kernels::stage(count_, rate_.data() + begin_, rate_.rows(), i, positions, speeds, after, h_, start_.q.data() + begin_,
                  start_.v.data() + begin_, at_.q.data() + begin_, at_.v.data() + begin_);
   inputs_at_ = *inputs_;
@@ -204,9 +204,8 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
   by_fours(begin_, count_, [&](Index k, auto width) {
     using L = Lane<width()>;
     L five_q = L::Zero(), five_v = L::Zero(), three_q = L::Zero(), three_v = L::Zero();
-    for (int j = 0; j < stages; ++j) {
-      const auto n = static_cast<std::size_t>(j);
-      const L rate = lane<width()>(rate_, k, j);
+    for (int n = 0; n < stages; ++n) {
+      const L rate = lane<width()>(rate_, k, n);
       five_q += table.five_q[n] * rate;
       five_v += error_five[n] * rate;
       three_q += table.three_q[n] * rate;

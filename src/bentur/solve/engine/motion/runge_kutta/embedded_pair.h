@@ -13,7 +13,7 @@ using ForceFunction = std::function<void(const State&, const std::vector<GroundI
 
 /// Buildings [first, end) of the row.
 struct BuildingRange {
-  std::size_t first = 0, end = 0;
+  Eigen::Index first = 0, end = 0;
 };
 
 /// The explicit Runge-Kutta pair of Dormand and Prince of order 8(5,3) with its interpolant of order 7

@@ -17,9 +17,9 @@ constexpr std::size_t most_unsettled_flights = 4096;  // flights kept at a time
 FloorWatch::FloorWatch(const ModalSystem& system, const TimeGrid& grid)
     : system_(&system), grid_(&grid), gaps_(gaps_between(system.watched)), nearest_(system.watched.size()) {
   for (Gaps& gaps : gaps_) {
-    for (std::size_t n = 0; n < gaps.count; ++n) {
+    for (Index n = 0; n < gaps.count; ++n) {
       nearest_[gaps.first + n].reach = std::max(0.0, -system.watched[gaps.first + n].sense(system.initial_q));
-      gaps.closing.peak(static_cast<Index>(n)) = nearest_[gaps.first + n].reach;
+      gaps.closing.peak(n) = nearest_[gaps.first + n].reach;
     }
   }
 }
@@ -27,22 +27,22 @@ FloorWatch::FloorWatch(const ModalSystem& system, const TimeGrid& grid)
 void FloorWatch::resume(const std::vector<Nearest>& nearest) {
   nearest_ = nearest;
   for (Gaps& gaps : gaps_) {
-    for (std::size_t n = 0; n < gaps.count; ++n) {
-      gaps.closing.peak(static_cast<Index>(n)) = nearest_[gaps.first + n].reach;
+    for (Index n = 0; n < gaps.count; ++n) {
+      gaps.closing.peak(n) = nearest_[gaps.first + n].reach;
     }
   }
 }
 
 /// The peak of floor `n` of a gap has been raised, at `time`.
-void FloorWatch::note(const Gaps& gaps, std::size_t n, double time) {
-  nearest_[gaps.first + n] = {gaps.closing.peak(static_cast<Index>(n)), time};
+void FloorWatch::note(const Gaps& gaps, Index n, double time) {
+  nearest_[gaps.first + n] = {gaps.closing.peak(n), time};
 }
 
 /// Peaks may have been raised by the coordinates at two instants.
 void FloorWatch::note_ends(const Gaps& gaps, const double* start, const double* end, double start_time,
                            double end_time) {
-  for (std::size_t n = 0; n < gaps.count; ++n) {
-    if (!(gaps.closing.peak(static_cast<Index>(n)) > nearest_[gaps.first + n].reach)) continue;
+  for (Index n = 0; n < gaps.count; ++n) {
+    if (!(gaps.closing.peak(n) > nearest_[gaps.first + n].reach)) continue;
     const ModalSystem::Point& floor = system_->watched[gaps.first + n];
     note(gaps, n, floor.sense(start) < floor.sense(end) ? start_time : end_time);
   }
@@ -55,12 +55,11 @@ void FloorWatch::take(const StepBuffer& buffer) {
   for (std::size_t g = 0; g < gaps_.size(); ++g) {
     Gaps& gaps = gaps_[g];
     gaps.closing.raise(steps, buffer.q(0) + gaps.begin, buffer.rise(0) + gaps.begin, system_->size);
-    for (std::size_t n = 0; n < gaps.count; ++n) {
-      const auto row = static_cast<Index>(n);
-      const double peak = gaps.closing.peak(row);
+    for (Index n = 0; n < gaps.count; ++n) {
+      const double peak = gaps.closing.peak(n);
       if (!(peak > nearest_[gaps.first + n].reach)) continue;
       Index step = 0;
-      while (step + 1 < steps && gaps.closing.larger_value(row, step) < peak) ++step;
+      while (step + 1 < steps && gaps.closing.larger_value(n, step) < peak) ++step;
       const ModalSystem::Point& floor = system_->watched[gaps.first + n];
       const bool at_start = floor.sense(buffer.q(step)) < floor.sense(buffer.q(step + 1));
       note(gaps, n, start(step) + (at_start ? 0.0 : buffer.step(step).length));
@@ -105,11 +104,10 @@ void FloorWatch::take(const Expansion& motion, double end, const State& from, co
   }
 }
 
-/// The interval last looked at, which began at `time`, for the floors whose reach it leaves open.
+/// The interval last looked at, which began at `time`, for the floors whose reach it leaves unsettled.
 void FloorWatch::search(Gaps& gaps, const Curves& left, const Curves& right, double time) {
-  for (std::size_t n = 0; n < gaps.count; ++n) {
-    const auto row = static_cast<Index>(n);
-    if (!(gaps.reach(row) > gaps.closing.peak(row))) continue;
+  for (Index n = 0; n < gaps.count; ++n) {
+    if (!(gaps.reach(n) > gaps.closing.peak(n))) continue;
     const ModalSystem::Point& floor = system_->watched[gaps.first + n];
     Polynomial opening;
     opening.degree = left.degree;
@@ -117,7 +115,7 @@ void FloorWatch::search(Gaps& gaps, const Curves& left, const Curves& right, dou
                             {floor.left_size, floor.sense_left.data(), left.c}, left.stride, left.degree,
                             opening.coefficients.data());
     double where = 0.0;
-    if (raise_to_maximum(-opening, left.end, gaps.closing.peak(row), where)) note(gaps, n, time + where * left.h);
+    if (raise_to_maximum(-opening, left.end, gaps.closing.peak(n), where)) note(gaps, n, time + where * left.h);
   }
 }
 
@@ -133,8 +131,8 @@ bool FloorWatch::may_come_nearer(const State& from, const State& to, const Eigen
 
 bool FloorWatch::settled(const Unsettled& flight) const {
   const Gaps& gaps = gaps_[flight.gaps];
-  for (std::size_t n = 0; n < gaps.count; ++n) {
-    if (flight.reach(static_cast<Index>(n)) > gaps.closing.peak(static_cast<Index>(n))) return false;
+  for (Index n = 0; n < gaps.count; ++n) {
+    if (flight.reach(n) > gaps.closing.peak(n)) return false;
   }
   return true;
 }

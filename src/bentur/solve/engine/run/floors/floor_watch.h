@@ -8,8 +8,8 @@ namespace bentur::engine {
 
 /// How near watched floors (Problem::watched) come to what they face, and when: the largest x_left − x_right of the
 /// continuous response. Like peaks: an interval is looked into unless its ends and a proven bound of its curvature show
-/// that no floor can have come nearer in it (T-4); flights that this leaves open are kept, as most are settled by what
-/// follows. Nothing is done where no floor is watched.
+/// that no floor can have come nearer in it (T-4); flights that this leaves unsettled are kept, as most are settled by
+/// what follows. Nothing is done where no floor is watched.
 class FloorWatch {
  public:
   FloorWatch(const ModalSystem& system, const TimeGrid& grid);
@@ -38,9 +38,9 @@ class FloorWatch {
     std::size_t gaps = 0;   ///< between which neighbours
     Eigen::VectorXd reach;  ///< of each of their floors
   };
-  /// Whether it is time to look into what is open: it bounds the memory of a long run.
+  /// Whether it is time to look into what is unsettled: it bounds the memory of a long run.
   [[nodiscard]] bool much_is_unsettled() const;
-  /// All that is open, to be expanded again and taken in step by step.
+  /// All that is unsettled, to be expanded again and taken in step by step.
   [[nodiscard]] std::vector<Unsettled> take_unsettled();
   /// Whether one may come nearer between two states, from whose chord coordinates stray by `rise` at most.
   [[nodiscard]] bool may_come_nearer(const State& from, const State& to, const Eigen::VectorXd& rise);
@@ -48,7 +48,7 @@ class FloorWatch {
   [[nodiscard]] bool settled(const Unsettled& flight) const;
 
  private:
-  void note(const Gaps& gaps, std::size_t n, double time);
+  void note(const Gaps& gaps, Eigen::Index n, double time);
   void note_ends(const Gaps& gaps, const double* start, const double* end, double start_time, double end_time);
   void search(Gaps& gaps, const Curves& left, const Curves& right, double time);
 
