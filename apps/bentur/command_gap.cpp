@@ -126,7 +126,7 @@ std::string watched_text(const Problem& problem, const Response& response, std::
     widths.push_back(floor.width);
     simulated.push_back(response.watched[*i].needed);
     owners.push_back(problem.buildings[static_cast<std::size_t>(floor.floor_of)].name);
-    faces.emplace_back(floor.facing_floor >= 0 ? "floor" : "column");
+    faces.emplace_back(floor.facing_floor ? "floor" : "column");
     marks.emplace_back(governing.watched == *i ? "◄ governs" : "");
   }
   Table table;

@@ -129,7 +129,7 @@ Json solver_json(const Solver& solver, const Response& response) {
 Json watched_json(const Problem& problem, const WatchedFloor& floor) {
   return {{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
           {"elevation", floor.elevation},
-          {"faces", floor.facing_floor >= 0 ? "floor" : "column"},
+          {"faces", floor.facing_floor ? "floor" : "column"},
           {"width", floor.width}};
 }
 

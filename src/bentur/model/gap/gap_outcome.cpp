@@ -76,7 +76,7 @@ GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::
 }
 
 Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
-  if (floor.facing_floor >= 0) return {Remedy::Kind::name_elevation, floor.elevation, 0};
+  if (floor.facing_floor) return {Remedy::Kind::name_elevation, floor.elevation, 0};
   const bool of_left = floor.floor_of == floor.left;
   const FloorLevels own = levels_of(problem.buildings[static_cast<Eigen::Index>(floor.floor_of)].model);
   const FloorLevels other = levels_of(faced_building(problem, floor).model);
@@ -117,7 +117,7 @@ std::string floor_text(const Problem& problem, const WatchedFloor& floor) {
 }
 
 std::string faced_text(const Problem& problem, const WatchedFloor& floor) {
-  return fmt::format("the {} of {}", floor.facing_floor >= 0 ? "floor" : "column", faced_building(problem, floor).name);
+  return fmt::format("the {} of {}", floor.facing_floor ? "floor" : "column", faced_building(problem, floor).name);
 }
 
 }  // namespace bentur

@@ -61,7 +61,7 @@ const std::string& faced(const Story& story, const WatchedFloor& floor) {
 
 /// "the column of B".
 std::string faced_place(const Story& story, const WatchedFloor& floor) {
-  return story.say(floor.facing_floor >= 0 ? "verdict.the_floor_of" : "verdict.the_column_of",
+  return story.say(floor.facing_floor ? "verdict.the_floor_of" : "verdict.the_column_of",
                    {{"building", faced(story, floor)}});
 }
 
@@ -300,7 +300,7 @@ Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& go
     if (governing.watched == i && needed > floor.width) table.mark(elevations.size());
     elevations.push_back(floor.elevation);
     owners.push_back(owner(story, floor));
-    faces.push_back(say(floor.facing_floor >= 0 ? "gap.floor" : "gap.column"));
+    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
     widths.push_back(floor.width);
     simulated.push_back(needed);
     marks.push_back(say(needed > floor.width ? "gap.too_close" : "gap.wide_enough"));

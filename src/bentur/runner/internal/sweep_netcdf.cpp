@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -306,6 +307,7 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
                         [&](const RowPart& quantity) { return quantity.name == name; });
   };
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
+  std::map<std::size_t, std::string> failures;
   if (runs_.plan().is_grid()) write_grid_coordinates();
   for (std::size_t first = 0; first < runs_.plan().runs();) {
     const RunBlock block = block_at(first);
@@ -325,8 +327,7 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
       }
       result.values.assign(row_size(runs_.quantities()), std::numeric_limits<double>::quiet_NaN());
       if (totals.failed++ == 0) totals.first_failure = fmt::format("run {}: {}", result.run, result.message);
-      file_.put(message_, std::span(&result.message, 1),
-                {place_of(result.run), std::vector<std::size_t>(run_sizes_.size(), 1)});
+      failures.emplace(result.run, std::move(result.message));
     }
     file_.put(status_, status, block.places);
     std::vector<double> values;
@@ -347,6 +348,16 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
     }
   }
   file_.finish();
+  // All or none: a variable of texts with pieces that were never written cannot be read as a whole.
+  for (std::size_t first = 0; !failures.empty() && first < runs_.plan().runs();) {
+    const RunBlock block = block_at(first);
+    std::vector<std::string> messages(block.runs);
+    for (auto one = failures.lower_bound(first); one != failures.end() && one->first < first + block.runs; ++one) {
+      messages[one->first - first] = one->second;
+    }
+    file_.put(message_, messages, block.places);
+    first += block.runs;
+  }
   return totals;
 }
 
