@@ -1,6 +1,7 @@
 #include "text/table.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "bentur/report/utf8.h"
@@ -36,30 +37,54 @@ void Table::add(std::string name, std::string unit, const std::vector<double>& v
   add(std::move(name), std::move(unit), column(values));
 }
 
+namespace {
+
+/// A name in two lines, the first one empty where it is no wider than what stands below it or cannot be divided.
+std::array<std::string, 2> heading(const std::string& name, std::size_t below) {
+  std::array<std::string, 2> lines = {"", name};
+  for (std::size_t at = name.find(' '); at != std::string::npos && display_width(name) > below;
+       at = name.find(' ', at + 1)) {
+    const std::size_t now = std::max(display_width(lines[0]), display_width(lines[1]));
+    const std::string first = name.substr(0, at), second = name.substr(at + 1);
+    if (std::max(display_width(first), display_width(second)) < now) lines = {first, second};
+  }
+  return lines;
+}
+
+}  // namespace
+
 std::string Table::text() const {
+  std::vector<std::array<std::string, 2>> headings;
   std::vector<std::size_t> widths;
   std::size_t total = 0;
   for (const Column& column : columns_) {
-    std::size_t widest = std::max(display_width(column.name), display_width(column.unit));
-    for (const std::string& cell : column.cells) {
-      widest = std::max(widest, display_width(cell));
-    }
+    std::size_t widest = display_width(column.unit);
+    for (const std::string& cell : column.cells) widest = std::max(widest, display_width(cell));
+    headings.push_back(heading(column.name, widest));
+    for (const std::string& line : headings.back()) widest = std::max(widest, display_width(line));
     widths.push_back(widest);
     total += widest + 2;
   }
   std::string text;
   const auto line = [&](const auto& cell_of) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::string& cell = cell_of(columns_[i]);
+      const std::string& cell = cell_of(i);
       text += std::string(2 + widths[i] - display_width(cell), ' ') + cell;
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
   };
-  line([](const Column& column) -> const std::string& { return column.name; });
-  if (std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); })) {
-    line([](const Column& column) -> const std::string& { return column.unit; });
-  }
+  const auto any = [&](const auto& cell_of) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (!cell_of(i).empty()) return true;
+    }
+    return false;
+  };
+  const auto upper = [&](std::size_t i) -> const std::string& { return headings[i][0]; };
+  const auto unit = [&](std::size_t i) -> const std::string& { return columns_[i].unit; };
+  if (any(upper)) line(upper);
+  line([&](std::size_t i) -> const std::string& { return headings[i][1]; });
+  if (any(unit)) line(unit);
   text += "  ";
   for (std::size_t i = 2; i < total; ++i) {
     text += "─";
@@ -67,7 +92,7 @@ std::string Table::text() const {
   text += '\n';
   const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
   for (std::size_t row = 0; row < rows; ++row) {
-    line([row](const Column& column) -> const std::string& { return column.cells.at(row); });
+    line([&](std::size_t i) -> const std::string& { return columns_[i].cells.at(row); });
   }
   return text;
 }

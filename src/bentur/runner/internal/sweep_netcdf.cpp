@@ -347,7 +347,6 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
       file_.put(*quantities_[q], values, places);
     }
   }
-  file_.finish();
   // All or none: a variable of texts with pieces that were never written cannot be read as a whole.
   for (std::size_t first = 0; !failures.empty() && first < runs_.plan().runs();) {
     const RunBlock block = block_at(first);
@@ -358,6 +357,7 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
     file_.put(message_, messages, block.places);
     first += block.runs;
   }
+  file_.finish();
   return totals;
 }
 
