@@ -115,7 +115,7 @@ std::string codes_note(const CodeSpec& code) {
 }
 
 /// The floors that face a column, or a floor that no contact point is at.
-std::string watched_text(const Problem& problem, const Response& response, std::size_t gap,
+std::string watched_text(const Problem& problem, const Response& response, Eigen::Index gap,
                          const GoverningLevel& governing, const std::string& length) {
   const std::vector<Eigen::Index> watched = gap_at(problem, gap).watched;
   std::vector<double> elevations, widths, simulated;

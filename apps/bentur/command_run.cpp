@@ -78,7 +78,7 @@ std::string unmodelled_text(const RunResults& run, const std::vector<Eigen::Inde
 }
 
 /// Does it pound, where, how often, how hard; and how wide the gap would have to be.
-std::string verdict(const RunResults& run, std::size_t gap) {
+std::string verdict(const RunResults& run, Eigen::Index gap) {
   const Problem& problem = run.problem;
   const std::string& length = run.c.units.length;
   const GapOutcome found = gap_outcome(problem, run.response, gap);
@@ -139,7 +139,7 @@ std::string law_text(const RunResults& run) {
       std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() <= 1; });
   std::vector<std::string> between, law, choices, parameter, asked, obtained;
   std::vector<double> elevation;
-  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap < std::ssize(gaps); ++gap) {
     std::string made;
     for (const auto& [name, word] : gaps[gap].contact.choices()) {
       made += (made.empty() ? "" : ", ") + word;
@@ -181,7 +181,7 @@ std::string summary_text(const RunResults& run) {
                         quantity_table(run, Owner::point, places_of(points_from_top(gap))).text());
   }
   text += law_text(run);
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
     text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,

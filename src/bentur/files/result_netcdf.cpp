@@ -31,7 +31,7 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
   for (const Quantity* quantity : quantities_of(owner)) {
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, run, at));
-    const Variable variable = file.write(prefix + std::string(quantity->key) + suffix, dimensions, values,
+    const Variable variable = file.write(fmt::format("{}{}{}", prefix, quantity->key, suffix), dimensions, values,
                                          udunits(quantity->units, run.units), std::string(quantity->long_name) + of);
     if (!quantity->symbol.empty()) file.attribute(variable, "symbol", std::string(quantity->symbol));
   }
@@ -97,7 +97,7 @@ void write_points(const NetcdfWriter& file, Dimension time, const RunView& run, 
   for (const Variable variable : {opening, contact}) {
     file.attribute(variable, "coordinates", "point_elevation point_width point_left point_right");
   }
-  write_quantities(file, Owner::point, run, {points}, first_places(problem.points.size()), "", "", "");
+  write_quantities(file, Owner::point, run, {points}, first_places(std::ssize(problem.points)), "", "", "");
 }
 
 void write_energy(const NetcdfWriter& file, Dimension time, const EnergyHistories& energy, const std::string& units) {
@@ -120,7 +120,7 @@ void write_impacts(const NetcdfWriter& file, const RunView& run) {
   std::vector<int> points;
   for (const Impact& impact : impacts) points.push_back(static_cast<int>(impact.point));
   file.write("impact_point", {dimension}, points, "", "number of the contact point of each impact, counted from 0");
-  write_quantities(file, Owner::impact, run, {dimension}, first_places(impacts.size()), "impact_", "",
+  write_quantities(file, Owner::impact, run, {dimension}, first_places(std::ssize(impacts)), "impact_", "",
                    " of each impact");
 }
 
@@ -185,7 +185,7 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   std::vector<double> delays = problem.delays;
   delays.resize(problem.buildings.size(), 0.0);
   std::vector<std::string> names;
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     write_building(file, time, b, run, length, force);
     names.push_back(problem.buildings[b].name);
   }
@@ -196,7 +196,7 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   for (const Gap& gap : gaps_of(problem)) gap_names.push_back(gap_name(problem, gap.left));
   const Dimension gaps = file.dimension("gap", gap_names.size());
   file.write("gap_name", {gaps}, gap_names, "", "buildings on both sides of the gaps");
-  write_quantities(file, Owner::gap, run, {gaps}, first_places(gap_names.size()), "", "", "");
+  write_quantities(file, Owner::gap, run, {gaps}, first_places(std::ssize(gap_names)), "", "", "");
   write_quantities(file, Owner::run, run, {}, {{}}, "", "", "");
   write_points(file, time, run, length, force);
   write_impacts(file, run);

@@ -91,7 +91,7 @@ void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<Qu
                      const std::string& prefix, const std::string& suffix, Response& response) {
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
-    const std::string name = prefix + std::string(quantity->key) + suffix;
+    const std::string name = fmt::format("{}{}{}", prefix, quantity->key, suffix);
     const std::vector<double> values = file.numbers(name);
     if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
     for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], places[i], response);
@@ -219,7 +219,7 @@ void read_points(const NetcdfReader& file, RunResults& results) {
   }
   Response& response = results.response;
   response.points.resize(left.size());
-  take_quantities(file, Owner::point, first_places(left.size()), "", "", response);
+  take_quantities(file, Owner::point, first_places(std::ssize(left)), "", "", response);
   response.histories.opening = table(file, "opening", left.size(), response.histories.time.size());
   response.histories.force = table(file, "force", left.size(), response.histories.time.size());
   if (file.find("impact_point") == nullptr) return;
@@ -227,7 +227,7 @@ void read_points(const NetcdfReader& file, RunResults& results) {
     if (!(point < static_cast<double>(left.size()))) throw NetcdfError(file.name(), "an impact is at no point of it");
     response.impacts.push_back({.point = static_cast<int>(point)});
   }
-  take_quantities(file, Owner::impact, first_places(response.impacts.size()), "impact_", "", response);
+  take_quantities(file, Owner::impact, first_places(std::ssize(response.impacts)), "impact_", "", response);
 }
 
 EnergyHistories read_energy(const NetcdfReader& file) {
@@ -305,7 +305,7 @@ RunResults read_histories(const NetcdfReader& file) {
   response.histories.time = file.numbers("time");
   if (response.histories.time.empty()) throw NetcdfError(file.name(), "holds no histories");
   for (const std::string& name : file.texts("building_name")) {
-    const std::size_t b = problem.buildings.size();
+    const Eigen::Index b = std::ssize(problem.buildings);
     const std::string number = fmt::format("_{}", b + 1);
     problem.buildings.push_back(read_building(file, name, number));
     const std::size_t floors = problem.buildings.back().model.elevations.size();

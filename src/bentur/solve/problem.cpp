@@ -17,7 +17,7 @@ void require(bool ok, const std::string& parameter, const Value& value, const st
 /// A time of which the whole analysis has so many has no phase left in a double [-].
 constexpr double most_times = 1e15;
 
-void check_building(const Building& building, std::size_t b, double duration) {
+void check_building(const Building& building, Eigen::Index b, double duration) {
   const Eigen::Index dofs = building.model.dofs();
   const auto name = fmt::format("buildings[{}]", b);
   require(building.model.floors() > 0, name, building.name, "must have a floor");
@@ -90,7 +90,7 @@ void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& pr
   if (values.empty()) return;
   require(values.size() == problem.buildings.size(), name, fmt::format("{} entries", values.size()),
           "must be empty or have one entry per building");
-  for (std::size_t b = 0; b < values.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(values); ++b) {
     require(values[b].size() == problem.buildings[b].model.dofs() && values[b].allFinite(),
             fmt::format("{}[{}]", name, b), fmt::format("{} entries", values[b].size()),
             "must have one finite entry per degree of freedom");
@@ -141,7 +141,7 @@ double delay_of(const Problem& problem, std::size_t building) {
   return problem.delays.empty() ? 0.0 : problem.delays.at(building);
 }
 
-std::string gap_name(const Problem& problem, std::size_t gap) {
+std::string gap_name(const Problem& problem, Eigen::Index gap) {
   return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
 }
 
@@ -156,7 +156,8 @@ void validate(const Problem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   require(std::isfinite(problem.duration) && problem.duration > 0.0, "duration", problem.duration,
           "must be finite and > 0");
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_building(problem.buildings[b], b, problem.duration);
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b)
+    check_building(problem.buildings[b], b, problem.duration);
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
   check_floors_of_points(problem);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);

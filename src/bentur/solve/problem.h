@@ -68,7 +68,7 @@ struct Gap {
 [[nodiscard]] double delay_of(const Problem& problem, std::size_t building);
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
-[[nodiscard]] std::string gap_name(const Problem& problem, std::size_t gap);
+[[nodiscard]] std::string gap_name(const Problem& problem, Eigen::Index gap);
 
 /// w of every point [length].
 [[nodiscard]] std::vector<double> gap_widths(const Problem& problem);

@@ -75,7 +75,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   }
 }
 
-Json building_json(const RunView& run, std::size_t b) {
+Json building_json(const RunView& run, Eigen::Index b) {
   const Building& building = run.problem.buildings[b];
   Json json = {{"name", building.name},
                {"elevations", building.model.elevations},
@@ -150,7 +150,7 @@ Json watched_list(const Problem& problem, const Response& response, const Gap& g
 }
 
 /// Those that met what they face, the deepest first.
-Json unmodelled_list(const Problem& problem, const Response& response, std::size_t gap, const std::string& length) {
+Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap, const std::string& length) {
   Json list = Json::array();
   for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
     const WatchedFloor& floor = problem.watched[i];
@@ -163,7 +163,7 @@ Json unmodelled_list(const Problem& problem, const Response& response, std::size
   return list;
 }
 
-Json between(const Problem& problem, std::size_t gap) {
+Json between(const Problem& problem, Eigen::Index gap) {
   return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
 }
 
@@ -173,7 +173,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   const RunView run = results.view();
   const Case& c = results.c;
   Json buildings = Json::array();
-  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(building_json(run, b));
+  for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) buildings.push_back(building_json(run, b));
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();

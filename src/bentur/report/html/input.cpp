@@ -169,7 +169,7 @@ Html modes_table(const Building& building, const Story& story) {
   return content;
 }
 
-Html building_echo(const Story& story, std::size_t b) {
+Html building_echo(const Story& story, Eigen::Index b) {
   const Words& say = story.say;
   const BuildingSpec& spec = story.c.buildings.at(b);
   const Building& building = story.problem.buildings.at(b);
@@ -196,7 +196,7 @@ std::string parameter_unit(std::string_view name, const std::string& law, const 
   return "";
 }
 
-Html gap_echo(const Story& story, std::size_t gap) {
+Html gap_echo(const Story& story, Eigen::Index gap) {
   const Words& say = story.say;
   const GapSpec& spec = story.c.gaps.at(gap);
   Rows rows;
@@ -212,7 +212,7 @@ Html gap_echo(const Story& story, std::size_t gap) {
   if (spec.contact.axial) rows.emplace_back("stiffness", say("input.axial"));
   std::vector<double> elevations, widths;
   std::vector<std::pair<std::string, std::vector<double>>> parameters;
-  for (const std::size_t i : points_of(story.problem, gap)) {
+  for (const Eigen::Index i : points_of(story.problem, gap)) {
     const ContactPoint& point = story.problem.points[i];
     elevations.push_back(point.elevation);
     widths.push_back(point.width);
@@ -274,7 +274,7 @@ Html motion_echo(const Story& story) {
   if (measures.significant_duration > 0) {
     rows.emplace_back(say("motion.significant"), quantity(measures.significant_duration, "s"));
   }
-  for (std::size_t b = 0; b < c.excitation.delays.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(c.excitation.delays); ++b) {
     if (c.excitation.delays[b] != 0) {
       rows.emplace_back(say("motion.delay", {{"building", story.problem.buildings.at(b).name}}),
                         quantity(c.excitation.delays[b], "s"));
@@ -290,9 +290,9 @@ Html initial_echo(const Story& story) {
   const Words& say = story.say;
   const InitialSpec& initial = story.c.initial;
   Html content;
-  for (std::size_t b = 0; b < story.c.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) {
     const auto given = [&](const std::vector<std::vector<double>>& all) {
-      return b < all.size() ? all[b] : std::vector<double>();
+      return b < std::ssize(all) ? all[b] : std::vector<double>();
     };
     const std::vector<double> displacements = given(initial.displacements);
     const std::vector<double> velocities = given(initial.velocities);
@@ -348,8 +348,8 @@ Html buildings_of_results(const Story& story) {
 Html input_section(const Story& story) {
   Html content = motion_echo(story);
   if (!story.from_case()) content += buildings_of_results(story);
-  for (std::size_t b = 0; b < story.c.buildings.size(); ++b) content += building_echo(story, b);
-  for (std::size_t gap = 0; gap < story.c.gaps.size(); ++gap) content += gap_echo(story, gap);
+  for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) content += building_echo(story, b);
+  for (Eigen::Index gap = 0; gap < std::ssize(story.c.gaps); ++gap) content += gap_echo(story, gap);
   content += initial_echo(story) + analysis_echo(story);
   return section("input", story.say("heading.input"), content);
 }

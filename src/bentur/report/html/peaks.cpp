@@ -22,7 +22,7 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
 }
 
 void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
-  const auto languages = report_languages();
+  const auto& languages = report_languages();
   const auto language = std::find(languages.begin(), languages.end(), story.say.language()) - languages.begin();
   for (TableColumn& column : table_columns(owner, story.run, places, static_cast<std::size_t>(language))) {
     table.add(column.label, column.unit, std::move(column.cells));
@@ -38,7 +38,7 @@ namespace {
 
 constexpr std::size_t rows_in_print = 30;  // report.css hides the others
 
-Html contact_table(const Story& story, std::size_t gap) {
+Html contact_table(const Story& story, Eigen::Index gap) {
   const std::vector<Eigen::Index> points = points_of(story.problem, gap);
   std::vector<double> elevations;
   for (const Eigen::Index i : points) elevations.push_back(story.problem.points[i].elevation);
@@ -48,7 +48,7 @@ Html contact_table(const Story& story, std::size_t gap) {
   return table.markup();
 }
 
-Html building_table(const Story& story, std::size_t b) {
+Html building_table(const Story& story, Eigen::Index b) {
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
@@ -84,7 +84,7 @@ Html restitution_table(const Story& story) {
          element("p", Html::text(say("peaks.restitution_note")), "class=\"note\"");
 }
 
-Html proportions_text(const Story& story, std::size_t b) {
+Html proportions_text(const Story& story, Eigen::Index b) {
   const Building& building = story.problem.buildings[b];
   const Proportions found = proportions(building, story.c.units, &story.response.buildings[b]);
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
@@ -111,13 +111,13 @@ Html remarks_section(const Story& story) {
 Html peaks_section(const Story& story) {
   const Words& say = story.say;
   Html content;
-  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     if (points_of(story.problem, gap).empty()) continue;
     const std::string name = gap_name(story.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
   }
   content += restitution_table(story);
-  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
                proportions_text(story, b);

@@ -21,7 +21,7 @@ const Impact* hardest_impact(const Response& response, std::size_t point) {
   return hardest;
 }
 
-std::string collision_text(const Story& story, std::size_t gap, const GapOutcome& found, std::size_t points) {
+std::string collision_text(const Story& story, Eigen::Index gap, const GapOutcome& found, std::size_t points) {
   const Words& say = story.say;
   const std::string left = story.problem.buildings[gap].name;
   const std::string right = story.problem.buildings[gap + 1].name;
@@ -164,13 +164,13 @@ std::string rules_text(const Story& story, const std::vector<Eigen::Index>& poin
 std::string effect_text(const Story& story) {
   const auto& buildings = story.response.buildings;
   struct Place {
-    std::size_t building = 0;
+    Eigen::Index building = 0;
     Eigen::Index floor = 0;
     double value = 0;
   };
   const auto largest = [&](const auto& value_of) {
     Place found;
-    for (std::size_t b = 0; b < buildings.size(); ++b) {
+    for (Eigen::Index b = 0; b < std::ssize(buildings); ++b) {
       for (Eigen::Index floor = 0; floor < buildings[b].displacement.size(); ++floor) {
         const double value = value_of(buildings[b], floor);
         if (value > found.value) found = {b, floor, value};
@@ -179,8 +179,7 @@ std::string effect_text(const Story& story) {
     return found;
   };
   const auto level = [&](const Place& place) {
-    return quantity(story.problem.buildings[place.building].model.elevations[static_cast<std::size_t>(place.floor)],
-                    story.c.units.length);
+    return quantity(story.problem.buildings[place.building].model.elevations[place.floor], story.c.units.length);
   };
   std::string text;
   if (!story.response.impacts.empty()) {
@@ -262,7 +261,7 @@ Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
 
 Html verdict_section(const Story& story) {
   Html blocks;
-  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GapOutcome found = gap_outcome(story.problem, story.response, gap);
     const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
@@ -286,7 +285,7 @@ Html verdict_section(const Story& story) {
 namespace {
 
 /// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
-Html watched_table(const Story& story, std::size_t gap, const GoverningLevel& governing) {
+Html watched_table(const Story& story, Eigen::Index gap, const GoverningLevel& governing) {
   const Words& say = story.say;
   std::vector<Eigen::Index> floors = gap_at(story.problem, gap).watched;
   if (floors.empty()) return {};
@@ -321,7 +320,7 @@ Html gap_section(const Story& story) {
   const std::string& length = story.c.units.length;
   Html content;
   bool codes = false;
-  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GoverningLevel governing = governing_level(story.problem, story.response, gap);
     HtmlTable table;

@@ -31,7 +31,7 @@ double frame_height(const RunResults& run) {
 }
 
 /// One panel for each building.
-Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<std::size_t>& shown) {
+Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
   Figure figure{.columns = static_cast<int>(std::min(shown.size(), most_columns)), .width = options.width};
   const Axis elevation = elevation_axis(run);
   for (std::size_t b = 0; b < shown.size(); ++b) {
@@ -55,12 +55,12 @@ Curve over_height(const Building& building, const Eigen::VectorXd& values, Curve
 }  // namespace
 
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
-  const std::vector<std::size_t> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   Figure figure = beside(run, options, shown);
   figure.title = "Largest displacements relative to the bases, with and without contact";
   figure.shared_legend = true;
   double largest = 0;
-  for (const std::size_t b : shown) {
+  for (const Eigen::Index b : shown) {
     const BuildingPeaks& peaks = run.response.buildings[b];
     largest = std::max({largest, peaks.displacement.maxCoeff(), peaks.displacement_no_contact.maxCoeff()});
   }
@@ -86,7 +86,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
               .y = elevation_axis(run),
               .height = frame_height(run),
               .rules = {{.at = 1, .vertical = true}}};
-  const std::vector<std::size_t> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Curve curve{.label = building.name};
@@ -104,7 +104,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
 }
 
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
-  const std::vector<std::size_t> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   Figure figure = beside(run, options, shown);
   figure.title = "Mode shapes, largest sway 1";
   for (std::size_t b = 0; b < shown.size(); ++b) {

@@ -39,17 +39,17 @@ Window window(const RunResults& run, const FigureOptions& options) {
 }
 
 /// Some vibrations around the hardest impact of the point, or the moment it is nearest to one.
-Window around_the_hardest(const RunResults& run, std::size_t point) {
-  const auto period = [&](std::size_t b) { return first_period(run.problem.buildings[b]).value_or(0); };
-  const auto left = static_cast<std::size_t>(run.problem.points[point].left);
+Window around_the_hardest(const RunResults& run, Eigen::Index point) {
+  const auto period = [&](Eigen::Index b) { return first_period(run.problem.buildings[b]).value_or(0); };
+  const Eigen::Index left = run.problem.points[point].left;
   const double unit = std::max({period(left), period(left + 1), 1e-6 * run.response.histories.time.back()});
   double centre = 0;
   if (const Impact* impact = hardest_impact(run, point)) {
     centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
   } else {
     Eigen::Index closest = 0;
-    run.response.histories.opening.row(static_cast<Eigen::Index>(point)).minCoeff(&closest);
-    centre = run.response.histories.time[static_cast<std::size_t>(closest)];
+    run.response.histories.opening.row(point).minCoeff(&closest);
+    centre = run.response.histories.time[closest];
   }
   // Ends on tenths of its length, so that the axis has round numbers.
   const double length = 8 * unit;
@@ -72,10 +72,10 @@ Curve within(const Curve& whole, const Window& window) {
   return part;
 }
 
-Events contacts(const RunResults& run, std::size_t point, const Window& window) {
+Events contacts(const RunResults& run, Eigen::Index point, const Window& window) {
   Events events{"contact", {}};
   for (const Impact& impact : run.response.impacts) {
-    if (impact.point == static_cast<int>(point) && impact.start >= window.from && impact.start <= window.to) {
+    if (impact.point == point && impact.start >= window.from && impact.start <= window.to) {
       events.x.push_back(impact.start);
     }
   }
@@ -84,7 +84,7 @@ Events contacts(const RunResults& run, std::size_t point, const Window& window) 
 
 /// A panel over the whole run and, where that is long, another over its hardest moments; or one over the window asked
 /// for.
-Figure histories(const RunResults& run, const FigureOptions& options, std::size_t point, const std::string& label,
+Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Index point, const std::string& label,
                  const std::vector<Curve>& curves, const std::vector<Rule>& rules, bool mark_contacts) {
   Figure figure{.width = options.width, .shared_legend = true};
   const auto add = [&](const std::string& title, const Window& window, bool last) {
@@ -109,7 +109,7 @@ Figure histories(const RunResults& run, const FigureOptions& options, std::size_
 }  // namespace
 
 Figure displacement_figure(const RunResults& run, const FigureOptions& options) {
-  const std::size_t i = chosen_point(run, options);
+  const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
   const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
     return Curve{.label = run.problem.buildings[b].name,
@@ -125,7 +125,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
 }
 
 Figure opening_figure(const RunResults& run, const FigureOptions& options) {
-  const std::size_t i = chosen_point(run, options);
+  const Eigen::Index i = chosen_point(run, options);
   const Curve opening{
       .label = "opening", .x = run.response.histories.time, .y = row_of(run.response.histories.opening, i)};
   const Rule closed{.at = 0, .tone = Tone::grey};
@@ -137,14 +137,14 @@ Figure opening_figure(const RunResults& run, const FigureOptions& options) {
 }
 
 Figure force_figure(const RunResults& run, const FigureOptions& options) {
-  const std::size_t i = chosen_point(run, options);
+  const Eigen::Index i = chosen_point(run, options);
   if (const Impact* hardest = hardest_impact(run, i); hardest == nullptr || !(hardest->peak_force > 0)) {
     throw NoFigure("no contact force at " + point_text(run, i));
   }
   // Impacts are far shorter than a sample: each is drawn through its start, its peak and its end.
   Curve force{.x = {run.response.histories.time.front()}, .y = {0}};
   for (const Impact& impact : run.response.impacts) {
-    if (impact.point != static_cast<int>(i)) continue;
+    if (impact.point != i) continue;
     for (const auto& [x, y] : {std::pair{impact.start, 0.0}, std::pair{impact.peak_force_time, impact.peak_force},
                                std::pair{impact.end, 0.0}}) {
       force.x.push_back(std::max(x, force.x.back()));

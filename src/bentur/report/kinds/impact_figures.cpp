@@ -11,7 +11,7 @@ namespace {
 
 /// One impact in close-up.
 struct Course {
-  std::size_t point = 0;
+  Eigen::Index point = 0;
   double start = 0;                             ///< of the impact [s]
   std::vector<double> time, shortening, force;  ///< since the start [ms], δ [length], F [force]
 };
@@ -23,9 +23,9 @@ Course read_course(const RunResults& run) {
                        : "the file has no impact in close-up: \"bentur run --figures\" adds it");
   }
   const CloseUp& near = *run.figures.close_up;
-  const Impact& impact = run.response.impacts.at(static_cast<std::size_t>(near.impact));
+  const Impact& impact = run.response.impacts.at(near.impact);
   Course course;
-  course.point = static_cast<std::size_t>(impact.point);
+  course.point = impact.point;
   course.start = impact.start;
   course.force = near.force;
   for (const double t : near.time) course.time.push_back(1e3 * (t - impact.start));

@@ -47,7 +47,7 @@ Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) 
   curves.acceleration_unit = unit_text("L s-2", run.c.units);
   curves.length = run.c.units.length;
   curves.damping = run.figures.spectrum_damping;
-  for (const std::size_t b : shown_buildings(run, options)) {
+  for (const Eigen::Index b : shown_buildings(run, options)) {
     const Building& building = run.problem.buildings[b];
     if (const auto period = first_period(building)) curves.marks.emplace_back(building.name, *period);
   }

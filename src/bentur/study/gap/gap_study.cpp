@@ -20,7 +20,7 @@ constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
 /// The largest of the points of gap `gap`.
 GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
-                std::size_t gap) {
+                Eigen::Index gap) {
   GapNeed need;
   need.simulated = gap_needed(problem, response, gap);
   for (const PointSeparation& one : separations) {
@@ -37,7 +37,7 @@ GapNeed need_of(const Problem& problem, const Response& response, const std::vec
 constexpr double GapNeed::*single_numbers[] = {&GapNeed::simulated, &GapNeed::abs, &GapNeed::srss, &GapNeed::ddc};
 
 /// The gap that the fraction p [-] of the records does not exceed, each number by itself; p = 1: the largest.
-GapNeed quantile_of_needs(const RecordNeeds& needs, std::size_t gap, double p) {
+GapNeed quantile_of_needs(const RecordNeeds& needs, Eigen::Index gap, double p) {
   const auto quantile = [&](auto number_of) {
     std::vector<double> numbers;
     for (const RecordNeed& record : needs.records) numbers.push_back(number_of(record.gaps[gap]));
@@ -77,7 +77,7 @@ class Work {
         needs.records.push_back(need(choices, records));
         progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
       }
-      for (std::size_t gap = 0; gap + 1 < facts_.problem.buildings.size(); ++gap) {
+      for (Eigen::Index gap = 0; gap + 1 < std::ssize(facts_.problem.buildings); ++gap) {
         GapOverRecords over{quantile_of_needs(needs, gap, 1), quantile_of_needs(needs, gap, 0.5), {}, {}};
         for (const double p : told_quantiles) over.quantiles.push_back({p, quantile_of_needs(needs, gap, p)});
         needs.gaps.push_back(std::move(over));
@@ -123,7 +123,7 @@ class Work {
       const ReadCase read = case_of(choices, found);
       if (!found.ok()) throw std::runtime_error(first_message(found));
       const Problem problem = read.problem();
-      for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
+      for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
         GivenGap given;
         given.others = values_along(widths, choices);
         const Gap between = gap_at(problem, gap);
@@ -144,7 +144,7 @@ class Work {
       const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
       return point.left == gap && one.simulated > point.width;
     };
-    const std::vector<Eigen::Index> floors = gap_at(given, static_cast<std::size_t>(gap)).watched;
+    const std::vector<Eigen::Index> floors = gap_at(given, gap).watched;
     return std::any_of(record.separations.begin(), record.separations.end(), more) ||
            std::any_of(floors.begin(), floors.end(),
                        [&](Eigen::Index i) { return record.watched.at(i) > given.watched[i].width; });
@@ -184,7 +184,7 @@ class Work {
     if (response.status != Status::done) throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
     for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
-    for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+    for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
       result.gaps.push_back(need_of(problem, response, result.separations, gap));
     }
     if (result_.title.empty() && result_.needs.empty()) {

@@ -11,22 +11,22 @@
 
 namespace bentur {
 
-const Impact* hardest_impact(const RunResults& run, std::size_t point) {
+const Impact* hardest_impact(const RunResults& run, Eigen::Index point) {
   const Impact* found = nullptr;
   for (const Impact& impact : run.response.impacts) {
-    const bool here = impact.point == static_cast<int>(point);
+    const bool here = impact.point == point;
     if (here && (found == nullptr || impact.peak_force > found->peak_force)) found = &impact;
   }
   return found;
 }
 
-std::size_t chosen_point(const RunResults& run, const FigureOptions& options) {
+Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   const std::vector<ContactPoint>& points = run.problem.points;
   const std::vector<Building>& buildings = run.problem.buildings;
-  std::vector<std::size_t> candidates;
+  std::vector<Eigen::Index> candidates;
   std::string known;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (options.gap && points[i].left != static_cast<int>(*options.gap)) continue;
+  for (Eigen::Index i = 0; i < std::ssize(points); ++i) {
+    if (options.gap && points[i].left != static_cast<Eigen::Index>(*options.gap)) continue;
     known += (known.empty() ? "" : ", ") + number_text(points[i].elevation);
     const double tolerance = 1e-6 * std::max(1.0, std::abs(points[i].elevation));
     if (options.elevation && std::abs(points[i].elevation - *options.elevation) > tolerance) continue;
@@ -44,9 +44,9 @@ std::size_t chosen_point(const RunResults& run, const FigureOptions& options) {
     throw NoFigure(fmt::format("no contact point at elevation {} {}: there are {}", number_text(*options.elevation),
                                run.c.units.length, known));
   }
-  std::size_t best = candidates.front();
+  Eigen::Index best = candidates.front();
   const Impact* hard = nullptr;
-  for (const std::size_t i : candidates) {
+  for (const Eigen::Index i : candidates) {
     const Impact* one = hardest_impact(run, i);
     if (one != nullptr && (hard == nullptr || one->peak_force > hard->peak_force)) {
       hard = one;
@@ -55,8 +55,8 @@ std::size_t chosen_point(const RunResults& run, const FigureOptions& options) {
   }
   if (hard != nullptr) return best;
   double closest = INFINITY;
-  for (const std::size_t i : candidates) {
-    const double smallest = run.response.histories.opening.row(static_cast<Eigen::Index>(i)).minCoeff();
+  for (const Eigen::Index i : candidates) {
+    const double smallest = run.response.histories.opening.row(i).minCoeff();
     if (smallest < closest) {
       closest = smallest;
       best = i;
@@ -65,21 +65,21 @@ std::size_t chosen_point(const RunResults& run, const FigureOptions& options) {
   return best;
 }
 
-std::vector<std::size_t> shown_buildings(const RunResults& run, const FigureOptions& options) {
-  constexpr std::size_t most = 6;
-  std::vector<std::size_t> all(run.problem.buildings.size());
-  std::iota(all.begin(), all.end(), 0);
-  if (all.size() <= most) return all;
+std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options) {
+  constexpr Eigen::Index most = 6;
+  std::vector<Eigen::Index> all(run.problem.buildings.size());
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  if (std::ssize(all) <= most) return all;
   const std::vector<ContactPoint>& points = run.problem.points;
-  const std::size_t left =
-      points.empty() ? options.gap.value_or(0) : static_cast<std::size_t>(points[chosen_point(run, options)].left);
+  const Eigen::Index left =
+      points.empty() ? static_cast<Eigen::Index>(options.gap.value_or(0)) : points[chosen_point(run, options)].left;
   return {left, left + 1};
 }
 
-std::string point_text(const RunResults& run, std::size_t point) {
+std::string point_text(const RunResults& run, Eigen::Index point) {
   const ContactPoint& place = run.problem.points[point];
-  return fmt::format("{}, elevation {} {}", gap_name(run.problem, static_cast<std::size_t>(place.left)),
-                     number_text(place.elevation), run.c.units.length);
+  return fmt::format("{}, elevation {} {}", gap_name(run.problem, place.left), number_text(place.elevation),
+                     run.c.units.length);
 }
 
 double base_of(const Building& building) {

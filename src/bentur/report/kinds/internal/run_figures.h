@@ -11,13 +11,13 @@ namespace bentur {
 
 /// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
 /// @throws NoFigure when there is none.
-[[nodiscard]] std::size_t chosen_point(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options);
 /// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point.
-[[nodiscard]] std::vector<std::size_t> shown_buildings(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
 /// The hardest impact of a point; nullptr without one.
-[[nodiscard]] const Impact* hardest_impact(const RunResults& run, std::size_t point);
+[[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
 /// "Model 1 | Model 2, elevation 300 cm".
-[[nodiscard]] std::string point_text(const RunResults& run, std::size_t point);
+[[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point);
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
 /// T of the first mode [s]; nothing without modes.
