@@ -29,7 +29,7 @@ void run(const std::string& file) {
                         count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
                         proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
   }
-  for (std::size_t gap = 0; gap < loaded.c.gaps.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
                         count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,

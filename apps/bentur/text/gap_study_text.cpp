@@ -86,7 +86,7 @@ std::string gap_study_text(const GapStudy& study) {
     for (const auto& [name, value] : needs.others) {
       others += fmt::format("{}{} = {}", others.empty() ? "" : ", ", name, value);
     }
-    for (std::size_t gap = 0; gap < needs.gaps.size(); ++gap) {
+    for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
       text += fmt::format("\n{}{}\n\n", gap_name(study.problem, gap), others.empty() ? "" : ": " + others) +
               gap_table(study, needs, gap) + given_text(study, needs, gap);
     }

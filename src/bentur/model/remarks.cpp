@@ -120,7 +120,7 @@ double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t bu
 
 void check_gaps(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
-    const auto left = static_cast<std::size_t>(point.left);
+    const Eigen::Index left = point.left;
     const std::string name = gap_name(problem, left);
     list.most("gap_width", name, point.width, list.length(), most_gap * list.metre(), usual_gap * list.metre());
     const double overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
@@ -193,12 +193,12 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   }
   std::vector<int> slow_starts(problem.buildings.size(), 0);  // per gap
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const auto left = static_cast<std::size_t>(problem.points[i].left);
+    const Eigen::Index left = problem.points[i].left;
     list.most("penetration", gap_name(problem, left), response.points.at(i).peak_penetration, list.length(),
               most_penetration * list.metre(), usual_penetration * list.metre());
     slow_starts.at(left) += response.points.at(i).slow_starts;
   }
-  for (std::size_t gap = 0; gap + 1 < problem.buildings.size(); ++gap) {
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
     list.most("slow_starts", gap_name(problem, gap), slow_starts[gap], "", 0, 0);
   }
   return list.take();

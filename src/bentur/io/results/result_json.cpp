@@ -106,7 +106,7 @@ Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
   return json;
 }
 
-Json point_json(const RunView& run, std::size_t i, const ContactSpec& contact) {
+Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) {
   const ContactPoint& point = run.problem.points[i];
   Json json = {{"elevation", point.elevation}, {"width", point.width}};
   json["restitution"] = {{"asked", or_null(run.restitutions[i].asked)}};
