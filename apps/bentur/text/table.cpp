@@ -8,14 +8,19 @@
 
 namespace bentur::cli {
 
+namespace {
+
+constexpr std::size_t widest_line = 100;  // characters
+
+}  // namespace
+
 std::string wrapped(const std::string& text) {
-  constexpr std::size_t widest = 100;
   std::string result;
   std::size_t taken = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    if (taken > 0 && taken + 1 + display_width(word) > widest) {
+    if (taken > 0 && taken + 1 + display_width(word) > widest_line) {
       result += "\n  ";
       taken = 2;
     } else if (at > 0) {
@@ -57,13 +62,19 @@ std::string Table::text() const {
   std::vector<std::array<std::string, 2>> headings;
   std::vector<std::size_t> widths;
   std::size_t total = 0;
-  for (const Column& column : columns_) {
-    std::size_t widest = display_width(column.unit);
-    for (const std::string& cell : column.cells) widest = std::max(widest, display_width(cell));
-    headings.push_back(heading(column.name, widest));
-    for (const std::string& line : headings.back()) widest = std::max(widest, display_width(line));
-    widths.push_back(widest);
-    total += widest + 2;
+  for (const bool divided : {false, true}) {
+    if (divided && total <= widest_line) break;
+    headings.clear();
+    widths.clear();
+    total = 0;
+    for (const Column& column : columns_) {
+      std::size_t widest = display_width(column.unit);
+      for (const std::string& cell : column.cells) widest = std::max(widest, display_width(cell));
+      headings.push_back(divided ? heading(column.name, widest) : std::array<std::string, 2>{"", column.name});
+      for (const std::string& line : headings.back()) widest = std::max(widest, display_width(line));
+      widths.push_back(widest);
+      total += widest + 2;
+    }
   }
   std::string text;
   const auto line = [&](const auto& cell_of) {
