@@ -33,15 +33,15 @@ struct RunArguments {
 };
 
 /// Every quantity of contact points or floors that is for tables, behind the elevations of the places.
-Table quantity_table(const RunResults& run, Owner owner, const std::vector<QuantityPlace>& places) {
+Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places) {
   std::vector<double> elevations;
   for (const QuantityPlace& at : places) {
     elevations.push_back(owner == Owner::point ? run.problem.points[at.item].elevation
                                                : run.problem.buildings[at.item].model.elevations[at.floor]);
   }
   Table table;
-  table.add("Level", run.c.units.length, elevations);
-  for (TableColumn& column : table_columns(owner, run.view(), places)) {
+  table.add("Level", run.units.length, elevations);
+  for (TableColumn& column : table_columns(owner, run, places)) {
     table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
   }
   return table;
@@ -129,12 +129,12 @@ std::string range_text(const PointRestitution& restitution) {
 
 /// The law of every contact point, the restitution it was asked for and the range its impacts had; empty where all are
 /// linear springs, of which there is nothing to say.
-std::string law_text(const RunResults& run) {
+std::string law_text(const RunResults& run, const RunView& view) {
   const std::vector<GapSpec>& gaps = run.c.gaps;
   if (std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.contact.law == "linear"; })) {
     return "";
   }
-  const std::vector<PointRestitution> restitution = restitutions(run.problem, run.response);
+  const std::vector<PointRestitution>& restitution = view.restitutions;
   const bool single_points =
       std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.elevations.size() <= 1; });
   std::vector<std::string> between, law, choices, parameter, asked, obtained;
@@ -170,6 +170,7 @@ std::string law_text(const RunResults& run) {
 }
 
 std::string summary_text(const RunResults& run) {
+  const RunView view = run.view();
   const Problem& problem = run.problem;
   std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
   text += excitation_line(run.c) + "\n\n";
@@ -178,14 +179,14 @@ std::string summary_text(const RunResults& run) {
   for (const Gap& gap : gaps) {
     if (gap.points.empty()) continue;
     text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap.left),
-                        quantity_table(run, Owner::point, places_of(points_from_top(gap))).text());
+                        quantity_table(view, Owner::point, places_of(points_from_top(gap))).text());
   }
-  text += law_text(run);
+  text += law_text(run, view);
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
     text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
-                        quantity_table(run, Owner::floor, floors_from_top(problem, b)).text());
+                        quantity_table(view, Owner::floor, floors_from_top(problem, b)).text());
     text += fmt::format("  Base shear {} of the weight; {}\n",
                         found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
                         proportions_text(building, found, run.c.units));

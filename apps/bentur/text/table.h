@@ -10,8 +10,8 @@ namespace bentur::cli {
 /// Words in lines of at most 100 characters, those after the first indented by two.
 [[nodiscard]] std::string wrapped(const std::string& text);
 
-/// A table under a header of names, in two lines where they are wide, and (where there are any) units, everything
-/// aligned to the right.
+/// A table under a header of names, divided into two lines where the table would be wider than 100 characters, and
+/// (where there are any) units, everything aligned to the right.
 class Table {
  public:
   /// `unit` empty: none. `cells` from top to bottom; all columns of one length.

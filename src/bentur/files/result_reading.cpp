@@ -131,11 +131,11 @@ Remark remark(const UnorderedJson& json) {
 }
 
 /// What the laws of a gap worked with, and its watched floors.
-void read_gap(const UnorderedJson& json, const Gap& gap, RunResults& results) {
+void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, RunResults& results) {
   const Problem& problem = results.problem;
   GapSpec spec;
   const UnorderedJson& points = json.at("points");
-  if (points.size() != gap.points.size()) fail("summary.json", "is not of the same run as histories.nc");
+  if (points.size() != gap.points.size()) fail(file, "is not of the same run as histories.nc");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& point = problem.points[gap.points[i]];
     spec.elevations.push_back(point.elevation);
@@ -177,7 +177,7 @@ void read_gap(const UnorderedJson& json, const Gap& gap, RunResults& results) {
   results.c.gaps.push_back(spec);
 }
 
-void read_summary(const UnorderedJson& json, RunResults& results) {
+void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
   results.c.units.force = json.at("units").at("force");
@@ -194,9 +194,9 @@ void read_summary(const UnorderedJson& json, RunResults& results) {
   }
   for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
   if (json.at("buildings").size() != results.problem.buildings.size()) {
-    fail("summary.json", "is not of the same run as histories.nc");
+    fail(file, "is not of the same run as histories.nc");
   }
-  for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, results);
+  for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, file, results);
 }
 
 void read_points(const NetcdfReader& file, RunResults& results) {
@@ -333,7 +333,7 @@ RunResults read_results(const fs::path& folder) {
     const std::string of_case =
         json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
     if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
-    read_summary(json, results);
+    read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
   } catch (const UnorderedJson::exception& error) {
     fail(summary, std::string("is not a summary of bentur run: ") + error.what());

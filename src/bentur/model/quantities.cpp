@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
@@ -158,23 +159,6 @@ const Quantity& quantity_named(std::string_view key, Owner owner) {
 
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
-Eigen::Index place_count(Owner owner, const Problem& problem, const Response& response) {
-  switch (owner) {
-    case Owner::building:
-    case Owner::floor:
-      return std::ssize(problem.buildings);
-    case Owner::point:
-      return std::ssize(problem.points);
-    case Owner::gap:
-      return std::ssize(problem.buildings) - 1;
-    case Owner::impact:
-      return std::ssize(response.impacts);
-    case Owner::run:
-      break;
-  }
-  return 1;
-}
-
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
   const Response& response = r.response;
   return std::visit(
@@ -230,17 +214,33 @@ std::string udunits(std::string_view form, const Units& units) {
   return text;
 }
 
-std::string unit_text(std::string_view form, const Units& units) {
-  std::string text;
-  for (std::size_t at = 0; at < form.size() && form != "1";) {
-    const std::size_t end = std::min(form.find(' ', at), form.size());
-    const std::string_view part = form.substr(at, end - at);
-    const std::string unit = part[0] == 'L' ? units.length : part[0] == 'F' ? units.force : std::string(1, part[0]);
-    const bool below = part.size() > 1 && part[1] == '-';
-    text += (below ? "/" : text.empty() ? "" : "·") + unit + (part.ends_with('2') ? "²" : "");
-    at = end + 1;
+std::string unit_text(const std::string& udunits) {
+  std::istringstream words(udunits == "1" ? "–" : udunits);
+  std::string above, below;
+  for (std::string word; words >> word;) {
+    if (word == "1000") {
+      words >> word;
+      if (word == "kgf") {
+        word = "tf";
+      } else {
+        word.insert(0, "1000 ");
+      }
+    }
+    if (word == "gravity") word = "g";
+    const std::size_t minus = word.find('-');
+    if (minus == std::string::npos) {
+      above += (above.empty() ? "" : "·") + word;
+    } else {
+      const std::string power = word.substr(minus + 1);
+      below += (below.empty() ? "" : "·") + word.substr(0, minus) + (power == "2" ? "²" : power == "3" ? "³" : "");
+    }
   }
-  return text;
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + below;
+}
+
+std::string unit_text(std::string_view form, const Units& units) {
+  return form == "1" ? "" : unit_text(udunits(form, units));
 }
 
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,

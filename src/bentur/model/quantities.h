@@ -67,9 +67,6 @@ struct Quantity {
 /// Adds one, for a program that tells of something of its own. Not while others read the list.
 void add_quantity(const Quantity& quantity);
 
-/// How many places a quantity of this owner has in a run, but for floors, which are counted building by building.
-[[nodiscard]] Eigen::Index place_count(Owner owner, const Problem& problem, const Response& response);
-
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
 /// Whether it is a count, or yes (1) or no.
@@ -83,7 +80,10 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& plac
 [[nodiscard]] std::string udunits(std::string_view form, const Units& units);
 /// A length or force unit as UDUNITS reads it.
 [[nodiscard]] std::string udunit(const std::string& unit);
-/// "kgf/s", as people read it; empty for "1".
+/// A unit of a NetCDF file as one reads it: "cm s-2" is "cm/s²", "kgf s" is "kgf·s", "1000 kgf" is "tf", "gravity" is
+/// "g", "1" is "–".
+[[nodiscard]] std::string unit_text(const std::string& udunits);
+/// The same of a form, "F s-1"; empty for "1".
 [[nodiscard]] std::string unit_text(std::string_view form, const Units& units);
 
 /// A column of a table for people.

@@ -34,7 +34,9 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
   for (const Owner owner : {Owner::point, Owner::gap, Owner::run}) {
     for (const Quantity* quantity : quantities_of(owner)) {
       if (quantity->audit_only && !energy_audit) continue;
-      add(*quantity, place_count(owner, problem, {}));
+      add(*quantity, owner == Owner::point ? std::ssize(problem.points)
+                     : owner == Owner::gap ? std::ssize(problem.buildings) - 1
+                                           : 1);
     }
   }
   return parts;

@@ -60,7 +60,7 @@ Html building_table(const Story& story, Eigen::Index b) {
 Html restitution_table(const Story& story) {
   if (!story.from_case()) return {};
   const Words& say = story.say;
-  const std::vector<PointRestitution> restitution = restitutions(story.problem, story.response);
+  const std::vector<PointRestitution>& restitution = story.run.restitutions;
   const bool any =
       std::any_of(restitution.begin(), restitution.end(), [](const auto& r) { return r.asked.has_value(); });
   if (!any) return {};

@@ -96,15 +96,25 @@ std::vector<std::string> run_figure_names() {
   return names;
 }
 
-Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options) {
+namespace {
+
+/// @param of what messages call the run
+Figure figure_of_run(const RunResults& run, const std::string& kind, const FigureOptions& options,
+                     const std::string& of) {
   for (const RunKind& one : run_kinds) {
     if (kind == one.name) return one.make(run, options);
   }
-  refuse(kind, "a run", figure_kinds(run));
+  refuse(kind, of, figure_kinds(run));
+}
+
+}  // namespace
+
+Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options) {
+  return figure_of_run(run, kind, options, "this run");
 }
 
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
-  if (is_histories(results)) return make_figure(read_histories(results), kind, options);
+  if (is_histories(results)) return figure_of_run(read_histories(results), kind, options, results.name());
   if (results.find("status") != nullptr) {
     const SweepData sweep(results);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);

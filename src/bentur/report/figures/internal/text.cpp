@@ -45,31 +45,6 @@ std::string cut(const std::string& text, std::size_t most) {
   return kept + "…";
 }
 
-std::string unit_text(const std::string& udunits) {
-  std::istringstream words(udunits == "1" ? "–" : udunits);
-  std::string above, below;
-  for (std::string word; words >> word;) {
-    if (word == "1000") {
-      words >> word;
-      if (word == "kgf") {
-        word = "tf";
-      } else {
-        word.insert(0, "1000 ");
-      }
-    }
-    if (word == "gravity") word = "g";
-    const std::size_t minus = word.find('-');
-    if (minus == std::string::npos) {
-      above += (above.empty() ? "" : "·") + word;
-    } else {
-      const std::string power = word.substr(minus + 1);
-      below += (below.empty() ? "" : "·") + word.substr(0, minus) + (power == "2" ? "²" : power == "3" ? "³" : "");
-    }
-  }
-  if (below.empty()) return above;
-  return (above.empty() ? "1" : above) + "/" + below;
-}
-
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value); }

@@ -16,10 +16,6 @@ namespace bentur {
 /// A text of at most `most` columns (report/utf8.h), the last one an ellipsis where something had to go.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);
 
-/// A unit of a NetCDF file as one reads it: "cm s-2" is "cm/s²", "kgf s" is "kgf·s", "1000 kgf" is "tf", "gravity" is
-/// "g", "1" is "–".
-[[nodiscard]] std::string unit_text(const std::string& udunits);
-
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 

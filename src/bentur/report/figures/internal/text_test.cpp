@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bentur/model/quantities.h"
+
 namespace bentur {
 namespace {
 
