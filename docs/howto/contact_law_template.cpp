@@ -20,18 +20,18 @@ LawEntry HardeningSpring::entry() {
 
 LawParameters HardeningSpring::parameters() const { return {{"stiffness", stiffness_}, {"hardening", hardening_}}; }
 
-Branch HardeningSpring::branch(const ContactState& state) const noexcept {
+Branch HardeningSpring::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
-  return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}});
+  return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by({{.deformation = 1}});
 }
 
-double HardeningSpring::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+double HardeningSpring::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
   const double spring = (stiffness_ + hardening_ * penetration * penetration) * penetration;
   return spring + 0 * closing_speed;  // NaN in, NaN out
 }
 
-double HardeningSpring::stored_energy(const ContactState& state, double penetration) const noexcept {
+double HardeningSpring::stored_energy(const LawState& state, double penetration) const noexcept {
   const double square = penetration * penetration;
   return state.branch == apart ? 0.0 : (0.5 * stiffness_ + 0.25 * hardening_ * square) * square;
 }

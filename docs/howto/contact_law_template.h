@@ -21,11 +21,11 @@ class HardeningSpring final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "hardening-spring"; }
   [[nodiscard]] LawParameters parameters() const override;
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   // Only where a branch is nonlinear:
-  [[nodiscard]] double force(const ContactState& state, double penetration,
+  [[nodiscard]] double force(const LawState& state, double penetration,
                              double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   double stiffness_{};  // k [force/length]

@@ -32,7 +32,7 @@ struct FreeImpact {
   double peak_force = 0, peak_force_time = 0, least_force = 0;
   double peak_penetration = 0, peak_penetration_time = 0;
   double momentum = 0;  ///< of both bodies, at the end
-  ContactState end;
+  LawState end;
   std::vector<ImpactSample> samples;  ///< four to a step, and both sides of every change of branch
 };
 
@@ -58,7 +58,7 @@ class FreeImpactRun {
     time_ = length_ / v0_;
     double h = 1e-3;
     record(0);
-    while (!(branch_.guard_count > 0 && !branch_.touching && penetration(y_) <= 0 && speed(y_) < 0)) {
+    while (!(branch_.guard_count > 0 && !branch_.touching() && penetration(y_) <= 0 && speed(y_) < 0)) {
       if (++steps_ > 100000) throw std::runtime_error("free impact: no end");
       const auto event = first_event(h);
       const double step = event ? event->second : h;
@@ -89,7 +89,7 @@ class FreeImpactRun {
 
   double guard(std::size_t i, const Vector& y, double t) const {
     const Guard& g = branch_.guards[i];
-    return g.constant + g.penetration * penetration(y) * length_ + g.speed * speed(y) * v0_ +
+    return g.constant + g.deformation * penetration(y) * length_ + g.speed * speed(y) * v0_ +
            (g.decaying == 0 ? 0 : g.decaying * std::exp(-g.rate * (t * time_ - state_.since)));
   }
 
@@ -165,7 +165,7 @@ class FreeImpactRun {
   }
 
   void look_at(double h, const Vector& end) {
-    if (branch_.touching) out_.duration += h * time_;
+    if (branch_.touching()) out_.duration += h * time_;
     if (speed(y_) > 0 && speed(end) <= 0) {
       const double when = crossing([&](double part_h) { return speed(part(part_h)); }, h);
       out_.peak_penetration = penetration(part(when)) * length_;
@@ -190,7 +190,7 @@ class FreeImpactRun {
     s.kinetic = 0.5 * effective_mass_ * s.closing_speed * s.closing_speed;
     s.stored = law_.stored_energy(state_, s.penetration);
     s.branch = state_.branch;
-    s.touching = branch_.touching;
+    s.touching = branch_.touching();
     out_.least_force = std::min(out_.least_force, s.force);
     out_.samples.push_back(s);
   }
@@ -201,7 +201,7 @@ class FreeImpactRun {
   Vector y_{};
   double t_ = 0;
   int steps_ = 0, changes_ = 0;
-  ContactState state_;
+  LawState state_;
   Branch branch_;
   FreeImpact out_;
   boost::numeric::odeint::runge_kutta_fehlberg78<Vector> stepper_;  // its eighth-order result

@@ -95,7 +95,7 @@ TEST_P(Monograph, KelvinVoigtFromTouchToRelease) {
   EXPECT_NEAR(impact.separation_speed / v0, restitution, close);  // (3.11)
   EXPECT_NEAR(zero_force_restitution(ratio_), restitution, 1e-14);
   const double dent = std::exp(-ratio_ * psi_ / root_) * 2 * ratio_ * elastic_depth_;
-  EXPECT_NEAR(impact.end.memory / dent, 1, close);  // (3.12)
+  EXPECT_NEAR(impact.end.memory[0] / dent, 1, close);  // (3.12)
   const double deepest = elastic_depth_ * std::exp(-ratio_ * std::acos(ratio_) / root_);
   EXPECT_NEAR(impact.peak_penetration / deepest, 1, close);  // (3.15)
   EXPECT_NEAR(impact.peak_penetration_time / (std::acos(ratio_) / damped_), 1, close);

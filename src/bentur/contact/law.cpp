@@ -2,13 +2,8 @@
 
 namespace bentur {
 
-double ContactLaw::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
-  const Branch now = branch(state);
-  return now.base + now.stiffness * penetration + now.damping * closing_speed;
-}
-
-ContactState ContactLaw::next(const ContactState& state, std::size_t guard, double time, double /*penetration*/,
-                              double closing_speed) const noexcept {
+LawState ContactLaw::next(const LawState& state, std::size_t guard, double time, double /*penetration*/,
+                          double closing_speed) const noexcept {
   if (state.branch == apart) return {.branch = 1, .since = time, .closing_speed = closing_speed};
   if (guard == 0) return {.since = time};
   return {.branch = state.branch == 1 ? 2 : 1, .since = time, .closing_speed = state.closing_speed};

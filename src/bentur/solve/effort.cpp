@@ -30,7 +30,7 @@ engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
   engine::ContactForces forces;
   for (Eigen::Index i = 0; i < std::ssize(problem.points); ++i) {
     const ContactLaw& law = *problem.points[i].law;
-    const ContactState closed = law.next({}, 0, 0.0, 0.0, 1.0);
+    const LawState closed = law.next({}, 0, 0.0, 0.0, 1.0);
     const Branch branch = law.branch(closed);
     forces.linear.push_back({0.0, branch.stiffness, branch.damping});
     forces.pressing.push_back(i);

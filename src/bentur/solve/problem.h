@@ -36,6 +36,15 @@ struct WatchedFloor {
   Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
 };
 
+/// What joins two buildings of the row, neighbours or not, at one elevation: F of δ = x_left − x_right pushes left −F and
+/// right +F.
+struct Link {
+  Eigen::Index left = 0, right = 1;               ///< indices of the buildings, left < right
+  Eigen::Index left_floor = 0, right_floor = 0;  ///< indices of their floors (0 the lowest)
+  double elevation = 0;                           ///< [length]
+  std::shared_ptr<const Law> law;
+};
+
 enum class Kinematics { relative, absolute };
 
 /// Everything a solver needs, in consistent units. It reads no file and knows no key. Indices of buildings, floors and
@@ -44,6 +53,7 @@ struct Problem {
   std::vector<Building> buildings;         ///< left to right
   std::vector<ContactPoint> points;        ///< ordered by left building, then elevation
   std::vector<WatchedFloor> watched = {};  ///< ordered likewise
+  std::vector<Link> links = {};            ///< in any order
   GroundMotion motion;
   std::vector<double> delays = {};  ///< τ_b [s] ≥ 0, one per building; empty: all zero
   Kinematics kinematics = Kinematics::relative;

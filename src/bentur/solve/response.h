@@ -35,7 +35,15 @@ struct BuildingPeaks {
   Eigen::VectorXd displacement_no_contact;  ///< the same with contact switched off
   Eigen::VectorXd drift_ratio;              ///< max relative floor displacement over storey height [-]
   Eigen::VectorXd acceleration;             ///< max |ẍ + a_g| [length/s²]
-  Eigen::VectorXd storey_shear;             ///< max |Σ_{floors ≥ j} (K x)| [force]
+  Eigen::VectorXd storey_shear;             ///< max |Σ_{floors ≥ j} (K x)| [force], of storeys that yield max |V|
+  /// What yielding does. Of all storeys where one of the building can yield, else empty: NaN, 0, 0 of one that cannot.
+  struct Yielding {
+    Eigen::VectorXd ductility;            ///< max |Δ| over Δ_y [-]; NaN where the storey cannot yield
+    Eigen::VectorXd residual_drift_ratio;  ///< (Δ − V/k_u)/h at the end [-], signed
+    Eigen::VectorXd hysteretic_energy;    ///< ∫V dΔ less what could still be given back, at the end [force·length]
+  };
+  Yielding yielding = {};
+  Yielding yielding_no_contact = {};  ///< the same with contact switched off
 };
 
 /// Totals of one contact point over the run.
@@ -51,6 +59,15 @@ struct PointSummary {
   double peak_closing_speed = 0;          ///< [length/s]
   double impulse = 0;                     ///< [force·s]
   double energy_lost = 0;                 ///< [force·length]
+};
+
+/// What a link did over the run.
+struct LinkSummary {
+  double peak_compression = 0;   ///< max F, dashpot included [force] ≥ 0
+  double peak_tension = 0;       ///< max −F [force] ≥ 0
+  double peak_closing = 0;       ///< max δ [length] ≥ 0
+  double peak_opening = 0;       ///< max −δ [length] ≥ 0
+  double energy_dissipated = 0;  ///< [force·length]
 };
 
 /// How near a watched floor came to what it faces, of the continuous response.
@@ -76,13 +93,14 @@ struct Histories {
 };
 
 /// Where all energy is [force·length], over the sample times of Histories. Motion is relative to each building's base:
-///   input = kinetic + strain + damping + contact stored + contact lost + residual.
+///   input = kinetic + strain + damping + hysteretic + contact stored + contact lost + residual.
 struct EnergyHistories {
   Eigen::VectorXd
       input;  ///< initial energy + work of the ground motion (with absolute kinematics also through contact)
   Eigen::VectorXd kinetic;  ///< of all buildings
-  Eigen::VectorXd strain;
-  Eigen::VectorXd damping;         ///< lost in the buildings so far
+  Eigen::VectorXd strain;          ///< of buildings and links: what they would give back
+  Eigen::VectorXd damping;         ///< lost so far in the buildings' damping and in the dashpots of links
+  Eigen::VectorXd hysteretic = {}; ///< lost so far by yielding, of storeys and links
   Eigen::VectorXd contact_stored;  ///< in contacts, to be given back
   Eigen::VectorXd contact_lost;    ///< lost in contacts so far
 };
@@ -106,6 +124,7 @@ struct Response {
   std::vector<BuildingPeaks> buildings;
   std::vector<PointSummary> points;
   std::vector<WatchedSummary> watched;  ///< as Problem::watched
+  std::vector<LinkSummary> links;       ///< as Problem::links
   std::vector<Impact> impacts;          ///< by start, then point
   Histories histories;                  ///< empty unless asked for
   std::optional<EnergyAudit> energy;    ///< when asked for

@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "bentur/elements/law.h"
 
 namespace bentur {
 
@@ -38,6 +41,17 @@ struct Building {
   StructuralModel model;
   Modes modes;
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s], modes × modes; diagonal 2ζω for classical damping
+  /// Per storey, of its drift Δ_j = x_j − x_{j−1} [length]; none: it stays elastic. Empty: all do. Its initial stiffness
+  /// is part of K, and is the whole of the storey's.
+  std::vector<std::shared_ptr<const HystereticLaw>> storey_laws = {};
+  /// β of C = αM + βK where the dashpot of a storey that yields is to follow its stiffness: β k_tangent. 0: it does not.
+  double tangent_damping = 0;
+
+  /// The law of storey `storey` (0 the lowest); none: it stays elastic.
+  [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const {
+    return storey_laws.empty() ? nullptr : storey_laws.at(storey).get();
+  }
+  [[nodiscard]] bool can_yield() const;
 };
 
 }  // namespace bentur

@@ -37,45 +37,45 @@ LawParameters Bilinear::parameters() const {
       {"stiffness", stiffness_}, {"second_stiffness", second_stiffness_}, {"yield_penetration", yield_penetration_}};
 }
 
-Branch Bilinear::branch(const ContactState& state) const noexcept {
-  const Guard surface = {.penetration = 1};
+Branch Bilinear::branch(const LawState& state) const noexcept {
+  const Guard surface = {.deformation = 1};
   switch (state.branch) {
     case apart:
       return Branch::apart();
     case yielding:
-      return Branch{.touching = true, .base = limit_, .stiffness = second_stiffness_}.guarded_by(
+      return Branch{.bodies = Bodies::touching, .base = limit_, .stiffness = second_stiffness_}.guarded_by(
           {surface, {.speed = 1}});
     case on_the_line:
-      return Branch{.touching = true, .stiffness = second_stiffness_}.guarded_by({surface, {.speed = -1}});
+      return Branch{.bodies = Bodies::touching, .stiffness = second_stiffness_}.guarded_by({surface, {.speed = -1}});
     default:
       break;
   }
-  const Branch closed = {.touching = true, .base = state.memory, .stiffness = stiffness_};
+  const Branch closed = {.bodies = Bodies::touching, .base = state.memory[0], .stiffness = stiffness_};
   if (plastic_stiffness_ == 0) return closed.guarded_by({surface});
-  const Guard below_limit = {.constant = limit_ - state.memory, .penetration = -plastic_stiffness_};
-  if (state.memory == 0) return closed.guarded_by({surface, below_limit});  // here f = 0 only where δ = 0
-  return closed.guarded_by({surface, below_limit, {.constant = state.memory, .penetration = plastic_stiffness_}});
+  const Guard below_limit = {.constant = limit_ - state.memory[0], .deformation = -plastic_stiffness_};
+  if (state.memory[0] == 0) return closed.guarded_by({surface, below_limit});  // here f = 0 only where δ = 0
+  return closed.guarded_by({surface, below_limit, {.constant = state.memory[0], .deformation = plastic_stiffness_}});
 }
 
-ContactState Bilinear::next(const ContactState& state, std::size_t guard, double time, double penetration,
+LawState Bilinear::next(const LawState& state, std::size_t guard, double time, double penetration,
                             double closing_speed) const noexcept {
   if (state.branch == apart) return {.branch = elastic, .since = time, .closing_speed = closing_speed};
   if (guard == 0) return {.since = time};
-  ContactState after = {.since = time, .closing_speed = state.closing_speed};
+  LawState after = {.since = time, .closing_speed = state.closing_speed};
   if (state.branch == elastic) {
     after.branch = guard == 1 ? yielding : on_the_line;
   } else {
     after.branch = elastic;
-    after.memory = (state.branch == yielding ? limit_ : 0) - plastic_stiffness_ * penetration;
+    after.memory[0] = (state.branch == yielding ? limit_ : 0) - plastic_stiffness_ * penetration;
   }
   return after;
 }
 
-double Bilinear::stored_energy(const ContactState& state, double penetration) const noexcept {
+double Bilinear::stored_energy(const LawState& state, double penetration) const noexcept {
   if (state.branch == apart) return 0;
   double plastic = 0;  // f
   if (state.branch == yielding) plastic = limit_;
-  if (state.branch == elastic) plastic = state.memory + plastic_stiffness_ * penetration;
+  if (state.branch == elastic) plastic = state.memory[0] + plastic_stiffness_ * penetration;
   const double plastic_energy = plastic_stiffness_ > 0 ? 0.5 * plastic * plastic / plastic_stiffness_ : 0;
   return 0.5 * second_stiffness_ * penetration * penetration + plastic_energy;
 }

@@ -22,10 +22,10 @@ class Bilinear final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "bilinear"; }
   [[nodiscard]] LawParameters parameters() const override;
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
                                   double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   enum : int { elastic = 1, yielding, on_the_line };  // branches after `apart`

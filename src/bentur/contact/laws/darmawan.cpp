@@ -18,25 +18,25 @@ LawEntry Darmawan::entry() {
           }};
 }
 
-Branch Darmawan::branch(const ContactState& state) const noexcept {
+Branch Darmawan::branch(const LawState& state) const noexcept {
   switch (state.branch) {
     case apart:
       return Branch::apart();
     case cut:
-      return Branch{.touching = true}.guarded_by({{.penetration = 1}, {.constant = -1, .speed = -alpha_}});
+      return Branch{.bodies = Bodies::touching}.guarded_by({{.deformation = 1}, {.constant = -1, .speed = -alpha_}});
     default:
-      if (alpha_ == 0) return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}});
-      return Branch{.touching = true, .linear = false}.guarded_by(
-          {{.penetration = 1}, {.constant = 1, .speed = alpha_}});
+      if (alpha_ == 0) return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}});
+      return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by(
+          {{.deformation = 1}, {.constant = 1, .speed = alpha_}});
   }
 }
 
-double Darmawan::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+double Darmawan::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch != pushing) return ContactLaw::force(state, penetration, closing_speed);
   return stiffness_ * penetration * (1 + alpha_ * closing_speed);
 }
 
-double Darmawan::stored_energy(const ContactState& state, double penetration) const noexcept {
+double Darmawan::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
 }
 

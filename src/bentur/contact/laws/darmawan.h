@@ -21,10 +21,10 @@ class Darmawan final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "darmawan"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}, {"alpha", alpha_}}; }
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] double force(const ContactState& state, double penetration,
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration,
                              double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   enum : int { pushing = 1, cut };  // branches after `apart`

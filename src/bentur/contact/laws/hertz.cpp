@@ -23,17 +23,17 @@ LawEntry Hertz::entry() {
           }};
 }
 
-Branch Hertz::branch(const ContactState& state) const noexcept {
+Branch Hertz::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
-  return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}});
+  return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by({{.deformation = 1}});
 }
 
-double Hertz::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+double Hertz::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
   return hertz_force(stiffness_, penetration) + 0 * closing_speed;
 }
 
-double Hertz::stored_energy(const ContactState& state, double penetration) const noexcept {
+double Hertz::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
 }
 

@@ -55,28 +55,28 @@ LawParameters HertzDamp::parameters() const {
   return list;
 }
 
-double HertzDamp::slowness(const ContactState& state) const noexcept {
+double HertzDamp::slowness(const LawState& state) const noexcept {
   const double value = damping_factor_ / state.closing_speed;
   return state.closing_speed > 0 && std::isfinite(value) ? value : 0;
 }
 
-Branch HertzDamp::branch(const ContactState& state) const noexcept {
+Branch HertzDamp::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
   const double slow = slowness(state);
   if (state.branch == cut) {
-    return Branch{.touching = true}.guarded_by({{.penetration = 1}, {.constant = -1, .speed = -slow}});
+    return Branch{.bodies = Bodies::touching}.guarded_by({{.deformation = 1}, {.constant = -1, .speed = -slow}});
   }
-  const Branch closed = {.touching = true, .linear = false};
-  if (slow == 0) return closed.guarded_by({{.penetration = 1}});
-  return closed.guarded_by({{.penetration = 1}, {.constant = 1, .speed = slow}});
+  const Branch closed = {.bodies = Bodies::touching, .linear = false};
+  if (slow == 0) return closed.guarded_by({{.deformation = 1}});
+  return closed.guarded_by({{.deformation = 1}, {.constant = 1, .speed = slow}});
 }
 
-double HertzDamp::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+double HertzDamp::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch != pushing) return ContactLaw::force(state, penetration, closing_speed);
   return hertz_force(stiffness_, penetration) * (1 + slowness(state) * closing_speed);
 }
 
-double HertzDamp::stored_energy(const ContactState& state, double penetration) const noexcept {
+double HertzDamp::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
 }
 

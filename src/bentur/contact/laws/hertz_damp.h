@@ -28,15 +28,15 @@ class HertzDamp final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "hertz-damp"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] bool needs_closing_speed() const noexcept override { return true; }
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] double force(const ContactState& state, double penetration,
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration,
                              double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   enum : int { pushing = 1, cut };  // branches after `apart`
 
-  double slowness(const ContactState& state) const noexcept;  // d/v₀ [s/length], 0 where v₀ gives no scale
+  double slowness(const LawState& state) const noexcept;  // d/v₀ [s/length], 0 where v₀ gives no scale
 
   double stiffness_{};                 // β [force/length^1.5]
   double damping_factor_{};            // d [-]

@@ -39,20 +39,20 @@ LawParameters Jankowski::parameters() const {
   return list;
 }
 
-Branch Jankowski::branch(const ContactState& state) const noexcept {
+Branch Jankowski::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
   const double sense = state.branch == closing ? 1 : -1;
-  return Branch{.touching = true, .linear = false}.guarded_by({{.penetration = 1}, {.speed = sense}});
+  return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by({{.deformation = 1}, {.speed = sense}});
 }
 
-double Jankowski::force(const ContactState& state, double penetration, double closing_speed) const noexcept {
+double Jankowski::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch == apart) return ContactLaw::force(state, penetration, closing_speed);
   const double spring = hertz_force(stiffness_, penetration) + 0 * closing_speed;
   if (state.branch == rebound || penetration < 0) return spring;
   return spring + damping_ * std::sqrt(std::sqrt(penetration)) * closing_speed;
 }
 
-double Jankowski::stored_energy(const ContactState& state, double penetration) const noexcept {
+double Jankowski::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : hertz_energy(stiffness_, penetration);
 }
 

@@ -88,54 +88,54 @@ LawParameters KelvinVoigt::parameters() const {
 }
 
 Branch KelvinVoigt::touching() const noexcept {
-  const Branch closed = {.touching = true, .stiffness = stiffness_, .damping = damping_};
-  const Guard surface = {.penetration = 1};
-  const Guard push = {.penetration = stiffness_, .speed = damping_};
+  const Branch closed = {.bodies = Bodies::touching, .stiffness = stiffness_, .damping = damping_};
+  const Guard surface = {.deformation = 1};
+  const Guard push = {.deformation = stiffness_, .speed = damping_};
   if (damping_ == 0 || release_ == Release::separation) return closed.guarded_by({surface});
   if (release_ == Release::zero_force) return closed.guarded_by({surface, push});
   return closed.guarded_by({push});
 }
 
-Branch KelvinVoigt::branch(const ContactState& state) const noexcept {
-  const Guard no_push = {.penetration = -stiffness_, .speed = -damping_};
+Branch KelvinVoigt::branch(const LawState& state) const noexcept {
+  const Guard no_push = {.deformation = -stiffness_, .speed = -damping_};
   switch (state.branch) {
     case apart:
       return Branch::apart();
     case in_contact:
       return touching();
     case released:
-      if (release_ == Release::zero_force) return Branch{}.guarded_by({{.penetration = 1}, no_push});
+      if (release_ == Release::zero_force) return Branch{}.guarded_by({{.deformation = 1}, no_push});
       return Branch{}.guarded_by({no_push});
     default:
-      return Branch{}.guarded_by({{.penetration = -1, .decaying = state.memory, .rate = stiffness_ / damping_},
-                                  {.penetration = stiffness_, .speed = damping_}});
+      return Branch{}.guarded_by({{.deformation = -1, .decaying = state.memory[0], .rate = stiffness_ / damping_},
+                                  {.deformation = stiffness_, .speed = damping_}});
   }
 }
 
-ContactState KelvinVoigt::next(const ContactState& state, std::size_t guard, double time, double penetration,
+LawState KelvinVoigt::next(const LawState& state, std::size_t guard, double time, double penetration,
                                double closing_speed) const noexcept {
   if (state.branch == apart) return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
   if (state.branch == in_contact) {
     const bool push_ended = damping_ > 0 && (release_ == Release::creep || guard == 1);
     if (!push_ended || !(penetration > 0)) return {.since = time};
-    return {.branch = released, .since = time, .memory = release_ == Release::creep ? penetration : 0};
+    return {.branch = released, .since = time, .memory = {release_ == Release::creep ? penetration : 0}};
   }
   if (release_ == Release::creep) return off_the_surface(state, guard, time, closing_speed);
   if (guard == 0) return {.since = time};
   return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
 }
 
-ContactState KelvinVoigt::off_the_surface(const ContactState& state, std::size_t guard, double time,
+LawState KelvinVoigt::off_the_surface(const LawState& state, std::size_t guard, double time,
                                           double closing_speed) const noexcept {
   if (state.branch == nearing && guard == 0) {
     return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
   }
   const double left = std::exp(-stiffness_ / damping_ * (time - state.since));
   if (left < std::numeric_limits<double>::epsilon()) return {.since = time};
-  return {.branch = state.branch == nearing ? released : nearing, .since = time, .memory = state.memory * left};
+  return {.branch = state.branch == nearing ? released : nearing, .since = time, .memory = {state.memory[0] * left}};
 }
 
-double KelvinVoigt::stored_energy(const ContactState& state, double penetration) const noexcept {
+double KelvinVoigt::stored_energy(const LawState& state, double penetration) const noexcept {
   const bool released_without_memory = state.branch == released && release_ == Release::zero_force;
   const bool holds = state.branch == in_contact || released_without_memory;
   return holds ? 0.5 * stiffness_ * penetration * penetration : 0.0;

@@ -38,16 +38,16 @@ class KelvinVoigt final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "kelvin-voigt"; }
   [[nodiscard]] LawParameters parameters() const override;
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] ContactState next(const ContactState& state, std::size_t guard, double time, double penetration,
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
                                   double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   enum : int { in_contact = 1, released, nearing };  // branches after `apart`
 
   [[nodiscard]] Branch touching() const noexcept;
-  [[nodiscard]] ContactState off_the_surface(const ContactState& state, std::size_t guard, double time,
+  [[nodiscard]] LawState off_the_surface(const LawState& state, std::size_t guard, double time,
                                              double closing_speed) const noexcept;
 
   double stiffness_{};      // k [force/length]

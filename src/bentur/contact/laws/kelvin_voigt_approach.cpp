@@ -40,19 +40,19 @@ LawParameters KelvinVoigtApproach::parameters() const {
   return list;
 }
 
-Branch KelvinVoigtApproach::branch(const ContactState& state) const noexcept {
+Branch KelvinVoigtApproach::branch(const LawState& state) const noexcept {
   switch (state.branch) {
     case apart:
       return Branch::apart();
     case closing:
-      return Branch{.touching = true, .stiffness = stiffness_, .damping = damping_}.guarded_by(
-          {{.penetration = 1}, {.speed = 1}});
+      return Branch{.bodies = Bodies::touching, .stiffness = stiffness_, .damping = damping_}.guarded_by(
+          {{.deformation = 1}, {.speed = 1}});
     default:
-      return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}, {.speed = -1}});
+      return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}, {.speed = -1}});
   }
 }
 
-double KelvinVoigtApproach::stored_energy(const ContactState& state, double penetration) const noexcept {
+double KelvinVoigtApproach::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
 }
 

@@ -25,8 +25,8 @@ class KelvinVoigtApproach final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "kelvin-voigt-approach"; }
   [[nodiscard]] LawParameters parameters() const override;
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   enum : int { closing = 1, rebound };  // branches after `apart`

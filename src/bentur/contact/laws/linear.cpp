@@ -15,12 +15,12 @@ LawEntry Linear::entry() {
           }};
 }
 
-Branch Linear::branch(const ContactState& state) const noexcept {
+Branch Linear::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
-  return Branch{.touching = true, .stiffness = stiffness_}.guarded_by({{.penetration = 1}});
+  return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}});
 }
 
-double Linear::stored_energy(const ContactState& state, double penetration) const noexcept {
+double Linear::stored_energy(const LawState& state, double penetration) const noexcept {
   return state.branch == apart ? 0.0 : 0.5 * stiffness_ * penetration * penetration;
 }
 

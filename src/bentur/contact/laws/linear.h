@@ -20,8 +20,8 @@ class Linear final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "linear"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}}; }
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
   double stiffness_{};  // k [force/length]

@@ -21,11 +21,11 @@ LawEntry Restitution::entry() {
           }};
 }
 
-Branch Restitution::branch(const ContactState& state) const noexcept {
+Branch Restitution::branch(const LawState& state) const noexcept {
   if (state.branch == apart) return Branch::apart();
-  return Branch{.touching = true};
+  return Branch{.bodies = Bodies::touching};
 }
 
-double Restitution::stored_energy(const ContactState& /*state*/, double /*penetration*/) const noexcept { return 0; }
+double Restitution::stored_energy(const LawState& /*state*/, double /*penetration*/) const noexcept { return 0; }
 
 }  // namespace bentur

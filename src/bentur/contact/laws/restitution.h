@@ -21,8 +21,8 @@ class Restitution final : public ContactLaw {
   [[nodiscard]] static LawEntry entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "restitution"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"restitution", restitution_}}; }
-  [[nodiscard]] Branch branch(const ContactState& state) const noexcept override;
-  [[nodiscard]] double stored_energy(const ContactState& state, double penetration) const noexcept override;
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
   [[nodiscard]] std::optional<double> restitution() const noexcept override { return restitution_; }
 
  private:

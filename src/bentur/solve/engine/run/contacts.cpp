@@ -33,7 +33,7 @@ bool of_opening_alone(const Guard& guard) {
   return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0;
 }
 
-double fading(const Guard& guard, const ContactState& state, double time) {
+double fading(const Guard& guard, const LawState& state, double time) {
   return guard.decaying == 0.0 ? 0.0 : guard.decaying * std::exp(-guard.rate * (time - state.since));
 }
 
@@ -63,11 +63,11 @@ double Contacts::penetration(Index i, const State& state) const {
 
 double Contacts::closing_speed(Index i, const State& state) const { return -system_->points[i].sense(state.v); }
 
-bool Contacts::resting(Index i) const { return branches_[i].touching && law(i).restitution().has_value(); }
+bool Contacts::resting(Index i) const { return branches_[i].touching() && law(i).restitution().has_value(); }
 
 double Contacts::tolerance(Index i, const Guard& guard, const State& state) const {
-  if (branches_[i].touching && of_opening_alone(guard)) return 0.0;
-  double result = std::abs(guard.penetration) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
+  if (branches_[i].touching() && of_opening_alone(guard)) return 0.0;
+  double result = std::abs(guard.deformation) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
   if (guard.decaying != 0.0) result += tolerances_[i];
   if (guard.speed != 0.0) {
     result += std::abs(guard.speed) * round_off_band * system_->points[i].sense_abs(state.v);
@@ -79,7 +79,7 @@ double Contacts::tolerance(Index i, const Guard& guard, const State& state) cons
 Polynomial Contacts::guarded(Index i, const Guard& guard, const Polynomial& opening, double h, double time) const {
   Polynomial p;
   p.degree = opening.degree;
-  for (int k = 0; k <= p.degree; ++k) p[k] = -guard.penetration * opening[k];
+  for (int k = 0; k <= p.degree; ++k) p[k] = -guard.deformation * opening[k];
   if (guard.speed != 0.0) {
     for (int k = 0; k < p.degree; ++k) p[k] -= guard.speed * (k + 1.0) * opening[k + 1] / h;
   }
@@ -123,7 +123,7 @@ std::optional<Contacts::Event> Contacts::next_event(const Expansion& motion, con
       Polynomial p = guarded(i, guard, opening, motion.h(), time);
       const double slack = tolerance(i, guard, from);
       p[0] += slack;
-      const double known = start_slack_ * std::max(slack, std::abs(guard.penetration) * tolerances_[i]);
+      const double known = start_slack_ * std::max(slack, std::abs(guard.deformation) * tolerances_[i]);
       if (p[0] < 0.0 && p[0] >= -known) p[0] = 0.0;
       const auto s = first_negative(p);
       if (states_[i].branch == 0) leaves_band_[i] = s ? 1 : 0;
@@ -144,7 +144,7 @@ std::optional<Contacts::Event> Contacts::due(const State& state, const std::vect
     }
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
-      const double value = guard.constant + guard.penetration * penetration(i, state) +
+      const double value = guard.constant + guard.deformation * penetration(i, state) +
                            guard.speed * closing_speed(i, state) + fading(guard, states_[i], time);
       if (value < -tolerance(i, guard, state)) return Event{i, g, 1.0};
     }
@@ -175,7 +175,7 @@ void Contacts::forces_at(const State& state, const std::vector<GroundInput>& inp
 double Contacts::stored_energy(const State& state) const {
   double sum = 0.0;
   for (Index i = 0; i < std::ssize(states_); ++i) {
-    if (branches_[i].touching) sum += law(i).stored_energy(states_[i], penetration(i, state));
+    if (branches_[i].touching()) sum += law(i).stored_energy(states_[i], penetration(i, state));
   }
   return sum;
 }
@@ -183,7 +183,7 @@ double Contacts::stored_energy(const State& state) const {
 void Contacts::accumulate(const Expansion& motion, double time, double end) {
   if (forces_.none() && all_apart_) return;
   for (Index i = 0; i < std::ssize(states_); ++i) {
-    if (!branches_[i].touching) continue;
+    if (!branches_[i].touching()) continue;
     if (resting(i)) {
       log_.rest(i, motion.resting_force(i), motion.h(), time, end);
       continue;
@@ -229,7 +229,7 @@ void Contacts::forget_faded(double time) {
   }
 }
 
-void Contacts::set(Index point, const ContactState& state) {
+void Contacts::set(Index point, const LawState& state) {
   states_[point] = state;
   branches_[point] = law(point).branch(state);
   forces_.pressing.clear();
@@ -265,8 +265,8 @@ void Contacts::change(const Event& event, double time, State& state) {
     return;
   }
   const Guard& guard = branches_[i].guards[event.guard];
-  const ContactState before = states_[i];
-  const bool touched = branches_[i].touching;
+  const LawState before = states_[i];
+  const bool touched = branches_[i].touching();
   double depth = of_opening_alone(guard) ? 0.0 : penetration(i, state);
   double start = time;
   double speed = closing_speed(i, state);
@@ -278,9 +278,9 @@ void Contacts::change(const Event& event, double time, State& state) {
   const bool slow = before.branch == 0 && from_rest(i, speed) && law(i).needs_closing_speed();
   set(i, law(i).next(before, event.guard, start, depth, slow ? least_speeds_[i] : speed));
   if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, depth);
-  if (touched && branches_[i].touching) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
-  if (touched && !branches_[i].touching) log_.end(i, time, -speed);
-  began_ = !touched && branches_[i].touching;
+  if (touched && branches_[i].touching()) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], depth);
+  if (touched && !branches_[i].touching()) log_.end(i, time, -speed);
+  began_ = !touched && branches_[i].touching();
   if (began_) {
     log_.begin(i, start, from_rest(i, speed) ? 0.0 : speed);
     log_.under_way(i).slow_start = slow;
@@ -347,7 +347,7 @@ void Contacts::collide(Index point, double time, State& state) {
     log_.under_way(i).impulse += p(n);
     log_.under_way(i).energy_lost += lost;
     if (was_resting && !rests && penetration(i, state) > start_slack_ * tolerances_[i]) let_go(i, state);
-    if (rests != was_resting) set(i, rests ? ContactState{1, time, before(n), 0.0} : ContactState{});
+    if (rests != was_resting) set(i, rests ? LawState{1, time, before(n)} : LawState{});
     if (!rests && (was_resting || p(n) > 0.0)) log_.end(i, was_resting ? time : log_.under_way(i).start, -after);
     touches_[i] = {};
   }

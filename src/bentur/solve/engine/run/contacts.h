@@ -83,7 +83,7 @@ class Contacts {
   [[nodiscard]] std::vector<Impact>& impacts() { return log_.impacts(); }
 
  private:
-  [[nodiscard]] const ContactLaw& law(Eigen::Index point) const { return *problem_->points[point].law; }
+  [[nodiscard]] const Law& law(Eigen::Index point) const { return *problem_->points[point].law; }
   [[nodiscard]] double penetration(Eigen::Index point, const State& state) const;
   [[nodiscard]] double closing_speed(Eigen::Index point, const State& state) const;
   [[nodiscard]] bool resting(Eigen::Index point) const;
@@ -93,7 +93,7 @@ class Contacts {
   [[nodiscard]] double tolerance(Eigen::Index point, const Guard& guard, const State& state) const;
   [[nodiscard]] Polynomial guarded(Eigen::Index point, const Guard& guard, const Polynomial& opening, double h,
                                    double time) const;
-  void set(Eigen::Index point, const ContactState& state);
+  void set(Eigen::Index point, const LawState& state);
   void forget_faded(double time);
   void let_go(Eigen::Index point, State& state);
   void collide(Eigen::Index point, double time, State& state);
@@ -103,7 +103,7 @@ class Contacts {
   std::vector<double> tolerances_;    ///< the band [length] per point
   std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per point
   double start_slack_;                ///< accuracy, in tolerances
-  std::vector<ContactState> states_;  ///< per point
+  std::vector<LawState> states_;  ///< per point
   std::vector<Branch> branches_;      ///< of states_
   ContactForces forces_;
   bool all_apart_ = true;

@@ -143,7 +143,7 @@ void ImpactLog::rest(Eigen::Index point, const Polynomial& force, double h, doub
 
 void ImpactLog::finish(const std::vector<Branch>& branches, double time) {
   for (Eigen::Index i = 0; i < std::ssize(branches); ++i) {
-    if (!branches[i].touching) continue;
+    if (!branches[i].touching()) continue;
     under_way_[i].open_ended = true;
     end(i, time, 0.0);
   }

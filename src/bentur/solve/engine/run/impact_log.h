@@ -19,8 +19,8 @@ class ImpactLog {
 
   /// A stretch of the expanded step over which a point was in contact.
   struct Stretch {
-    const ContactLaw& law;
-    const ContactState& state;
+    const Law& law;
+    const LawState& state;
     const Polynomial& opening;  ///< g(s) [length]
     double h = 0;               ///< of the step [s]
     double time = 0;            ///< its start [s]
