@@ -137,6 +137,7 @@ TEST(ReferenceCases, EveryOneIsInTheListAbove) {
     if (entry.path().extension() == ".toml") there.insert(entry.path().stem().string());
   }
   std::set<std::string> known = test::awaited_cases;
+  known.insert(test::unsolved_cases.begin(), test::unsolved_cases.end());
   known.insert(std::begin(all_cases), std::end(all_cases));
   EXPECT_EQ(there, known);
 }

@@ -5,20 +5,14 @@
 
 namespace bentur::test {
 
-/// Reference cases whose physics are not there yet: storeys that yield, links, bearings, rigid neighbours, soil, P-Δ
-/// and floors against columns. They are refused with a message until they are.
-inline const std::set<std::string> awaited_cases = {"friction-pendulum",
-                                                    "isolated-frame",
-                                                    "isolated-moat",
-                                                    "link-cable",
-                                                    "link-damper",
-                                                    "p-delta",
-                                                    "p-delta-collapse",
-                                                    "slab-column",
-                                                    "soil-pair",
-                                                    "soil-p-delta-yield",
-                                                    "yield-bilinear-pair",
-                                                    "yield-peak-oriented",
-                                                    "yield-with-contact-row"};
+/// Reference cases whose physics are not there yet: bearings, rigid neighbours, soil, P-Δ and floors against columns.
+/// They are refused with a message until they are.
+inline const std::set<std::string> awaited_cases = {"friction-pendulum", "isolated-frame",    "isolated-moat",
+                                                    "p-delta",           "p-delta-collapse",  "slab-column",
+                                                    "soil-pair",         "soil-p-delta-yield"};
+
+/// Reference cases that are read, but that no solver follows yet: storeys that yield and links.
+inline const std::set<std::string> unsolved_cases = {"link-cable", "link-damper", "yield-bilinear-pair",
+                                                     "yield-peak-oriented", "yield-with-contact-row"};
 
 }  // namespace bentur::test

@@ -256,8 +256,22 @@ StructuralModel structural_model(const BuildingSpec& spec) {
   return model;
 }
 
-Building make_building(const BuildingSpec& spec) {
-  return make_building(spec.name, structural_model(spec), spec.damping);
+Building make_building(const BuildingSpec& spec) { return make_building(spec, structural_model(spec)); }
+
+Building make_building(const BuildingSpec& spec, StructuralModel model) {
+  Building building = make_building(spec.name, std::move(model), spec.damping);
+  if (const auto* stick = std::get_if<Stick>(&spec.structure)) {
+    building.storey_laws = storey_laws(*stick, building.model);
+  }
+  if (spec.tangent_damping) {
+    const auto beta = stiffness_part(spec.damping, building.modes.omega(0));
+    if (!beta || *beta < 0) {
+      throw InvalidParameter("damping_stiffness", "tangent",
+                             "needs damping with a stiffness part that is not negative");
+    }
+    building.tangent_damping = *beta;
+  }
+  return building;
 }
 
 std::vector<ContactPoint> contact_points(const Case& c, const std::vector<Building>& buildings) {
@@ -313,6 +327,7 @@ Problem make_problem(const Case& c, std::vector<Building> buildings) {
   problem.buildings = std::move(buildings);
   problem.points = contact_points(c, problem.buildings);
   problem.watched = watched_floors(c, problem.buildings, problem.points);
+  problem.links = links_of(c.links, problem.buildings);
   problem.motion = c.excitation.motion;
   problem.delays = c.excitation.delays;
   problem.kinematics = c.excitation.kinematics;

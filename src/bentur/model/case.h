@@ -17,6 +17,7 @@
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/model/gap/levels.h"
+#include "bentur/model/link.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
@@ -36,6 +37,8 @@ struct BuildingSpec {
   std::string name;
   std::variant<PlaneFrame, Stick, MatricesSpec> structure;
   Damping damping;
+  /// The stiffness part of damping follows the stiffness of a storey that yields, Building::tangent_damping.
+  bool tangent_damping = false;
   std::optional<double> calibrate_period;  ///< [s]
   double base_elevation = 0;               ///< of the base above the ground datum [length]
   std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
@@ -120,7 +123,8 @@ struct Case {
   std::string title;
   Units units;
   std::vector<BuildingSpec> buildings;
-  std::vector<GapSpec> gaps;  ///< one between each pair of neighbours
+  std::vector<GapSpec> gaps;         ///< one between each pair of neighbours
+  std::vector<LinkSpec> links = {};  ///< in any order
   ExcitationSpec excitation;
   InitialSpec initial;
   AnalysisSpec analysis;
@@ -131,8 +135,12 @@ struct Case {
 /// Mass, stiffness and load of one building, condensed and calibrated.
 [[nodiscard]] StructuralModel structural_model(const BuildingSpec& spec);
 
-/// The building with its modes and damping.
+/// The building with its modes, damping and storeys that yield.
+/// @throws InvalidParameter when a value is out of its range, or damping is to follow the stiffness but has no such
+/// part, or one below zero.
 [[nodiscard]] Building make_building(const BuildingSpec& spec);
+/// The same with its structural_model() made already.
+[[nodiscard]] Building make_building(const BuildingSpec& spec, StructuralModel model);
 
 /// A building as given and as assembled.
 struct SpecAndModel {

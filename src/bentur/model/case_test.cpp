@@ -138,6 +138,77 @@ TEST(MakeProblem, RefusesWhatDoesNotFitTogether) {
   EXPECT_THROW((void)make_problem(c), InvalidParameter);  // stiffer beyond yielding
 }
 
+TEST(MakeProblem, StoreysThatYieldAndDampingThatFollowsThem) {
+  BuildingSpec spec = spec_of("A", two_storeys());
+  EXPECT_FALSE(make_building(spec).can_yield());
+  std::get<Stick>(spec.structure).yield_forces = {1e3, 2e3};
+  spec.calibrate_period = 0.75;
+  spec.damping = StiffnessProportionalDamping{0.04};
+  const Building building = make_building(spec);
+  ASSERT_TRUE(building.can_yield());
+  EXPECT_NEAR(building.storey_law(1)->initial_stiffness() / building.model.stiffness(1, 1), 1, 5e-16);
+  EXPECT_EQ(building.tangent_damping, 0);
+  spec.tangent_damping = true;
+  EXPECT_NEAR(make_building(spec).tangent_damping, 0.04 * 0.75 / std::numbers::pi, 1e-16);  // β = 2ζ₁/ω₁ = ζ₁T₁/π
+  spec.damping = MassProportionalDamping{0.04};
+  EXPECT_THROW((void)make_building(spec), InvalidParameter);
+  spec.damping = RayleighDamping{{0.05, 0.001}, {0.4, 0.1}};  // β < 0
+  EXPECT_THROW((void)make_building(spec), InvalidParameter);
+}
+
+TEST(MakeProblem, LinksAreAtTheFloorsOfTheirBuildings) {
+  Case c = frame_pair();
+  c.buildings[1].base_elevation = 100;  // floors at 200, 300, 400
+  c.gaps[0].widths = {0.3, 0.4};
+  c.gaps[0].elevations = {200, 300};
+  c.links = {{.elevations = {300}, .law = "cable", .numbers = {{"stiffness", {50}}}},
+             {.elevations = {200, 300},
+              .law = "yielding",
+              .numbers = {{"stiffness", {1000}}, {"yield_force", {30, 40}}, {"hardening", {0.1}}}}};
+  const Problem problem = make_problem(c);
+  ASSERT_EQ(problem.links.size(), 3U);
+  EXPECT_EQ(problem.links[0].left_floor, 2);
+  EXPECT_EQ(problem.links[0].right_floor, 1);
+  EXPECT_EQ(problem.links[0].elevation, 300);
+  EXPECT_EQ(problem.links[0].law->parameters(), (LawParameters{{"stiffness", 50}, {"slack", 0}}));
+  EXPECT_EQ(problem.links[1].left_floor, 1);
+  EXPECT_EQ(problem.links[1].right_floor, 0);
+  const LawParameters expected = {{"stiffness", 1000}, {"yield_force", 40}, {"hardening", 0.1}};
+  EXPECT_EQ(problem.links[2].law->parameters(), expected);
+}
+
+TEST(MakeProblem, LinksThatCannotBeAreRefused) {
+  const auto refused = [](const LinkSpec& link) {
+    Case c = frame_pair();
+    c.links = {link};
+    EXPECT_THROW((void)make_problem(c), InvalidParameter);
+  };
+  const LinkSpec good = {.elevations = {200}, .numbers = {{"stiffness", {50}}}};
+  LinkSpec bad = good;
+  bad.right = 2;  // there is no such building
+  refused(bad);
+  bad.left = bad.right = 1;
+  refused(bad);
+  bad = good;
+  bad.elevations = {250};
+  refused(bad);
+  bad = good;
+  bad.law = "rope";
+  refused(bad);
+  bad = good;
+  bad.numbers = {};
+  refused(bad);  // neither stiffness nor damping
+  bad.law = "cable";
+  refused(bad);
+  bad = good;
+  bad.elevations = {100, 200, 300};
+  bad.numbers = {{"stiffness", {50, 60}}};
+  refused(bad);
+  Case c = frame_pair();
+  c.links = {good};
+  EXPECT_EQ(make_problem(c).links.size(), 1U);
+}
+
 // m_e = m₁m₂/(m₁ + m₂) of the two floors that meet: with c = 2ξ√(k m_e) = 40 and k = 100, ξ = 2/√m_e.
 TEST(MakeProblem, EffectiveMassIsThatOfTheTwoFloorsOfThePoint) {
   Case c;

@@ -26,6 +26,19 @@ Eigen::MatrixXd damp(const ModalDamping& damping, const Modes& modes) {
   return diagonal(terms);
 }
 
+struct RayleighParts {
+  double alpha = 0;  // [1/s]
+  double beta = 0;   // [s]
+};
+
+RayleighParts rayleigh_parts(const RayleighDamping& damping) {
+  const double w1 = 2 * std::numbers::pi / damping.periods.at(0);
+  const double w2 = 2 * std::numbers::pi / damping.periods.at(1);
+  const double z1 = damping.ratios.at(0);
+  const double z2 = damping.ratios.at(1);
+  return {2 * w1 * w2 * (z2 * w1 - z1 * w2) / (w1 * w1 - w2 * w2), 2 * (z1 * w1 - z2 * w2) / (w1 * w1 - w2 * w2)};
+}
+
 // C = αM + βK, so 2ζω = α + βω² in every mode; α, β from ζ = α/(2ω) + βω/2 at two frequencies.
 Eigen::MatrixXd damp(const RayleighDamping& damping, const Modes& modes) {
   require_size("rayleigh ratios", damping.ratios.size(), 2);
@@ -37,10 +50,7 @@ Eigen::MatrixXd damp(const RayleighDamping& damping, const Modes& modes) {
   if (damping.periods[0] == damping.periods[1]) {
     throw InvalidParameter("rayleigh periods", fmt::format("[{0}, {0}]", damping.periods[0]), "must differ");
   }
-  const double w1 = 2 * std::numbers::pi / damping.periods[0];
-  const double w2 = 2 * std::numbers::pi / damping.periods[1];
-  const double beta = 2 * (damping.ratios[0] * w1 - damping.ratios[1] * w2) / (w1 * w1 - w2 * w2);
-  const double alpha = 2 * w1 * w2 * (damping.ratios[1] * w1 - damping.ratios[0] * w2) / (w1 * w1 - w2 * w2);
+  const auto [alpha, beta] = rayleigh_parts(damping);
   const Eigen::VectorXd terms = alpha + beta * modes.omega.array().square();
   if (terms.size() > 0 && terms.minCoeff() < 0) {
     Eigen::Index worst = 0;
@@ -56,6 +66,12 @@ Eigen::MatrixXd damp(const RayleighDamping& damping, const Modes& modes) {
 Eigen::MatrixXd damp(const MassProportionalDamping& damping, const Modes& modes) {
   require_not_negative("mass_proportional", damping.ratio);
   return diagonal(Eigen::VectorXd::Constant(modes.omega.size(), 2 * damping.ratio * modes.omega(0)));
+}
+
+// C = βK with β = 2 ζ₁/ω₁, so 2ζω = βω² in every mode.
+Eigen::MatrixXd damp(const StiffnessProportionalDamping& damping, const Modes& modes) {
+  require_not_negative("stiffness_proportional", damping.ratio);
+  return diagonal(2 * damping.ratio / modes.omega(0) * modes.omega.array().square());
 }
 
 Eigen::MatrixXd damp(const MatrixDamping& damping, const Modes& modes) {
@@ -76,6 +92,14 @@ Eigen::MatrixXd damp(const MatrixDamping& damping, const Modes& modes) {
 }
 
 }  // namespace
+
+std::optional<double> stiffness_part(const Damping& damping, double first_omega) {
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) return rayleigh_parts(*rayleigh).beta;
+  if (const auto* stiffness = std::get_if<StiffnessProportionalDamping>(&damping)) {
+    return 2 * stiffness->ratio / first_omega;
+  }
+  return std::nullopt;
+}
 
 Eigen::MatrixXd modal_damping(const Damping& damping, const Modes& modes) {
   return std::visit([&](const auto& kind) { return damp(kind, modes); }, damping);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -22,12 +23,22 @@ struct MassProportionalDamping {
   double ratio = 0;
 };
 
+/// C = βK with β = 2 ζ₁/ω₁; ζ₁ [-] ≥ 0.
+struct StiffnessProportionalDamping {
+  double ratio = 0;
+};
+
 /// C [force·s/length], dofs × dofs.
 struct MatrixDamping {
   Eigen::MatrixXd matrix;
 };
 
-using Damping = std::variant<ModalDamping, RayleighDamping, MassProportionalDamping, MatrixDamping>;
+using Damping =
+    std::variant<ModalDamping, RayleighDamping, MassProportionalDamping, StiffnessProportionalDamping, MatrixDamping>;
+
+/// β [s] of the damping's stiffness part, of a building whose first mode has ω₁ [rad/s]; nothing where its kind has
+/// none. Rayleigh damping can have one below zero.
+[[nodiscard]] std::optional<double> stiffness_part(const Damping& damping, double first_omega);
 
 /// Φᵀ C Φ [1/s]. Off-diagonal terms of a given matrix below 1e-12 of its largest are set to zero (classical damping).
 /// @throws InvalidParameter when the number of ratios is neither one nor that of the modes, a matrix has the wrong

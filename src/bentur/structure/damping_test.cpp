@@ -72,6 +72,33 @@ TEST(Damping, MassProportional) {
   for (Eigen::Index j = 0; j < 4; ++j) EXPECT_NEAR(actual(j), 0.05 * shapes.omega(0) / shapes.omega(j), 1e-16);
 }
 
+TEST(Damping, StiffnessProportional) {
+  // β = 2ζ₁/ω₁ is the same in every mode, so ζ_j = ζ₁ ω_j/ω₁; C = βK given as a matrix agrees.
+  const StructuralModel model = example();
+  const Modes shapes = example_modes();
+  const Eigen::MatrixXd damping = modal_damping(StiffnessProportionalDamping{0.03}, shapes);
+  const Eigen::VectorXd actual = ratios(damping, shapes);
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    EXPECT_NEAR(actual(j), 0.03 * shapes.omega(j) / shapes.omega(0), 1e-16 * shapes.omega(j));
+  }
+  const double beta = *stiffness_part(StiffnessProportionalDamping{0.03}, shapes.omega(0));
+  EXPECT_DOUBLE_EQ(beta, 2 * 0.03 / shapes.omega(0));
+  const Eigen::MatrixXd matrix = modal_damping(MatrixDamping{beta * model.stiffness}, shapes);
+  EXPECT_LE((matrix - damping).cwiseAbs().maxCoeff(), 1e-12 * damping.maxCoeff());
+}
+
+TEST(Damping, StiffnessPart) {
+  // Equal ratios ζ at ω₁ and ω₂: β = 2ζ/(ω₁ + ω₂), whatever the first mode is.
+  const double w1 = 2 * std::numbers::pi / 0.4, w2 = 2 * std::numbers::pi / 0.1;
+  const auto beta = stiffness_part(RayleighDamping{{0.05, 0.05}, {0.4, 0.1}}, 3);
+  ASSERT_TRUE(beta);
+  EXPECT_NEAR(*beta, 2 * 0.05 / (w1 + w2), 1e-17);
+  EXPECT_LT(*stiffness_part(RayleighDamping{{0.05, 0.001}, {0.4, 0.1}}, 3), 0);
+  EXPECT_FALSE(stiffness_part(ModalDamping{{0.05}}, 3));
+  EXPECT_FALSE(stiffness_part(MassProportionalDamping{0.05}, 3));
+  EXPECT_FALSE(stiffness_part(MatrixDamping{}, 3));
+}
+
 TEST(Damping, MatrixThatIsNotClassicalKeepsItsCoupling) {
   // A dashpot at the top floor only: ΦᵀCΦ = c φ_n φ_nᵀ with φ_n the modes' top entries.
   const Modes shapes = example_modes();
@@ -127,6 +154,7 @@ TEST(Damping, BadParametersAreNamed) {
   expect(RayleighDamping{{0.05, -0.05}, {0.4, 0.1}}, "rayleigh ratios[1]");
   expect(RayleighDamping{{0.20, 0.0}, {0.6, 0.3}}, "rayleigh ratios");  // would feed energy into the upper modes
   expect(MassProportionalDamping{-1}, "mass_proportional");
+  expect(StiffnessProportionalDamping{-1}, "stiffness_proportional");
   expect(MatrixDamping{Eigen::MatrixXd::Zero(3, 3)}, "damping matrix");
   expect(MatrixDamping{Eigen::MatrixXd::Constant(4, 4, std::nan(""))}, "damping matrix");
 }

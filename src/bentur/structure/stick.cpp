@@ -1,9 +1,12 @@
 #include "bentur/structure/stick.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/elements/kinematic_hardening.h"
+#include "bentur/elements/peak_oriented.h"
 
 namespace bentur {
 
@@ -39,6 +42,32 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
     }
   }
   return model;
+}
+
+std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick, const StructuralModel& model) {
+  const std::vector<double>& forces = stick.yield_forces;
+  if (forces.empty()) return {};
+  const Eigen::Index n = model.floors();
+  require_size("stiffnesses", stick.stiffnesses.size(), n);
+  if (forces.size() != 1) require_size("yield_forces", forces.size(), n);
+  if (stick.hardening.size() > 1) require_size("hardening", stick.hardening.size(), n);
+  const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
+  std::vector<std::shared_ptr<const HystereticLaw>> laws(stick.stiffnesses.size());
+  bool any = false;
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    const double force = forces[forces.size() == 1 ? 0 : j];
+    if (force > 0 && std::isinf(force)) continue;
+    const double k = scale * stick.stiffnesses[j];
+    const double r = stick.hardening.empty() ? 0 : stick.hardening[stick.hardening.size() == 1 ? 0 : j];
+    any = true;
+    if (stick.hysteresis == Hysteresis::bilinear) {
+      laws[j] = std::make_shared<KinematicHardening>(k, force, r);
+    } else {
+      laws[j] = std::make_shared<PeakOriented>(k, force, r, stick.unloading_exponent);
+    }
+  }
+  if (!any) laws.clear();
+  return laws;
 }
 
 }  // namespace bentur

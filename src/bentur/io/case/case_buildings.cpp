@@ -10,47 +10,6 @@
 namespace bentur {
 namespace {
 
-void read_stick(const TomlView& view, ReadBuilding& building) {
-  if (!view.is_table_of({"storey_heights", "masses", "stiffnesses"})) return;
-  Stick stick;
-  const auto heights = view.get("storey_heights");
-  const Length per_storey = {heights ? heights->size() : 0, "one per storey"};
-  if (heights) stick.storey_heights = heights->as_numbers(Rule::positive);
-  stick.masses = view.numbers("masses", Rule::positive, per_storey);
-  stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey);
-  building.modes = stick.storey_heights.size();
-  building.elevations = floor_elevations(stick.storey_heights);
-  building.spec.structure = std::move(stick);
-}
-
-Damping read_rayleigh(const TomlView& view) {
-  RayleighDamping damping;
-  if (!view.is_table_of({"ratios", "periods"})) return damping;
-  damping.ratios = view.numbers("ratios", Rule::ratio, {2, "for two modes"});
-  const auto periods = view.get("periods");
-  if (periods) damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"});
-  if (damping.periods.size() == 2 && damping.periods[0] == damping.periods[1])
-    periods->error("must be two different periods");
-  return damping;
-}
-
-/// A number: the ratio of every mode; or a table with exactly one form.
-Damping read_damping(const TomlView& view, std::size_t modes) {
-  if (view.is_number()) return ModalDamping{{view.as_number(Rule::ratio).value_or(0)}};
-  if (!view.is(TomlValue::Kind::table)) {
-    view.error_value("must be a number or a table of modal, rayleigh or mass_proportional");
-    return ModalDamping{};
-  }
-  const std::vector<std::string> forms = {"modal", "rayleigh", "mass_proportional"};
-  (void)view.is_table_of(forms);
-  const auto form = view.exactly_one(forms);
-  if (form == "modal") return ModalDamping{view.numbers("modal", Rule::ratio, {modes, "one per mode"})};
-  if (form == "rayleigh") return read_rayleigh(*view.find("rayleigh"));
-  if (form == "mass_proportional")
-    return MassProportionalDamping{view.number("mass_proportional", Rule::ratio).value_or(0)};
-  return ModalDamping{};
-}
-
 void read_structure(const TomlView& view, double gravity, ReadBuilding& building) {
   const auto kind = view.exactly_one({"frame", "stick", "matrices"});
   if (const auto frame = view.find("frame")) read_frame(*frame, gravity, building);
@@ -83,8 +42,8 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     }
   }
   const TomlView view = entry.renamed(building.path);
-  (void)view.is_table_of(
-      {"name", "damping", "calibrate_period", "base_elevation", "width", "frame", "stick", "matrices"});
+  (void)view.is_table_of({"name", "damping", "damping_stiffness", "calibrate_period", "base_elevation", "width",
+                          "frame", "stick", "matrices"});
   building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
   building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
   read_structure(view, units.gravity, building);
@@ -115,6 +74,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
   } else if (!matrix_damping) {
     view.error_missing("damping");
   }
+  read_damping_stiffness(view, building);
   return building;
 }
 

@@ -26,8 +26,6 @@ struct GapSides {
   }
 };
 
-FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
-
 /// Whether some floor of either building is between base and top of the other.
 bool face_each_other(const FloorLevels& left, const FloorLevels& right) {
   const auto faces = [](const FloorLevels& a, const FloorLevels& b) {
@@ -55,61 +53,6 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
 /// elevations = []
 bool models_no_contact(const TomlView& elevations) {
   return elevations.is(TomlValue::Kind::list) && elevations.size() == 0;
-}
-
-void read_between(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
-                  const std::vector<ReadBuilding>& buildings) {
-  const auto between = gap.get("between");
-  if (!between || !between->is_list_of("building names", {2, "the neighbours, left and right"})) return;
-  std::vector<std::string> names;
-  for (const ReadBuilding& building : buildings) {
-    const std::string& name = building.spec.name;
-    // Without a name of its own for each building there is nothing to compare with; that has been said.
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
-    names.push_back(name);
-  }
-  std::vector<std::string> given;
-  for (const TomlView& entry : between->items()) {
-    const auto name = entry.as_text();
-    if (!name) return;
-    if (std::find(names.begin(), names.end(), *name) == names.end()) {
-      entry.error_value("there is no such building, " + suggestion(*name, names, "the buildings are"));
-      return;
-    }
-    given.push_back(*name);
-  }
-  if (given[0] != left.spec.name || given[1] != right.spec.name) {
-    between->error(fmt::format("= [{}, {}], must be [{}, {}] (gaps and neighbours from left to right)",
-                               in_quotes(given[0]), in_quotes(given[1]), in_quotes(left.spec.name),
-                               in_quotes(right.spec.name)));
-  }
-}
-
-/// Elevations of the contact points that a list names, each at one of two floors that meet or between them.
-std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
-                                     const std::vector<LevelPair>& pairs, const FloorLevels& left,
-                                     const FloorLevels& right) {
-  std::vector<double> common, named;
-  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
-  std::vector<const LevelPair*> taken;
-  const double round_off = round_off_of_levels(left, right);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
-    if (pair == nullptr) {
-      list.item(i).error_value(
-          common.empty()
-              ? "the buildings do not both have a floor there"
-              : fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
-    } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
-      list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",
-                                           before - taken.begin(),
-                                           wanted[static_cast<std::size_t>(before - taken.begin())]));
-    }
-    taken.push_back(pair);
-    if (pair != nullptr)
-      named.push_back(std::abs(wanted[i] - pair->elevation) <= round_off ? wanted[i] : pair->elevation);
-  }
-  return named.size() == wanted.size() ? named : std::vector<double>{};
 }
 
 /// The contact points' elevations [length]; empty when they are not known, or there are to be none.
@@ -293,7 +236,13 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
   if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact"})) return spec;
-  read_between(gap, left, right, buildings);
+  const auto given_sides = read_between(gap, buildings, "the neighbours, left and right");
+  if (given_sides && (&buildings[given_sides->first] != &left || &buildings[given_sides->second] != &right)) {
+    const auto name = [&](std::size_t b) { return in_quotes(buildings[b].spec.name); };
+    gap.find("between")->error(fmt::format("= [{}, {}], must be [{}, {}] (gaps and neighbours from left to right)",
+                                           name(given_sides->first), name(given_sides->second),
+                                           in_quotes(left.spec.name), in_quotes(right.spec.name)));
+  }
   spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
   spec.elevations = read_elevations(gap, left, right, spec.level_tolerance);
   const std::size_t points = spec.elevations.size();
@@ -316,6 +265,59 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
 }
 
 }  // namespace
+
+FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
+
+std::optional<std::pair<std::size_t, std::size_t>> read_between(const TomlView& table,
+                                                                const std::vector<ReadBuilding>& buildings,
+                                                                const std::string& what) {
+  const auto between = table.get("between");
+  if (!between || !between->is_list_of("building names", {2, what})) return std::nullopt;
+  std::vector<std::string> names;
+  for (const ReadBuilding& building : buildings) {
+    const std::string& name = building.spec.name;
+    // Without a name of its own for each building there is nothing to compare with; that has been said.
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return std::nullopt;
+    names.push_back(name);
+  }
+  std::vector<std::size_t> given;
+  for (const TomlView& entry : between->items()) {
+    const auto name = entry.as_text();
+    if (!name) return std::nullopt;
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found == names.end()) {
+      return entry.error_value("there is no such building, " + suggestion(*name, names, "the buildings are"));
+    }
+    given.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  return std::pair(given[0], given[1]);
+}
+
+std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
+                                     const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                                     const FloorLevels& right) {
+  std::vector<double> common, named;
+  for (const LevelPair& pair : pairs) common.push_back(pair.elevation);
+  std::vector<const LevelPair*> taken;
+  const double round_off = round_off_of_levels(left, right);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
+    if (pair == nullptr) {
+      list.item(i).error_value(
+          common.empty()
+              ? "the buildings do not both have a floor there"
+              : fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
+    } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
+      list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",
+                                           before - taken.begin(),
+                                           wanted[static_cast<std::size_t>(before - taken.begin())]));
+    }
+    taken.push_back(pair);
+    if (pair != nullptr)
+      named.push_back(std::abs(wanted[i] - pair->elevation) <= round_off ? wanted[i] : pair->elevation);
+  }
+  return named.size() == wanted.size() ? named : std::vector<double>{};
+}
 
 std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   std::vector<GapSpec> gaps;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/io/toml/toml_view.h"
@@ -44,6 +45,32 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
 
 /// case_gaps.cpp
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+
+/// Of the names in `between` of a gap or a link the two buildings, as places in the row; nothing (and an error) unless
+/// they are names of the case. @param what of the two names, "the neighbours, left and right"
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> read_between(
+    const TomlView& table, const std::vector<ReadBuilding>& buildings, const std::string& what);
+
+/// Floor levels of a building as read.
+[[nodiscard]] FloorLevels floor_levels(const ReadBuilding& building);
+
+/// Elevations of contact points or links that a list names, each at one of two floors that meet or between them; empty
+/// (and an error) unless all are.
+[[nodiscard]] std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
+                                                   const std::vector<LevelPair>& pairs, const FloorLevels& left,
+                                                   const FloorLevels& right);
+
+/// case_links.cpp
+[[nodiscard]] std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+
+/// case_stick.cpp: [building.stick] into `building`.
+void read_stick(const TomlView& stick, ReadBuilding& building);
+
+/// case_damping.cpp: a number or a table with exactly one form. @param modes how many; 0: not known
+[[nodiscard]] Damping read_damping(const TomlView& damping, std::size_t modes);
+
+/// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
+void read_damping_stiffness(const TomlView& building, ReadBuilding& read);
 
 /// case_excitation.cpp. `folder` is the one that record files are relative to.
 [[nodiscard]] ExcitationSpec read_excitation(const TomlView& root, const Units& units,

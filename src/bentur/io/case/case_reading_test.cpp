@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -170,6 +171,75 @@ base_coupling = false
   EXPECT_EQ(c.buildings[0].calibrate_period, 0.3);
   EXPECT_EQ(std::get<ModalDamping>(c.buildings[0].damping).ratios, (std::vector<double>{0.05, 0.04}));
   EXPECT_EQ(std::get<MassProportionalDamping>(c.buildings[1].damping).ratio, 0.03);
+}
+
+/// The first stick with more keys, and what is said of its building.
+std::string yielding_case(const std::string& keys, const std::string& of_building = "damping = 0.05\n",
+                          const std::string& more = "") {
+  return "[[building]]\nname = \"A\"\n" + of_building +
+         "[building.stick]\nstorey_heights = [3.0, 3.0, 3.5]\nmasses = [30, 28, 25]\nstiffnesses = [40e3, 35e3, "
+         "30e3]\n" +
+         keys + stick_b + gap + more + harmonic + analysis;
+}
+
+TEST(CaseReading, StoreysThatYield) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Case c = read(yielding_case("yield_forces = [400, inf, 2e2]\nhardening = 0.05\n"));
+  const auto& stick = std::get<Stick>(c.buildings[0].structure);
+  EXPECT_EQ(stick.yield_forces, (std::vector<double>{400, infinity, 200}));
+  EXPECT_EQ(stick.hardening, std::vector<double>{0.05});
+  EXPECT_EQ(stick.hysteresis, Hysteresis::bilinear);
+  EXPECT_FALSE(c.buildings[0].tangent_damping);
+  EXPECT_TRUE(std::get<Stick>(c.buildings[1].structure).yield_forces.empty());
+  const Problem problem = make_problem(c);
+  EXPECT_NE(problem.buildings[0].storey_law(0), nullptr);
+  EXPECT_EQ(problem.buildings[0].storey_law(1), nullptr);
+  EXPECT_FALSE(problem.buildings[1].can_yield());
+  const Case oriented =
+      read(yielding_case("yield_forces = 300\nhardening = [0, 0.1, 0]\nhysteresis = \"peak-oriented\"\n"
+                         "unloading_exponent = 1\n"));
+  const auto& other = std::get<Stick>(oriented.buildings[0].structure);
+  EXPECT_EQ(other.hysteresis, Hysteresis::peak_oriented);
+  EXPECT_EQ(other.unloading_exponent, 1);
+  EXPECT_EQ(make_problem(oriented).buildings[0].storey_law(2)->name(), "peak-oriented");
+  EXPECT_FALSE(make_problem(read(yielding_case("yield_forces = inf\n"))).buildings[0].can_yield());
+}
+
+TEST(CaseReading, DampingOfTheInitialOrOfTheTangentStiffness) {
+  const std::string form = "damping = { stiffness_proportional = 0.03 }\n";
+  const std::string forces = "yield_forces = 300\n";
+  const Case initial = read(yielding_case(forces, form + "damping_stiffness = \"initial\"\n"));
+  EXPECT_EQ(std::get<StiffnessProportionalDamping>(initial.buildings[0].damping).ratio, 0.03);
+  EXPECT_EQ(make_problem(initial).buildings[0].tangent_damping, 0);
+  const Case tangent = read(yielding_case(forces, form + "damping_stiffness = \"tangent\"\n"));
+  const Building building = make_problem(tangent).buildings[0];
+  EXPECT_DOUBLE_EQ(building.tangent_damping, 2 * 0.03 / building.modes.omega(0));
+  const Case rayleigh = read(yielding_case(forces,
+                                           "damping = { rayleigh = { ratios = [0.05, 0.05], periods = [0.4, 0.1] } }\n"
+                                           "damping_stiffness = \"tangent\"\n"));
+  EXPECT_NEAR(make_problem(rayleigh).buildings[0].tangent_damping, 0.1 / (2 * std::numbers::pi / 0.08), 1e-17);
+}
+
+TEST(CaseReading, Links) {
+  const std::string names = "[[link]]\nbetween = [\"A\", \"B\"]\n";
+  const Case c =
+      read(stick_a + stick_b + gap + names +
+           "elevations = [3.0, 6.2]\nlevel_tolerance = 0.5\nlaw = \"spring-dashpot\"\ndamping = [0, 20]\n" +
+           "stiffness = [5, 0]\n" + names + "elevations = [3]\nlaw = \"cable\"\nstiffness = 100\n" + names +
+           "elevations = [9.5]\nlaw = \"yielding\"\nstiffness = 100\nyield_force = 4\n" + harmonic + analysis);
+  ASSERT_EQ(c.links.size(), 3U);
+  EXPECT_EQ(c.links[0].left, 0U);
+  EXPECT_EQ(c.links[0].right, 1U);
+  EXPECT_EQ(c.links[0].elevations, (std::vector<double>{3, 6.25}));  // floors at 6.0 and 6.5
+  EXPECT_EQ(c.links[0].number("damping", 1), 20);
+  EXPECT_EQ(c.links[1].law, "cable");
+  EXPECT_EQ(c.links[1].number("slack", 0), 0);
+  EXPECT_EQ(c.links[2].number("hardening", 0), 0);
+  const Problem problem = make_problem(c);
+  ASSERT_EQ(problem.links.size(), 4U);
+  EXPECT_EQ(problem.links[1].left_floor, 1);
+  EXPECT_EQ(problem.links[1].right_floor, 1);
+  EXPECT_EQ(problem.links[3].left_floor, 2);
 }
 
 // 5 and 4 kN/m² on a strip of 6 m over bays of 4 and 7 m, and 2 t on either floor.

@@ -133,8 +133,8 @@ void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuildin
     if (buildings[b].made) continue;
     try {
       const BuildingSpec& spec = buildings[b].spec;
-      buildings[b].made = std::make_shared<const Building>(
-          buildings[b].model ? make_building(spec.name, *buildings[b].model, spec.damping) : make_building(spec));
+      buildings[b].made = std::make_shared<const Building>(buildings[b].model ? make_building(spec, *buildings[b].model)
+                                                                              : make_building(spec));
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }
@@ -202,12 +202,13 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
                          CaseMemo* memo) {
   ReadCase read;
   Case& c = read.c;
-  (void)root.is_table_of({"title", "units", "building", "gap", "excitation", "initial", "analysis", "code"});
+  (void)root.is_table_of({"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code"});
   c.title = root.text("title", Need::optional).value_or("");
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
   buildings = read_buildings(root, c.units, memo);
   c.gaps = read_gaps(root, buildings);
+  c.links = read_links(root, buildings);
   c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);
   bool moves = false;
   c.initial = read_initial(root, buildings, moves);

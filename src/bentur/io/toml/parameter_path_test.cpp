@@ -104,6 +104,14 @@ TEST(ParameterPath, KnowsTheUnitOfANumber) {
   EXPECT_EQ(unit("excitation.pga"), "cm s-2");
   EXPECT_EQ(unit("initial.displacements[\"Model 1\"][0]"), "cm");
   EXPECT_EQ(unit("gap[0].contact.stiffness[1]"), "1000 kgf cm-1");
+  EXPECT_EQ(unit("building[0].stick.yield_forces[1]"), "1000 kgf");
+  EXPECT_EQ(unit("building[0].stick.hardening"), "1");
+  EXPECT_EQ(unit("building[0].stick.unloading_exponent"), "1");
+  EXPECT_EQ(unit("building[0].damping.stiffness_proportional"), "1");
+  EXPECT_EQ(unit("link[0].stiffness"), "1000 kgf cm-1");
+  EXPECT_EQ(unit("link[0].damping[1]"), "1000 kgf s cm-1");
+  EXPECT_EQ(unit("link[1].yield_force"), "1000 kgf");
+  EXPECT_EQ(unit("link[1].slack"), "cm");
   EXPECT_EQ(unit("excitation.file"), "");
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 /// The rule that a number breaks, as a message says it; empty where it keeps it.
 std::string broken(Rule rule, double x) {
+  if (rule == Rule::positive_or_infinite) return x > 0 ? "" : "must be > 0 (inf: no limit)";
   if (!std::isfinite(x)) return "must be finite";
   switch (rule) {
     case Rule::positive:
@@ -27,6 +28,9 @@ std::string broken(Rule rule, double x) {
       return x >= 0 && x < 1 ? "" : "must be in [0, 1)";
     case Rule::restitution:
       return x > 0 && x <= 1 ? "" : "must be in (0, 1]";
+    case Rule::share:
+      return x >= 0 && x <= 1 ? "" : "must be in [0, 1]";
+    case Rule::positive_or_infinite:
     case Rule::finite:
       break;
   }

@@ -13,7 +13,8 @@
 namespace bentur {
 
 /// The values a number may take; a message states the rule.
-enum class Rule { finite, positive, not_negative, not_zero, ratio, restitution };  // ratio: [0, 1), restitution: (0, 1]
+/// ratio: [0, 1), restitution: (0, 1], share: [0, 1]; all but positive_or_infinite are finite.
+enum class Rule { finite, positive, positive_or_infinite, not_negative, not_zero, ratio, restitution, share };
 
 enum class Need { required, optional };
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/elements/law.h"
+#include "bentur/model/gap/levels.h"
+#include "bentur/solve/problem.h"
+
+namespace bentur {
+
+/// What joins two buildings at some elevations, as a case says it.
+struct LinkSpec {
+  std::size_t left = 0, right = 1;  ///< indices of the buildings, left < right
+  std::vector<double> elevations;   ///< [length] absolute, one per point, ascending
+  std::string law = "spring-dashpot";
+  /// One value for all points or one each.
+  std::map<std::string, std::vector<double>, std::less<>> numbers = {};
+  std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
+
+  /// What applies at point `point` (0 the lowest): the number given, or the law's default.
+  /// @throws InvalidParameter when there is neither, or a list has no such entry.
+  [[nodiscard]] double number(std::string_view key, std::size_t point) const;
+};
+
+/// A number that a link's law works with.
+struct LinkKey {
+  enum class Range {
+    positive,      ///< > 0
+    not_negative,  ///< ≥ 0
+    below_one      ///< [0, 1)
+  };
+  std::string_view name;  ///< as in a case
+  Range range = Range::positive;
+  std::optional<double> otherwise = std::nullopt;  ///< where it is not given; nothing: it must be
+};
+
+/// A law as a case knows it.
+struct LinkLaw {
+  std::string_view name;
+  std::vector<LinkKey> keys;
+};
+
+/// All laws that a link can have.
+[[nodiscard]] const std::vector<LinkLaw>& link_laws();
+/// Null where there is none of this name.
+[[nodiscard]] const LinkLaw* find_link_law(std::string_view name);
+
+/// The law of one point. @throws InvalidParameter, naming the key at fault, when the case has no such law or its values
+/// do not go together.
+[[nodiscard]] std::shared_ptr<const Law> make_link_law(const LinkSpec& spec, std::size_t point);
+
+/// One link per elevation of each spec, in their order.
+/// @throws InvalidParameter when a building does not exist or has no floor there.
+[[nodiscard]] std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector<Building>& buildings);
+
+}  // namespace bentur
