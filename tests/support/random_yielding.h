@@ -22,6 +22,7 @@ namespace bentur::test {
 struct RandomYielding {
   Problem problem;
   bool straight = true;  ///< no contact is integrated
+  bool rests = false;    ///< some contact may rest
 };
 
 /// Draws rows of two to four sticks of one to eight storeys [m, N, s]: storeys that stay elastic, bilinear and
@@ -107,6 +108,7 @@ class YieldingGenerator {
       result.problem.points.push_back(point);
     }
     result.straight = result.straight && example->straight;
+    result.rests = result.rests || example->law == "restitution";
   }
 
   void link(Problem& problem) {
