@@ -24,7 +24,7 @@ int heading_of(double side) { return side > 0 ? heading_up : heading_down; }
 }  // namespace
 
 struct PeakOriented::Past {
-  double upper, lower;       ///< Δ of the extreme points [length]
+  double upper, lower;        ///< Δ of the extreme points [length]
   double deformation, force;  ///< of the point that the line goes through: Δ_u, V_u
   [[nodiscard]] double extreme(double side) const { return side > 0 ? upper : lower; }
   [[nodiscard]] std::array<double, 4> memory() const { return {upper, lower, deformation, force}; }
@@ -65,11 +65,13 @@ double PeakOriented::unloading_stiffness(double side, double extreme) const noex
   return std::max(softened, backbone(side, extreme) / extreme);
 }
 
-double PeakOriented::stiffness_back(const LawState& state, double force) const noexcept {
-  const double side = force < 0 ? -1.0 : 1.0;
-  double extreme = past(state).extreme(side);
+double PeakOriented::stiffness_back(const LawState& state, double deformation, double force) const noexcept {
   if (state.branch == origin) return stiffness_;
-  return unloading_stiffness(side, extreme);
+  const double side = force < 0 ? -1.0 : 1.0;
+  const double extreme = past(state).extreme(side);
+  // The backbone takes its extreme along; what is remembered lags behind.
+  return unloading_stiffness(
+      side, state.branch == backbone_of(side) ? side * std::max(side * extreme, side * deformation) : extreme);
 }
 
 Branch PeakOriented::branch(const LawState& state) const noexcept {
@@ -91,7 +93,9 @@ Branch PeakOriented::branch(const LawState& state) const noexcept {
         {{.constant = side * at.deformation, .deformation = -side}, {.constant = -side * rest, .deformation = side}});
   }
   const double extreme = at.extreme(side);
-  const double slope = (backbone(side, extreme) - at.force) / (extreme - at.deformation);
+  // Between 0 and the slope of unloading, but for round-off of a line that has hardly a length.
+  const double slope = std::clamp((backbone(side, extreme) - at.force) / (extreme - at.deformation), 0.0,
+                                  unloading_stiffness(side, extreme));
   return Branch{.base = at.force - slope * at.deformation, .stiffness = slope}.guarded_by(
       {{.constant = side * extreme, .deformation = -side}, outward});
 }
@@ -126,12 +130,12 @@ LawState PeakOriented::next(const LawState& state, std::size_t guard, double tim
 
 double PeakOriented::stored_energy(const LawState& state, double deformation) const noexcept {
   const double v = force(state, deformation, 0);
-  return 0.5 * v * v / stiffness_back(state, v);
+  return 0.5 * v * v / stiffness_back(state, deformation, v);
 }
 
 double PeakOriented::residual(const LawState& state, double deformation) const noexcept {
   const double v = force(state, deformation, 0);
-  return deformation - v / stiffness_back(state, v);
+  return deformation - v / stiffness_back(state, deformation, v);
 }
 
 }  // namespace bentur

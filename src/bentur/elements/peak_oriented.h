@@ -4,8 +4,8 @@
 
 namespace bentur {
 
-/// Peak-oriented hysteresis of a storey ([CloughJohnston1966] as mended by [MahinBertero1976]). Each side has an extreme
-/// point, at first (±Δ_y, ±V_y), Δ_y = V_y/k:                                                                  (L-2)
+/// Peak-oriented hysteresis of a storey ([CloughJohnston1966] as mended by [MahinBertero1976]). Each side has an
+/// extreme point, at first (±Δ_y, ±V_y), Δ_y = V_y/k: (L-2)
 ///   1. from the origin on, slope k until ±V_y;
 ///   2. backbone V = ±V_y + r k (Δ ∓ Δ_y) while moving outward; it takes the extreme point of its side along;
 ///   3. a reversal off an unloading line at (Δ_u, V_u) unloads with k_u = k (Δ_y/|Δ_extreme|)^a, Δ_extreme that of the
@@ -13,8 +13,9 @@ namespace bentur {
 ///   4. where V = 0 it heads straight for the extreme point of the other side, and from there along that backbone;
 ///   5. back at (Δ_u, V_u) it goes on along the line that it left there.
 /// k, V_y > 0, 0 ≤ r < 1 as in (L-1); a [-] unloading exponent, 0 … 1. It would give back V²/(2 k_u).
-/// Branches: 0 from the origin | 1, 2 backbone up, down | 3, 4 unloading from above, below | 5, 6 heading for the upper,
-/// lower extreme. memory: Δ of the upper and of the lower extreme, then Δ and V of the point the line goes through.
+/// Branches: 0 from the origin | 1, 2 backbone up, down | 3, 4 unloading from above, below | 5, 6 heading for the
+/// upper, lower extreme. memory: Δ of the upper and of the lower extreme, then Δ and V of the point the line goes
+/// through.
 class PeakOriented final : public HystereticLaw {
  public:
   /// @throws InvalidParameter unless stiffness > 0, yield_force > 0, 0 ≤ hardening < 1, 0 ≤ unloading_exponent ≤ 1.
@@ -37,7 +38,7 @@ class PeakOriented final : public HystereticLaw {
   [[nodiscard]] double backbone(double side, double deformation) const noexcept;
   [[nodiscard]] double unloading_stiffness(double side, double extreme) const noexcept;
   /// k_u of the side the force is on.
-  [[nodiscard]] double stiffness_back(const LawState& state, double force) const noexcept;
+  [[nodiscard]] double stiffness_back(const LawState& state, double deformation, double force) const noexcept;
 
   double stiffness_{};    // k [force/length]
   double yield_force_{};  // V_y [force]

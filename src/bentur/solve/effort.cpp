@@ -25,11 +25,11 @@ constexpr double seconds_a_coordinate = 3e-7;  // of a step
 constexpr double copies = 4.0;                 // of histories while their file is made, and of a record
 constexpr double overhead = 48e6;              // [byte] of the program and of what its search for peaks keeps
 
-/// The force of every point while its bodies touch.
-engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
-  engine::ContactForces forces;
+/// The force of every point while its bodies touch, and of every link where it is stiffest.
+engine::ElementForces touching(const Problem& problem, bool& nonlinear) {
+  engine::ElementForces forces;
   for (Eigen::Index i = 0; i < std::ssize(problem.points); ++i) {
-    const ContactLaw& law = *problem.points[i].law;
+    const Law& law = *problem.points[i].law;
     const LawState closed = law.next({}, 0, 0.0, 0.0, 1.0);
     const Branch branch = law.branch(closed);
     forces.linear.push_back({0.0, branch.stiffness, branch.damping});
@@ -39,6 +39,15 @@ engine::ContactForces touching(const Problem& problem, bool& nonlinear) {
     for (std::size_t g = 0; g < after.guard_count; ++g) {
       if (after.guards[g].decaying != 0.0) forces.fading = std::max(forces.fading, after.guards[g].rate);
     }
+  }
+  for (const Link& link : problem.links) {
+    Branch stiffest = link.law->branch({});
+    for (std::size_t g = 0; g < stiffest.guard_count; ++g) {
+      const Branch next = link.law->branch(link.law->next({}, g, 0.0, 0.0, 0.0));
+      if (next.stiffness > stiffest.stiffness) stiffest = next;
+    }
+    forces.pressing.push_back(std::ssize(forces.linear));
+    forces.linear.push_back({0.0, stiffest.stiffness, stiffest.damping});
   }
   return forces;
 }
@@ -63,9 +72,9 @@ Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system)
 }
 
 /// The same with contacts, each as if it were the only one.
-Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::ContactForces& forces,
+Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::ElementForces& forces,
                                    Effort::Fastest fastest) {
-  for (const Eigen::Index i : forces.pressing) {
+  for (Eigen::Index i = 0; i < system.switched; ++i) {
     const double own = system.coupling(i, i);
     raise(fastest, std::sqrt(own * forces.linear[i].stiffness), {.by = By::contact, .point = i});
     raise(fastest, 0.5 * own * forces.linear[i].damping, {.by = By::contact, .point = i});
@@ -98,7 +107,7 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
   const ModalSystem system(problem);
   const engine::TimeGrid grid(problem, exact);
   bool nonlinear = false;
-  const engine::ContactForces forces = touching(problem, nonlinear);
+  const engine::ElementForces forces = touching(problem, nonlinear);
 
   Effort result;
   result.apart = fastest_apart(problem, system);

@@ -17,6 +17,24 @@ void require(bool ok, const std::string& parameter, const Value& value, const st
 /// A time of which the whole analysis has so many has no phase left in a double [-].
 constexpr double most_times = 1e15;
 
+/// The law of a storey takes its part of K over: all of what works against its drift.
+void check_storey_stiffness(const Building& building, const std::string& name) {
+  const Eigen::MatrixXd& stiffness = building.model.stiffness;
+  for (Eigen::Index f = 0; f < building.model.floors(); ++f) {
+    const HystereticLaw* law = building.storey_law(f);
+    if (law == nullptr) continue;
+    // Rows of floors from f on sum up to what holds them from below: K x of a unit drift.
+    const Eigen::VectorXd below = stiffness.bottomRows(building.model.floors() - f).colwise().sum();
+    Eigen::VectorXd drift = Eigen::VectorXd::Zero(building.model.floors());
+    drift(f) = 1.0;
+    if (f > 0) drift(f - 1) = -1.0;
+    constexpr double round_off = 1e-9;
+    const double k = law->initial_stiffness();
+    require((below - k * drift).cwiseAbs().maxCoeff() <= round_off * k, fmt::format("{}.storey_laws[{}]", name, f), k,
+            "must have the stiffness that K has in this storey, and K no other there");
+  }
+}
+
 void check_building(const Building& building, Eigen::Index b, double duration) {
   const Eigen::Index dofs = building.model.dofs();
   const auto name = fmt::format("buildings[{}]", b);
@@ -34,6 +52,18 @@ void check_building(const Building& building, Eigen::Index b, double duration) {
   const double fastest = building.modes.omega.size() > 0 ? building.modes.omega.maxCoeff() : 0.0;
   require(fastest * duration <= most_times, name + ".modes.omega", fastest,
           "must be at most 1e15 over the duration: such vibrations are beyond what numbers can follow");
+  require(building.storey_laws.empty() || std::ssize(building.storey_laws) == building.model.floors(),
+          name + ".storey_laws", fmt::format("{} entries", building.storey_laws.size()),
+          "must be empty or have one entry per storey");
+  require(std::isfinite(building.tangent_damping) && building.tangent_damping >= 0.0, name + ".tangent_damping",
+          building.tangent_damping, "must be finite and ≥ 0");
+  if (building.can_yield()) {
+    require(building.model.dofs() == building.model.floors() && building.modes.omega.size() == building.model.floors(),
+            name + ".storey_laws", building.name, "must be those of a building with one sway a floor and all its modes");
+    require((building.modes.omega.array() > 0.0).all(), name + ".modes.omega", building.name,
+            "must be > 0 where storeys yield");
+    check_storey_stiffness(building, name);
+  }
   require(building.modal_damping.allFinite() && building.modal_damping.norm() * duration <= most_times,
           name + ".modal_damping", building.modal_damping.norm(), "must be finite, and at most 1e15 over the duration");
 }
@@ -50,6 +80,19 @@ void check_point(const Problem& problem, const ContactPoint& point, std::size_t 
           "must be a floor of the right building");
   require(std::isfinite(point.width) && point.width >= 0.0, name + ".width", point.width, "must be finite and ≥ 0");
   require(point.law != nullptr, name + ".law", "none", "must be given");
+}
+
+void check_link(const Problem& problem, const Link& link, std::size_t i) {
+  const auto name = fmt::format("links[{}]", i);
+  const Eigen::Index count = std::ssize(problem.buildings);
+  require(link.left >= 0 && link.left < link.right, name + ".left", link.left, "must be left of the other building");
+  require(link.right < count, name + ".right", link.right, "must be a building");
+  const auto floors = [&](Eigen::Index b) { return problem.buildings[b].model.floors(); };
+  require(link.left_floor >= 0 && link.left_floor < floors(link.left), name + ".left_floor", link.left_floor,
+          "must be a floor of the left building");
+  require(link.right_floor >= 0 && link.right_floor < floors(link.right), name + ".right_floor", link.right_floor,
+          "must be a floor of the right building");
+  require(link.law != nullptr, name + ".law", "none", "must be given");
 }
 
 /// Within one gap a floor meets one other floor: points that share one would not move independently (E-1).
@@ -160,6 +203,7 @@ void validate(const Problem& problem) {
     check_building(problem.buildings[b], b, problem.duration);
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);
   check_floors_of_points(problem);
+  for (std::size_t i = 0; i < problem.links.size(); ++i) check_link(problem, problem.links[i], i);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
   require(problem.delays.empty() || problem.delays.size() == problem.buildings.size(), "delays",
           fmt::format("{} entries", problem.delays.size()), "must be empty or have one entry per building");

@@ -56,8 +56,41 @@ std::vector<double> largest_displacements_watched(const Problem& problem, const 
   return result;
 }
 
+/// What yielding did, as the run left it.
+void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& system,
+                        BuildingPeaks::Yielding BuildingPeaks::*to, std::vector<BuildingPeaks>& buildings) {
+  Eigen::Index element = system.storeys;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (!building.can_yield()) continue;
+    const Eigen::Index floors = building.model.floors();
+    BuildingPeaks::Yielding& yielding = buildings[b].*to;
+    yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
+    yielding.residual_drift_ratio.setZero(floors);
+    yielding.hysteretic_energy.setZero(floors);
+    for (Eigen::Index f = 0; f < floors; ++f) {
+      const HystereticLaw* law = building.storey_law(f);
+      if (law == nullptr) continue;
+      const double height = building.model.storey_heights[f];
+      yielding.ductility(f) = buildings[b].drift_ratio(f) * height / law->yield_deformation();
+      yielding.residual_drift_ratio(f) = run.elements().residual(element, run.state()) / height;
+      yielding.hysteretic_energy(f) = run.elements().energy_lost(element, run.state());
+      ++element;
+    }
+  }
+}
+
+void summarise_links(Run& run, const ModalSystem& system, std::vector<LinkSummary>& links) {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Eigen::Index element = system.switched + static_cast<Eigen::Index>(i);
+    const Elements::Account& account = run.elements().account(element);
+    links[i] = {account.peak_force, account.peak_tension, run.links().nearest()[i].reach,
+                run.links().nearest()[links.size() + i].reach, run.elements().energy_lost(element, run.state())};
+  }
+}
+
 /// The least openings of watched floors; `scales` as largest_displacements_watched() gives.
-void summarise_watched(const Problem& problem, const std::vector<FloorWatch::Nearest>& nearest,
+void summarise_watched(const Problem& problem, const std::vector<SpanWatch::Nearest>& nearest,
                        const std::vector<double>& scales, std::vector<WatchedSummary>& watched) {
   for (std::size_t i = 0; i < watched.size(); ++i) {
     const double width = problem.watched[i].width;
@@ -140,7 +173,7 @@ struct FreeParts {
   // Scales per point: of floors and ground together.
   std::vector<double> largest_displacement;  ///< [length]
   std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, that of the whole row
-  std::vector<FloorWatch::Nearest> nearest;  ///< per watched floor
+  std::vector<SpanWatch::Nearest> nearest;  ///< per watched floor
   std::vector<double> watched_scale;         ///< scale of round-off of each [length]
 };
 
@@ -161,12 +194,18 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     run.watch().report(b, response.buildings[b]);
     response.buildings[b].displacement_no_contact = response.buildings[b].displacement;
   }
-  for (std::size_t i = 0; i < response.points.size(); ++i) response.points[i].minimum_gap_no_contact = run.needed()[i];
+  for (std::size_t i = 0; i < response.points.size(); ++i) {
+    response.points[i].minimum_gap_no_contact = run.idle().nearest()[i].reach;
+  }
   response.steps = run.steps();
-  for (const engine::FloorWatch::Nearest& nearest : run.nearest()) {
+  for (const engine::SpanWatch::Nearest& nearest : run.floors().nearest()) {
     response.watched.push_back({.needed = nearest.reach});
   }
-  parts->nearest = run.nearest();
+  engine::summarise_yielding(parts->problem, run, parts->system, &BuildingPeaks::yielding, response.buildings);
+  for (BuildingPeaks& peaks : response.buildings) peaks.yielding_no_contact = peaks.yielding;
+  response.links.resize(parts->problem.links.size());
+  engine::summarise_links(run, parts->system, response.links);
+  parts->nearest = run.floors().nearest();
   parts->watched_scale = engine::largest_displacements_watched(parts->problem, response.buildings, run);
   parts->result = run.take_result();
   parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, run);
@@ -184,7 +223,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
   if (response.status != Status::done) return response;
-  engine::Contacts::Scales scales{parts_->largest_displacement, parts_->largest_speed};
+  engine::Elements::Scales scales{parts_->largest_displacement, parts_->largest_speed};
   for (std::size_t i = 0; i < problem.points.size(); ++i) scales.displacement[i] += problem.points[i].width;
   // Of approximate solvers the state alone is not all there is to go on with.
   const long first_contact = parts_->exact ? engine::first_contact(parts_->result, gap_widths(problem)) : 0;
@@ -204,13 +243,15 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   }
   const Status status = run.to_end(options.progress);
   engine::report_end(response, status, run);
-  run.contacts().finish(problem.duration);
+  run.elements().finish(problem.duration);
   for (std::size_t b = 0; b < response.buildings.size(); ++b) run.watch().report(b, response.buildings[b]);
-  response.impacts = std::move(run.contacts().impacts());
-  response.events = run.contacts().events();
+  response.impacts = std::move(run.elements().impacts());
+  response.events = run.elements().events();
   response.steps = run.steps();
   engine::summarise(response.impacts, response.points);
-  engine::summarise_watched(problem, run.nearest(), parts_->watched_scale, response.watched);
+  engine::summarise_watched(problem, run.floors().nearest(), parts_->watched_scale, response.watched);
+  engine::summarise_yielding(problem, run, parts_->system, &BuildingPeaks::yielding, response.buildings);
+  engine::summarise_links(run, parts_->system, response.links);
   run.sampler().finish();
   response.histories = std::move(run.sampler().histories());
   if (run.energy()) response.energy = run.energy()->finish();

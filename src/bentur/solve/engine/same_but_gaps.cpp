@@ -25,11 +25,28 @@ bool alike(const Matrix& a, const Matrix& b) {
   return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
 }
 
+bool alike_laws(const Law* a, const Law* b) {
+  if (a == b) return true;
+  return a != nullptr && b != nullptr && a->name() == b->name() && a->parameters() == b->parameters();
+}
+
+bool alike_storeys(const Building& a, const Building& b) {
+  for (Eigen::Index f = 0; f < a.model.floors(); ++f) {
+    if (!alike_laws(a.storey_law(f), b.storey_law(f))) return false;
+  }
+  return a.tangent_damping == b.tangent_damping;
+}
+
+bool alike(const Link& a, const Link& b) {
+  return a.left == b.left && a.right == b.right && a.left_floor == b.left_floor && a.right_floor == b.right_floor &&
+         alike_laws(a.law.get(), b.law.get());
+}
+
 bool alike(const Building& a, const Building& b) {
   return alike(a.model.mass, b.model.mass) && alike(a.model.stiffness, b.model.stiffness) &&
          alike(a.model.load, b.model.load) && a.model.storey_heights == b.model.storey_heights &&
          alike(a.modes.omega, b.modes.omega) && alike(a.modes.shapes, b.modes.shapes) &&
-         alike(a.modal_damping, b.modal_damping);
+         alike(a.modal_damping, b.modal_damping) && alike_storeys(a, b);
 }
 
 bool alike(const ContactPoint& a, const ContactPoint& b) {
@@ -83,6 +100,11 @@ void require_same_but_gaps(const Problem& problem, const Problem& other) {
   for (std::size_t i = 0; i < problem.watched.size(); ++i) {
     require_same(alike(problem.watched[i], other.watched[i]), fmt::format("watched[{}]", i),
                  fmt::format("floor {} of gap {}", other.watched[i].floor, other.watched[i].left));
+  }
+  require_as_many(other.links.size(), problem.links.size(), "links");
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    require_same(alike(problem.links[i], other.links[i]), fmt::format("links[{}]", i),
+                 std::string(other.links[i].law->name()));
   }
   require_same(alike(problem.motion, other.motion), "motion", "another one");
   require_same(problem.kinematics == other.kinematics, "kinematics",

@@ -10,26 +10,37 @@ namespace bentur::engine {
 
 using Eigen::Index;
 
-Expansion::Expansion(const ModalSystem& system, std::vector<double> widths)
+Expansion::Expansion(const ModalSystem& system, std::vector<double> offsets)
     : system_(&system),
-      widths_(std::move(widths)),
+      offsets_(std::move(offsets)),
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       rise_(Eigen::VectorXd::Zero(system.size)),
       acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
       curved_(Eigen::VectorXd::Zero(system.size)),
-      resting_force_(system.points.size()),
-      openings_(system.points.size()),
-      opening_known_(system.points.size(), 0) {}
+      resting_force_(system.elements.size()),
+      deformations_(system.elements.size()),
+      deformation_known_(system.elements.size(), 0) {}
 
 Eigen::MatrixXd& Expansion::coefficients() {
-  std::fill(opening_known_.begin(), opening_known_.end(), 0);
+  std::fill(deformation_known_.begin(), deformation_known_.end(), 0);
   return c_;
 }
 
-Polynomial& Expansion::fill_opening(Index point) {
-  opening_known_[point] = 1;
-  openings_[point].degree = degree_;
-  return openings_[point];
+Polynomial& Expansion::fill_deformation(Index element) {
+  deformation_known_[element] = 1;
+  deformations_[element].degree = degree_;
+  return deformations_[element];
+}
+
+void Expansion::fill_forces(const ElementForces& forces) {
+  for (const Index i : forces.pressing) {
+    const Index at = system_->elements[i].force;
+    if (at < 0) continue;
+    const Polynomial& delta = deformation(i);
+    const double stiffness = forces.linear[i].stiffness;
+    c_(at, 0) = forces.linear[i].base + stiffness * delta[0];
+    for (int k = 1; k <= degree_; ++k) c_(at, k) = stiffness * delta[k];
+  }
 }
 
 void Expansion::begin(Index first, Index count, double h, int degree) {
@@ -40,7 +51,7 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
   degree_ = degree;
 }
 
-void Expansion::set_resting_force(Index point, const Polynomial& force) { resting_force_[point] = force; }
+void Expansion::set_resting_force(Index element, const Polynomial& force) { resting_force_[element] = force; }
 
 bool Expansion::find_rises() {
   return std::isfinite(kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, 1.0, 1.0 / (h_ * h_),
@@ -61,16 +72,16 @@ void Expansion::evaluate(double s, State& state) const {
   for (Index j = 0; j < count_; ++j) v[j] *= rate;
 }
 
-const Polynomial& Expansion::opening(Index i) const {
-  Polynomial& p = openings_[i];
-  if (opening_known_[i] != 0) return p;
-  opening_known_[i] = 1;
-  const auto& point = system_->points[i];
+const Polynomial& Expansion::deformation(Index i) const {
+  Polynomial& p = deformations_[i];
+  if (deformation_known_[i] != 0) return p;
+  deformation_known_[i] = 1;
+  const ModalSystem::Relation& relation = system_->elements[i].relation;
   p.degree = degree_;
-  kernels::opening_series({point.right_size, point.sense_right.data(), c_.data() + point.right_begin},
-                          {point.left_size, point.sense_left.data(), c_.data() + point.left_begin}, c_.rows(), degree_,
-                          p.coefficients.data());
-  p[0] += widths_[i];
+  kernels::row_series({relation.right_size, relation.right_row.data(), c_.data() + relation.right_begin},
+                      {relation.left_size, relation.left_row.data(), c_.data() + relation.left_begin}, c_.rows(),
+                      degree_, p.coefficients.data());
+  p[0] += offsets_[i];
   return p;
 }
 

@@ -21,18 +21,20 @@ struct Curves {
 /// this form, and everything else (events, impacts, peaks, histories, energy) reads it.
 class Expansion {
  public:
-  /// `widths`: of the gap at each point [length].
-  Expansion(const ModalSystem& system, std::vector<double> widths);
+  /// `offsets`: of each element's δ [length].
+  Expansion(const ModalSystem& system, std::vector<double> offsets);
 
   // For those who fill it.
   /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
   void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
   /// Coefficients: coordinates × powers of s.
   [[nodiscard]] Eigen::MatrixXd& coefficients();
-  /// The opening of a point, for a solver that finds it on the way.
-  [[nodiscard]] Polynomial& fill_opening(Eigen::Index point);
-  /// Force of a resting point [force].
-  void set_resting_force(Eigen::Index point, const Polynomial& force);
+  /// δ of an element, for a solver that finds it on the way.
+  [[nodiscard]] Polynomial& fill_deformation(Eigen::Index element);
+  /// Force of a resting element [force].
+  void set_resting_force(Eigen::Index element, const Polynomial& force);
+  /// Makes the force coordinates of pressing elements what their forces are.
+  void fill_forces(const ElementForces& forces);
   /// Works out how far coordinates leave their chords between s = 0 and 1 (T-5), of those that were filled. False where
   /// that is not finite.
   bool find_rises();
@@ -49,8 +51,8 @@ class Expansion {
   /// Where that was last asked for, and d²q/ds² there.
   [[nodiscard]] double place() const { return place_; }
   [[nodiscard]] const Eigen::VectorXd& curved() const { return curved_; }
-  [[nodiscard]] const Polynomial& opening(Eigen::Index point) const;  ///< g(s) of (T-1) [length]
-  [[nodiscard]] const Polynomial& resting_force(Eigen::Index point) const { return resting_force_[point]; }
+  [[nodiscard]] const Polynomial& deformation(Eigen::Index element) const;  ///< δ(s) of (T-1) [length]
+  [[nodiscard]] const Polynomial& resting_force(Eigen::Index element) const { return resting_force_[element]; }
   /// How far each coordinate, and its acceleration q̈, leaves its chord between s = 0 and 1 at most.
   [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
@@ -59,7 +61,7 @@ class Expansion {
 
  private:
   const ModalSystem* system_;
-  std::vector<double> widths_;
+  std::vector<double> offsets_;
   double h_ = 0;
   int degree_ = highest_degree;
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
@@ -68,8 +70,8 @@ class Expansion {
   mutable double place_ = 0;
   mutable Eigen::VectorXd curved_;
   std::vector<Polynomial> resting_force_;
-  mutable std::vector<Polynomial> openings_;  ///< those asked for
-  mutable std::vector<char> opening_known_;
+  mutable std::vector<Polynomial> deformations_;  ///< those asked for
+  mutable std::vector<char> deformation_known_;
 };
 
 }  // namespace bentur::engine

@@ -83,6 +83,13 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
         flight->map_(j, to_v[i]) = static_cast<double>(map[i][1]);
       }
     }
+    if (flights.front().map_.loads.empty()) continue;
+    map = transition({system.omega_squared(j), system.two_sigma(j), 1, 0}, flights.back().length_);
+    for (auto flight = flights.rbegin(); flight != flights.rend(); ++flight) {
+      if (flight != flights.rbegin()) map = doubled(map);
+      flight->map_(j, Map::load_q) = static_cast<double>(map[2][0]);
+      flight->map_(j, Map::load_v) = static_cast<double>(map[2][1]);
+    }
   }
   return flights;
 }
@@ -91,6 +98,8 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
 Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length), map_(system.size) {
   const double nu = system_->nu;
   const double chord = length_ * length_ / 8.0;
+  const bool loaded = system.storeys < std::ssize(system.elements);
+  if (loaded) map_.loads.assign(system_->size * Map::load_columns, 0.0);
   for (Index j = 0; j < system_->size; ++j) {
     const double w2 = system_->omega_squared(j);
     const double d = system_->two_sigma(j);
@@ -111,11 +120,16 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
       // u and ü stay within ±S/Ω and ±κ S: twice that is as far as a chord can be.
       map_(j, Map::second) = std::min(map_(j, Map::second), 2.0 / omega);
       map_(j, Map::fourth) = std::min(map_(j, Map::fourth), 2.0 * kappa);
+      if (loaded) map_(j, Map::load_p) = 1.0 / w2;
     } else {
       map_(j, Map::slow) = length_ * push;
       map_(j, Map::second_force) = chord * push;
       map_(j, Map::fourth_force) = chord * (d * d + w2 + nu * nu) * push;
       map_(j, Map::fourth_slope) = chord * d * push;
+      if (!loaded) continue;
+      map_(j, Map::load_slow) = length_;
+      map_(j, Map::load_second) = chord;
+      map_(j, Map::load_fourth) = chord * (d * d + w2);
     }
   }
 }

@@ -14,7 +14,7 @@ namespace bentur::engine {
 /// Between the ends proven bounds rule events and peaks out without looking. With u = q − p, p the particular solution
 /// for a linear input, S = √(u̇² + Ω²u²) never grows, so |q̈| ≤ κ S with κ = √(Ω² + D²), and |q| ≤ |p| + S/Ω; where no p
 /// is used (slow coordinates, harmonic input) S is at most its start value plus h max|γ a_g|, and
-/// |q̈| ≤ κ S + max|γ a_g|.                                                                                 (T-3)
+/// |q̈| ≤ κ S + max|γ a_g|. A constant load adds to p, or to γ a_g in these.                                  (T-3)
 class Flight {
  public:
   /// The flights of a length [s], its half, its quarter, … `halvings` times.

@@ -13,14 +13,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Rows of displacement, drift ratio and storey shear over the modes of a building (docs/theory/exact-solver.md), and a
-/// column for ground.
-MatrixXd output_rows(const Building& building) {
+/// Rows of displacement, drift ratio and storey shear over the coordinates of a building (docs/theory/exact-solver.md):
+/// modes, ground, and the forces of storeys that yield.
+MatrixXd output_rows(const Building& building, Index size) {
   const StructuralModel& model = building.model;
   const Index floors = model.floors();
   const MatrixXd shapes = building.modes.shapes.topRows(floors);
   const MatrixXd forces = (model.stiffness * building.modes.shapes).topRows(floors);
-  MatrixXd rows = MatrixXd::Zero(3 * floors, shapes.cols() + 1);
+  MatrixXd rows = MatrixXd::Zero(3 * floors, size);
+  Index force = shapes.cols() + 1;
   for (Index f = 0; f < floors; ++f) {
     const Index modes = shapes.cols();
     rows.row(f).head(modes) = shapes.row(f);
@@ -28,6 +29,7 @@ MatrixXd output_rows(const Building& building) {
     if (f > 0) rows.row(floors + f).head(modes) -= shapes.row(f - 1);
     rows.row(floors + f) /= model.storey_heights[f];
     rows.row(2 * floors + f).head(modes) = forces.bottomRows(floors - f).colwise().sum();
+    if (building.storey_law(f) != nullptr) rows(2 * floors + f, force++) = 1.0;
   }
   return rows;
 }
@@ -41,10 +43,12 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   ModalSystem::Block block;
   const Index modes = building.modes.omega.size();
   block.begin = begin;
+  block.modes = modes;
   block.size = modes + 1;
+  for (const auto& law : building.storey_laws) block.size += law ? 1 : 0;
   block.padded_size = padded(block.size);
   block.floors = building.model.floors();
-  block.outputs = output_rows(building);
+  block.outputs = output_rows(building, block.size);
   block.acceleration = block.outputs.topRows(block.floors);
   block.acceleration.col(modes).setOnes();
 
@@ -52,7 +56,7 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   off_diagonal.diagonal().setZero();
   double damping_norm = building.modal_damping.diagonal().cwiseAbs().maxCoeff();
   if (!off_diagonal.isZero(0.0)) {
-    block.damping = MatrixXd::Zero(modes + 1, modes + 1);
+    block.damping = MatrixXd::Zero(block.size, block.size);
     block.damping->topLeftCorner(modes, modes) = building.modal_damping;
     damping_norm = building.modal_damping.norm();
   }
@@ -61,19 +65,45 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   return block;
 }
 
-/// Of displacements that are `shapes` over the modes.
-VectorXd sense_row(const VectorXd& shapes, Kinematics kinematics, double sign) {
-  const Index modes = shapes.size();
-  VectorXd row = VectorXd::Zero(padded(modes + 1));
-  row.head(modes) = sign * shapes;
-  row(modes) = kinematics == Kinematics::absolute ? sign : 0.0;
-  return row;
+/// δ of a displacement of the left building less one of the right; `shapes`: theirs over the modes.
+ModalSystem::Relation between(const std::vector<ModalSystem::Block>& blocks, Index left, const VectorXd& left_shapes,
+                              Index right, const VectorXd& right_shapes, Kinematics kinematics) {
+  const auto row = [&](Index b, const VectorXd& shapes, double sign) {
+    VectorXd result = VectorXd::Zero(blocks[b].padded_size);
+    result.head(shapes.size()) = sign * shapes;
+    result(shapes.size()) = kinematics == Kinematics::absolute ? sign : 0.0;
+    return result;
+  };
+  ModalSystem::Relation relation;
+  relation.left = left;
+  relation.left_begin = blocks[left].begin;
+  relation.left_size = blocks[left].padded_size;
+  relation.left_row = row(left, left_shapes, 1.0);
+  relation.right = right;
+  relation.right_begin = blocks[right].begin;
+  relation.right_size = blocks[right].padded_size;
+  relation.right_row = row(right, right_shapes, -1.0);
+  return relation;
 }
 
-/// The same without what the ground does.
-VectorXd push_column(VectorXd sense, Index modes) {
-  sense(modes) = 0.0;
-  return sense;
+/// A force F pushes against δ, and the ground is not moved by it.
+void let_push(const std::vector<ModalSystem::Block>& blocks, ModalSystem::Relation& relation) {
+  relation.left_push = -relation.left_row;
+  relation.left_push(blocks[relation.left].modes) = 0.0;
+  relation.right_push = -relation.right_row;
+  if (relation.right_size > 0) relation.right_push(blocks[relation.right].modes) = 0.0;
+}
+
+/// x_j − x_{j−1} of one building.
+ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, const Building& of, Index storey) {
+  ModalSystem::Relation relation;
+  relation.left = relation.right = building;
+  relation.left_begin = relation.right_begin = block.begin;
+  relation.left_size = block.padded_size;
+  relation.left_row = VectorXd::Zero(block.padded_size);
+  relation.left_row.head(block.modes) = of.modes.shapes.row(storey);
+  if (storey > 0) relation.left_row.head(block.modes) -= of.modes.shapes.row(storey - 1);
+  return relation;
 }
 
 }  // namespace
@@ -93,7 +123,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Building& building = problem.buildings[b];
     const Index begin = blocks[b].begin;
-    const Index modes = blocks[b].size - 1;
+    const Index modes = blocks[b].modes;
     omega_squared.segment(begin, modes) = building.modes.omega.cwiseAbs2();
     two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
     gamma(begin + modes) = 1.0;
@@ -108,63 +138,82 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(problem.initial_velocity[b]);
   }
 
-  const auto opening_between = [&](Index left, const VectorXd& left_shapes, const VectorXd& right_shapes) {
-    Point point;
-    point.left_begin = blocks[left].begin;
-    point.left_size = blocks[left].padded_size;
-    point.right_begin = blocks[left + 1].begin;
-    point.right_size = blocks[left + 1].padded_size;
-    point.sense_left = sense_row(left_shapes, problem.kinematics, -1.0);
-    point.sense_right = sense_row(right_shapes, problem.kinematics, 1.0);
-    return point;
-  };
-  for (const ContactPoint& contact : problem.points) {
-    const Index left = contact.left;
-    Point point = opening_between(left, problem.buildings[left].modes.shapes.row(contact.left_floor),
-                                  problem.buildings[left + 1].modes.shapes.row(contact.right_floor));
-    point.push_left = push_column(point.sense_left, blocks[left].size - 1);
-    point.push_right = push_column(point.sense_right, blocks[left + 1].size - 1);
-    points.push_back(std::move(point));
+  const auto shapes_of = [&](Index b, Index floor) -> VectorXd { return problem.buildings[b].modes.shapes.row(floor); };
+  for (const ContactPoint& point : problem.points) {
+    const Index right = point.left + 1;
+    elements.push_back({between(blocks, point.left, shapes_of(point.left, point.left_floor), right,
+                                shapes_of(right, point.right_floor), problem.kinematics)});
   }
+  switched = std::ssize(elements);
+  for (const Link& link : problem.links) {
+    elements.push_back({between(blocks, link.left, shapes_of(link.left, link.left_floor), link.right,
+                                shapes_of(link.right, link.right_floor), problem.kinematics)});
+    spans.push_back(elements.back().relation);
+  }
+  for (std::size_t i = 0, links = spans.size(); i < links; ++i) {
+    Relation opening = spans[i];
+    opening.left_row *= -1.0;
+    opening.right_row *= -1.0;
+    spans.push_back(std::move(opening));
+  }
+  storeys = std::ssize(elements);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    Index force = blocks[b].begin + blocks[b].modes + 1;
+    for (Index f = 0; f < building.model.floors(); ++f) {
+      const HystereticLaw* law = building.storey_law(f);
+      if (law == nullptr) continue;
+      elements.push_back({drift(blocks[b], static_cast<Index>(b), building, f), law->initial_stiffness(),
+                          building.tangent_damping, force++});
+    }
+  }
+  for (Element& element : elements) let_push(blocks, element.relation);
   for (const WatchedFloor& floor : problem.watched) {
     const Index left = floor.left;
-    watched.push_back(opening_between(left, problem.buildings[left].modes.shapes.transpose() * floor.left_row,
-                                      problem.buildings[left + 1].modes.shapes.transpose() * floor.right_row));
+    watched.push_back(between(blocks, left, problem.buildings[left].modes.shapes.transpose() * floor.left_row, left + 1,
+                              problem.buildings[left + 1].modes.shapes.transpose() * floor.right_row,
+                              problem.kinematics));
   }
-  const Index count = std::ssize(points);
+  const Index count = std::ssize(elements);
   coupling = MatrixXd::Zero(count, count);
   for (Index i = 0; i < count; ++i) {
-    VectorXd push = VectorXd::Zero(size);
-    const Point& from = points[i];
-    push.segment(from.left_begin, from.left_size) = from.push_left;
-    push.segment(from.right_begin, from.right_size) = from.push_right;
-    for (Index j = 0; j < count; ++j) coupling(i, j) = points[j].sense(push);
+    VectorXd pushed = VectorXd::Zero(size);
+    push(i, -1.0, pushed);
+    for (Index j = 0; j < count; ++j) coupling(i, j) = elements[j].relation.along(pushed);
   }
 }
 
-double ModalSystem::rate(const ContactForces& forces) const {
-  // The largest row sum of the pressing points' coupling bounds its largest eigenvalue.
-  double stiffness = 0.0;
-  double damping = 0.0;
-  for (const Index i : forces.pressing) {
-    double stiffness_row = 0.0;
-    double damping_row = 0.0;
-    for (const Index j : forces.pressing) {
-      const double between = std::abs(coupling(i, j));
-      stiffness_row += between * std::sqrt(std::abs(forces.linear[i].stiffness * forces.linear[j].stiffness));
-      damping_row += between * std::sqrt(std::abs(forces.linear[i].damping * forces.linear[j].damping));
+double ModalSystem::rate(const ElementForces& forces) const {
+  // The largest row sum of the pressing elements' coupling bounds its largest eigenvalue.
+  struct Sides {
+    double above = 0, below = 0;  // of what is added and of what is taken away
+  };
+  const auto largest = [&](double ElementForces::Linear::*of) {
+    Sides sides;
+    for (const Index i : forces.pressing) {
+      const double own = forces.linear[i].*of;
+      double row = 0.0;
+      for (const Index j : forces.pressing) {
+        const double product = own * forces.linear[j].*of;
+        const bool same_side = product > 0.0 && (own > 0.0) == (forces.linear[j].*of > 0.0);
+        if (same_side) row += std::abs(coupling(i, j)) * std::sqrt(product);
+      }
+      double& side = own > 0.0 ? sides.above : sides.below;
+      side = std::max(side, row);
     }
-    stiffness = std::max(stiffness, stiffness_row);
-    damping = std::max(damping, damping_row);
-  }
+    return sides;
+  };
+  const Sides stiffness = largest(&ElementForces::Linear::stiffness);
+  const Sides damping = largest(&ElementForces::Linear::damping);
   double half_damping = 0.0;
   double omega = nu;
   for (const Block& block : blocks) {
     half_damping = std::max(half_damping, block.half_damping);
     omega = std::max(omega, block.omega_max);
   }
-  half_damping += 0.5 * damping;
-  return std::max(half_damping + std::sqrt(half_damping * half_damping + omega * omega + stiffness), forces.fading);
+  half_damping = std::max(half_damping + 0.5 * damping.above, 0.5 * damping.below);
+  const double stiffest = std::max(omega * omega + stiffness.above, stiffness.below);
+  return std::max(half_damping + std::sqrt(half_damping * half_damping + stiffest), forces.fading);
 }
 
 void ModalSystem::acceleration(const State& state, const std::vector<GroundInput>& inputs, const VectorXd& forces,
@@ -187,13 +236,40 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
 }
 
 void ModalSystem::push(Index i, double force, VectorXd& result) const {
-  const Point& point = points[i];
+  const Relation& relation = elements[i].relation;
   const auto add = [&](Index begin, const VectorXd& by) {
     double* to = result.data() + begin;
     for (Index j = 0; j < by.size(); ++j) to[j] += force * by[j];
   };
-  add(point.left_begin, point.push_left);
-  add(point.right_begin, point.push_right);
+  add(relation.left_begin, relation.left_push);
+  add(relation.right_begin, relation.right_push);
+}
+
+const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& load) const {
+  const Block& block = blocks[b];
+  bool any = false;
+  for (Index i = storeys; i < std::ssize(elements); ++i) {
+    const Element& element = elements[i];
+    if (element.relation.left_begin != block.begin || q[element.force] == 0.0) continue;
+    if (!any) {
+      load.resize(size);
+      load.segment(block.begin, block.padded_size).setZero();
+    }
+    any = true;
+    push(i, q[element.force], load);
+  }
+  return any ? load.data() : nullptr;
+}
+
+const double* ModalSystem::load_of(const double* q, VectorXd& load) const {
+  bool any = false;
+  for (Index i = storeys; i < std::ssize(elements); ++i) {
+    if (q[elements[i].force] == 0.0) continue;
+    if (!any) load.setZero(size);
+    any = true;
+    push(i, q[elements[i].force], load);
+  }
+  return any ? load.data() : nullptr;
 }
 
 VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& missing) const {

@@ -15,30 +15,37 @@ struct State {
   Eigen::VectorXd q, v;
 };
 
-/// What contact points do over a step.
-struct ContactForces {
-  /// F = base + stiffness δ + damping δ̇; all zero where a point does not press.
+/// What elements do over a step, beyond what the modes hold of them.
+struct ElementForces {
+  /// F = base + stiffness δ + damping δ̇; all zero where an element does nothing.
   struct Linear {
     double base = 0, stiffness = 0, damping = 0;
   };
-  std::vector<Linear> linear;           ///< per point
-  std::vector<Eigen::Index> pressing;   ///< points with a linear force
-  std::vector<Eigen::Index> resting;    ///< points whose opening stays zero, whatever force it takes
-  std::vector<Eigen::Index> nonlinear;  ///< points with a force that no Linear describes
+  std::vector<Linear> linear;           ///< per element
+  std::vector<Eigen::Index> pressing;   ///< elements with a linear force that is not constant
+  std::vector<Eigen::Index> constant;   ///< elements with a constant force, which is in their force coordinate
+  std::vector<Eigen::Index> resting;    ///< elements whose δ stays zero, whatever force it takes
+  std::vector<Eigen::Index> nonlinear;  ///< elements with a force that no Linear describes
+  Eigen::VectorXd load;                 ///< what the constant ones do to every coordinate; empty: nothing
   double fading = 0;                    ///< fastest rate at which a surface comes back [1/s]
 
-  [[nodiscard]] bool none() const { return pressing.empty() && resting.empty() && nonlinear.empty(); }
+  [[nodiscard]] bool none() const {
+    return pressing.empty() && constant.empty() && resting.empty() && nonlinear.empty();
+  }
+  [[nodiscard]] const double* load_or_null() const { return load.size() > 0 ? load.data() : nullptr; }
 };
 
-/// All buildings side by side in modal coordinates. The coordinates of one building are its modes followed by its
-/// ground displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
-///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = −g_i,   g_i = w_i + sense_i q.   (T-1)
-/// Gap widths w are no part of it.
-/// Every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
+/// All buildings side by side in modal coordinates. The coordinates of one building are its modes, then its ground
+/// displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
+///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = offset_i + row_i q,             (T-1)
+/// and then, for each storey that can yield, its force F_i beyond that of K: a coordinate that nothing moves while the
+/// force is constant, and that is what the force is otherwise. Offsets (−w of a gap) are no part of the system.
+/// So every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
 struct ModalSystem {
   struct Block {
     Eigen::Index begin = 0;        ///< first coordinate of the building
-    Eigen::Index size = 0;         ///< modes + 1
+    Eigen::Index modes = 0;        ///< the ground coordinate comes after them
+    Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
     Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
@@ -49,24 +56,33 @@ struct ModalSystem {
     double omega_max = 0;                    ///< largest Ω [1/s]
     [[nodiscard]] double rate() const;       ///< growth bound of the building on its own [1/s]
   };
-  struct Point {
-    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks
-    Eigen::VectorXd sense_left, sense_right;  ///< row of (T-1) on each building's coordinates
-    Eigen::VectorXd push_left, push_right;    ///< column of (T-1); zero on ground coordinates; empty where watched
+  /// δ as a row over the coordinates of one building or of two, and what a unit force does to them.
+  struct Relation {
+    Eigen::Index left = 0, right = 0;  ///< buildings; the same one where there is one alone
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks, or 0
+    Eigen::VectorXd left_row, right_row;
+    Eigen::VectorXd left_push, right_push;  ///< columns of (T-1), zero on ground coordinates; empty where watched
 
-    /// sense · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move
-    /// alike give exactly zero.
-    [[nodiscard]] double sense(const double* x) const {
-      return kernels::dot(right_size, sense_right.data(), x + right_begin) +
-             kernels::dot(left_size, sense_left.data(), x + left_begin);
+    /// row · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move alike
+    /// give exactly zero.
+    [[nodiscard]] double along(const double* x) const {
+      return kernels::dot(right_size, right_row.data(), x + right_begin) +
+             kernels::dot(left_size, left_row.data(), x + left_begin);
     }
-    [[nodiscard]] double sense(const Eigen::VectorXd& x) const { return sense(x.data()); }
-    /// |sense| · |x|.
-    [[nodiscard]] double sense_abs(const double* x) const {
-      return kernels::dot_abs(right_size, sense_right.data(), x + right_begin) +
-             kernels::dot_abs(left_size, sense_left.data(), x + left_begin);
+    [[nodiscard]] double along(const Eigen::VectorXd& x) const { return along(x.data()); }
+    /// |row| · |x|.
+    [[nodiscard]] double along_abs(const double* x) const {
+      return kernels::dot_abs(right_size, right_row.data(), x + right_begin) +
+             kernels::dot_abs(left_size, left_row.data(), x + left_begin);
     }
-    [[nodiscard]] double sense_abs(const Eigen::VectorXd& x) const { return sense_abs(x.data()); }
+    [[nodiscard]] double along_abs(const Eigen::VectorXd& x) const { return along_abs(x.data()); }
+  };
+  /// An element without its law.
+  struct Element {
+    Relation relation;
+    double stiffness = 0;        ///< that the modes hold of it [force/length]
+    double tangent_damping = 0;  ///< its dashpot in D is this times its stiffness [s], and follows it
+    Eigen::Index force = -1;     ///< its force coordinate; −1: it has none
   };
 
   explicit ModalSystem(const Problem& problem);
@@ -78,9 +94,13 @@ struct ModalSystem {
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
-  std::vector<Point> points;
-  std::vector<Point> watched;  ///< floors that face a neighbour where nothing acts
-  Eigen::MatrixXd coupling;    ///< push_i · sense_j [1/mass], points × points
+  std::vector<Element> elements;  ///< contact points as Problem::points, links, then storeys that can yield
+  Eigen::Index switched = 0;      ///< the first ones, which the free response leaves out
+  Eigen::Index storeys = 0;       ///< where the storeys begin
+  std::vector<Relation> watched;  ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
+  /// δ of links, and then −δ: how far they close and open.
+  std::vector<Relation> spans;
+  Eigen::MatrixXd coupling;  ///< −push_i · row_j [1/mass], elements × elements
   double nu = 0;               ///< ν of the ground motion [rad/s]
   bool classical = true;       ///< every D is diagonal
 
@@ -89,19 +109,25 @@ struct ModalSystem {
   /// √(v²) over the modes, [length/s] √[mass]; v² is twice the kinetic energy of the buildings' relative motion.
   [[nodiscard]] double speed(const Eigen::VectorXd& v) const { return v.cwiseProduct(of_mode).norm(); }
 
-  /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A = Ω² + ‖contact
-  /// stiffness‖, B = ‖D‖ + ‖contact damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν.
-  /// Stiffness and damping of a point may be negative: with S its rows of sense, ‖SᵀDS‖ ≤ ‖ |D|^½ S Sᵀ |D|^½ ‖.
-  [[nodiscard]] double rate(const ContactForces& forces) const;
+  /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A ≥ ‖Ω² + stiffness of
+  /// elements‖, B ≥ ‖D + their damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν. What makes
+  /// softer, with a negative stiffness, makes no matrix larger than it was: of a symmetric one with X ≥ 0, Y ≤ 0 added,
+  /// the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) at most.
+  [[nodiscard]] double rate(const ElementForces& forces) const;
 
-  /// q̈ by (T-1) at the given state, ground input and force of each point [force] (empty: none).
+  /// q̈ by (T-1) at the given state, ground input and force of each element [force] (empty: none).
   void acceleration(const State& state, const std::vector<GroundInput>& inputs, const Eigen::VectorXd& forces,
                     Eigen::VectorXd& result) const;
 
-  /// result += push_i F for one point.
-  void push(Eigen::Index point, double force, Eigen::VectorXd& result) const;
+  /// result += push_i F for one element.
+  void push(Eigen::Index element, double force, Eigen::VectorXd& result) const;
 
-  /// The forces λ at the given points that change the opening's acceleration there by `missing` [length/s²].
+  /// What the force coordinates of a state do to the coordinates of one building, or of all: `load` is written there.
+  /// Null where they do nothing.
+  const double* load_of(std::size_t block, const double* q, Eigen::VectorXd& load) const;
+  const double* load_of(const double* q, Eigen::VectorXd& load) const;
+
+  /// The forces λ of the given elements that change δ̈ there by −`missing` [length/s²].
   [[nodiscard]] Eigen::VectorXd forces_for(const std::vector<Eigen::Index>& at, const Eigen::VectorXd& missing) const;
 
   /// The inputs `dt` later.

@@ -9,8 +9,8 @@ namespace bentur::engine {
 
 using Eigen::Index;
 
-Series::Series(const ModalSystem& system, std::vector<double> widths)
-    : system_(&system), widths_(std::move(widths)), stiff_(system.size), damp_(system.size), force_(system.size) {}
+Series::Series(const ModalSystem& system, std::vector<double> offsets)
+    : system_(&system), offsets_(std::move(offsets)), stiff_(system.size), damp_(system.size), force_(system.size) {}
 
 int needed_degree(double rate_times_h) {
   // Longest products rate · h for which degrees 2, 3, … suffice, largest last; highest_degree serves series_reach.
@@ -49,20 +49,28 @@ void Series::add_full_damping(const ModalSystem::Block& block, int k) {
   force += (k + 1.0) * damp_.segment(block.begin, block.size).cwiseProduct(speed);
 }
 
-/// F = base + k δ + c δ̇ with δ = −g, coefficient k of the power series, times h².
-void Series::add_contact(Index i, const ContactForces::Linear& linear, int k) {
-  const auto& point = system_->points[i];
-  double force = -linear.stiffness * (point.sense(c_->col(k).data()) + (k == 0 ? widths_[i] : 0.0)) * h_ * h_;
+/// h² times a load, of some coordinates.
+const double* Series::scaled(const double* load, Index first, Index count) {
+  if (load == nullptr) return nullptr;
+  load_.resize(system_->size);
+  for (Index j = first; j < first + count; ++j) load_[j] = h_ * h_ * load[j];
+  return load_.data();
+}
+
+/// F = base + k δ + c δ̇, coefficient k of the power series, times h².
+void Series::add_pressing(Index i, const ElementForces::Linear& linear, int k) {
+  const ModalSystem::Relation& relation = system_->elements[i].relation;
+  double force = linear.stiffness * (relation.along(c_->col(k).data()) + (k == 0 ? offsets_[i] : 0.0)) * h_ * h_;
   if (k == 0) force += linear.base * h_ * h_;
-  if (linear.damping != 0.0) force -= linear.damping * (k + 1.0) * point.sense(c_->col(k + 1).data()) * h_;
+  if (linear.damping != 0.0) force += linear.damping * (k + 1.0) * relation.along(c_->col(k + 1).data()) * h_;
   system_->push(i, force, force_);
 }
 
-/// Changes c_{k+2} so that the openings of the resting points have no coefficient k + 2.
+/// Changes c_{k+2} so that δ of the resting elements has no coefficient k + 2.
 void Series::hold(const std::vector<Index>& resting, int k) {
   Eigen::VectorXd missing(std::ssize(resting));
   for (Index n = 0; n < missing.size(); ++n) {
-    missing(n) = -system_->points[resting[n]].sense(c_->col(k + 2).data());
+    missing(n) = system_->elements[resting[n]].relation.along(c_->col(k + 2).data());
   }
   const Eigen::VectorXd forces = system_->forces_for(resting, missing);
   force_ = c_->col(k + 2);
@@ -74,37 +82,43 @@ void Series::hold(const std::vector<Index>& resting, int k) {
   c_->col(k + 2) = force_;
 }
 
-void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ContactForces& forces,
+void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
                     Expansion& motion) {
   begin(0, system_->size, state, h, system_->rate(forces), motion);
   grounds_.clear();
   for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
+  const double* load = scaled(forces.load_or_null(), 0, system_->size);
   if (!system_->classical || !forces.resting.empty()) {
-    expand_term_by_term(0, system_->size, forces, motion);
-    return;
+    expand_term_by_term(0, system_->size, load, forces, motion);
+  } else {
+    pressing_.clear();
+    for (const Index i : forces.pressing) {
+      const ModalSystem::Relation& of = system_->elements[i].relation;
+      const ElementForces::Linear& linear = forces.linear[i];
+      pressing_.push_back({of.left_begin, of.left_size, of.right_begin, of.right_size, of.left_row.data(),
+                           of.right_row.data(), of.left_push.data(), of.right_push.data(), offsets_[i],
+                           linear.base * h * h, linear.stiffness * h * h, linear.damping * h,
+                           motion.fill_deformation(i).coefficients.data()});
+    }
+    kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, pressing_, motion.degree(),
+                    system_->size, c_->data());
   }
-  pressing_.clear();
-  for (const Index i : forces.pressing) {
-    const auto& point = system_->points[i];
-    const auto& linear = forces.linear[i];
-    pressing_.push_back({point.left_begin, point.left_size, point.right_begin, point.right_size,
-                         point.sense_left.data(), point.sense_right.data(), point.push_left.data(),
-                         point.push_right.data(), widths_[i], linear.base * h * h, linear.stiffness * h * h,
-                         linear.damping * h, motion.fill_opening(i).coefficients.data()});
-  }
-  kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, pressing_, motion.degree(),
-                  system_->size, c_->data());
+  motion.fill_forces(forces);
 }
 
 /// The same with full damping matrices and resting points.
-void Series::expand_term_by_term(Index first, Index count, const ContactForces& forces, Expansion& motion) {
+void Series::expand_term_by_term(Index first, Index count, const double* load, const ElementForces& forces,
+                                 Expansion& motion) {
   resting_force_.resize(forces.resting.size());
   for (int k = 0; k + 2 <= motion.degree(); ++k) {
     for (kernels::GroundSeries& ground : grounds_) {
       const double a = ground.next(k);
       force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
     }
-    for (const Index i : forces.pressing) add_contact(i, forces.linear[i], k);
+    if (k == 0 && load != nullptr) {
+      for (Index j = first; j < first + count; ++j) force_(j) += load[j];
+    }
+    for (const Index i : forces.pressing) add_pressing(i, forces.linear[i], k);
     for (const auto& block : system_->blocks) {
       if (block.damping && block.begin >= first && block.begin < first + count) add_full_damping(block, k);
     }
@@ -124,12 +138,13 @@ void Series::expand_block(std::size_t b, const State& state, const GroundInput& 
   const auto& block = system_->blocks[b];
   begin(block.begin, block.padded_size, state, h, std::max(block.rate(), system_->nu), motion);
   grounds_.assign(1, ground(b, input, h));
+  const double* load = scaled(system_->load_of(b, state.q.data(), force_), block.begin, block.padded_size);
   if (block.damping) {
-    expand_term_by_term(block.begin, block.padded_size, {}, motion);
+    expand_term_by_term(block.begin, block.padded_size, load, {}, motion);
     return;
   }
-  kernels::expand(stiff_.data(), damp_.data(), system_->gamma.data(), grounds_, {}, motion.degree(), system_->size,
-                  c_->data());
+  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, {}, motion.degree(),
+                  system_->size, c_->data());
 }
 
 }  // namespace bentur::engine

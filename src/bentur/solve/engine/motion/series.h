@@ -20,34 +20,36 @@ inline constexpr double series_reach = 2.4;
 /// same. Nonlinear forces are left out.
 class Series {
  public:
-  /// `widths`: of the gap at each point [length].
-  Series(const ModalSystem& system, std::vector<double> widths);
+  /// `offsets`: of each element's δ [length].
+  Series(const ModalSystem& system, std::vector<double> offsets);
 
   /// Expands every building from `state` over a step of `h` [s] under the linear and resting forces.
   /// rate · h must not exceed series_reach.
-  void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ContactForces& forces,
+  void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
               Expansion& motion);
 
-  /// Expands one building alone, without contact; the coefficients of the others are left as they were.
+  /// Expands one building alone, under its constant forces; the coefficients of the others are left as they were.
   void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
 
  private:
   [[nodiscard]] kernels::GroundSeries ground(std::size_t block, const GroundInput& input, double h) const;
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
-  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const ContactForces& forces, Expansion& motion);
+  [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
+  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces, Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
-  void add_contact(Eigen::Index point, const ContactForces::Linear& force, int k);
+  void add_pressing(Eigen::Index element, const ElementForces::Linear& force, int k);
   void hold(const std::vector<Eigen::Index>& resting, int k);
 
   const ModalSystem* system_;
-  std::vector<double> widths_;
+  std::vector<double> offsets_;
   double h_ = 0;
   Eigen::MatrixXd* c_ = nullptr;                ///< coefficients of the motion being expanded
   Eigen::VectorXd stiff_, damp_;                ///< h²Ω², h · diagonal of D
-  Eigen::VectorXd force_;                       ///< γ a_k h² and contact, for one k
+  Eigen::VectorXd force_;                       ///< γ a_k h² and elements, for one k
+  Eigen::VectorXd load_;                        ///< scratch: constant load, then h² times that
   std::vector<kernels::GroundSeries> grounds_;  ///< scratch
   std::vector<kernels::Pressing> pressing_;
-  std::vector<Polynomial> resting_force_;  ///< of the points held, in their order
+  std::vector<Polynomial> resting_force_;  ///< of the elements held, in their order
 };
 
 }  // namespace bentur::engine

@@ -70,11 +70,13 @@ bool StepBuffer::next_instant() {
   return true;
 }
 
-void StepBuffer::begin(const State& state, const std::vector<GroundInput>& inputs) {
+void StepBuffer::begin(const State& state, const std::vector<GroundInput>& inputs, const double* load) {
+  load_ = load;
   if (!next_instant()) return;
   q_.col(last_) = state.q;
   v_.col(last_) = state.v;
   system_->acceleration(state, inputs, no_forces_, start_acceleration_);
+  if (load != nullptr) start_acceleration_ += Eigen::Map<const Eigen::VectorXd>(load, system_->size);
   acceleration_.col(last_) = start_acceleration_;
 }
 
@@ -88,7 +90,7 @@ void StepBuffer::fly_on(long segment, Index count) {
   kernels::fly_on(
       {ranges_, std::span(maps_).subspan(kind, plan_->flights.size()),
        plan_->inputs.data() + segment * std::ssize(ranges_), system_->size, q_.col(last_).data(), v_.col(last_).data(),
-       acceleration_.col(last_).data(), rise_.col(last_).data(), acceleration_rise_.col(last_).data()},
+       acceleration_.col(last_).data(), rise_.col(last_).data(), acceleration_rise_.col(last_).data(), load_},
       count);
 }
 
@@ -116,7 +118,8 @@ void StepBuffer::fly(const Flights& flights, std::size_t halvings, const std::ve
                                      v_.col(last_ + 1).data(),
                                      acceleration_.col(last_ + 1).data(),
                                      rise_.col(last_).data(),
-                                     acceleration_rise_.col(last_).data()};
+                                     acceleration_rise_.col(last_).data(),
+                                     load_};
   for (std::size_t b = 0; b < inputs.size(); ++b) flights[halvings].advance(b, inputs[b], arrays);
 }
 

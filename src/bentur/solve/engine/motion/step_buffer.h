@@ -54,8 +54,9 @@ class StepBuffer {
 
   /// The next step does not start with the state and acceleration with which the last one ended.
   void break_off() { joined_ = false; }
-  /// Where the next flight starts, unless that is where the last step ended.
-  void begin(const State& state, const std::vector<GroundInput>& inputs);
+  /// Where the next flight starts, unless that is where the last step ended; `load`: what constant forces of elements
+  /// do to every coordinate until break_off() (null: nothing).
+  void begin(const State& state, const std::vector<GroundInput>& inputs, const double* load);
 
   // Flights. They become steps when they are accepted; until then the instants and rises after the last step are
   // theirs.
@@ -109,6 +110,7 @@ class StepBuffer {
   Eigen::VectorXd kept_;  ///< coefficients of power series
   Eigen::Index kept_count_ = 0;
   Eigen::MatrixXd q_, v_, acceleration_, rise_, acceleration_rise_;
+  const double* load_ = nullptr;
   Eigen::VectorXd no_forces_, start_acceleration_;  ///< scratch
 };
 

@@ -22,20 +22,20 @@ double tolerance_of(const Solver& solver) {
 
 }  // namespace
 
-Stepper::Stepper(const ModalSystem& system, const Problem& problem, const Solver& solver)
+Stepper::Stepper(const ModalSystem& system, const std::vector<double>& offsets, const Solver& solver)
     : system_(&system),
-      problem_(&problem),
+      offsets_(offsets),
       solver_(solver),
-      series_(system, gap_widths(problem)),
+      series_(system, offsets),
       pair_(system, tolerance_of(solver)),
       fixed_(system),
       range_{0, std::ssize(system.blocks)},
       first_guess_(first_part / std::max(system.rate({}), 1e-300)) {}
 
-bool Stepper::advance(const Start& start, double longest, bool in_contact, Expansion& motion, State& to) {
+bool Stepper::advance(const Start& start, double longest, bool touching, Expansion& motion, State& to) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver_)) {
     way_ = Way::fixed;
-    const double step = in_contact ? fixed->step / 3.0 : fixed->step;
+    const double step = touching ? fixed->step / 3.0 : fixed->step;
     retake(start, step >= longest * (1.0 - remainder_slack) ? longest : step, motion, to);
     return true;
   }
@@ -57,9 +57,9 @@ bool Stepper::advance(const Start& start, double longest, bool in_contact, Expan
 /// Once a step has failed, those that would end the contact are kept to a part of what is left.
 double Stepper::longest_before_parting(const Start& start, double h) const {
   for (const Eigen::Index i : start.forces.nonlinear) {
-    const auto& point = system_->points[i];
-    const double depth = -(problem_->points[i].width + point.sense(start.state.q));
-    const double opening_speed = point.sense(start.state.v);
+    const ModalSystem::Relation& relation = system_->elements[i].relation;
+    const double depth = offsets_[i] + relation.along(start.state.q);
+    const double opening_speed = -relation.along(start.state.v);
     if (depth <= 0.0 || depth > opening_speed * h) continue;
     const double left = depth / opening_speed;
     if (left > parting_crossed * parting_scale_) h = std::min(h, parting_part * left);
@@ -75,7 +75,7 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
   using Gauss = boost::math::quadrature::gauss<double, 7>;
   const double limit = std::sqrt(tolerance_of(solver_));
   const double size = system_->speed(start.state.v);
-  const Eigen::Index points = std::ssize(system_->points);
+  const Eigen::Index elements = std::ssize(system_->elements);
   longest = std::min(longest, series_reach / system_->rate(start.forces));
   double h = first_guess_;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -83,8 +83,8 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
     series_.expand(start.state, start.inputs, h, start.forces, motion);
     // ∫ F dt and ∫ (h − t) F dt with t = h u⁴, in which roots of time are smooth.
     auto& [impulse, moment, force, dv, dq] = push_;
-    impulse.setZero(points);
-    moment.setZero(points);
+    impulse.setZero(elements);
+    moment.setZero(elements);
     const auto add = [&](double u, double weight) {
       const double s = u * u * u * u;
       motion.evaluate(s, to);
@@ -106,9 +106,9 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
       system_->push(i, moment(i), dq);
     }
     double change = system_->speed(dv) / size;
-    for (const Eigen::Index i : start.forces.nonlinear) {  // and, at each point, its closing speed
-      const auto& point = system_->points[i];
-      change = std::max(change, std::abs(point.sense(dv) / point.sense(start.state.v)));
+    for (const Eigen::Index i : start.forces.nonlinear) {  // and, at each, its closing speed
+      const ModalSystem::Relation& relation = system_->elements[i].relation;
+      change = std::max(change, std::abs(relation.along(dv) / relation.along(start.state.v)));
     }
     if (!std::isfinite(change)) return false;
     if (change > limit || (change < 0.1 * limit && attempt == 0)) {  // forces grow with the 1.25th to the 2.5th power
@@ -178,7 +178,7 @@ void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State
   }
   motion.begin(0, system_->size, h, degree);
   pair_.expand(start.force_at, motion);
-  fill_resting(start, to, motion);
+  finish_expansion(start, motion, to);
 }
 
 void Stepper::retake(const Start& start, double h, Expansion& motion, State& to) {
@@ -186,14 +186,28 @@ void Stepper::retake(const Start& start, double h, Expansion& motion, State& to)
     fixed_.step(start.state, start.inputs, h, start.force_at, to);
     motion.begin(0, system_->size, h, FixedStep::degree);
     fixed_.expand(start.force_at, motion);
-    fill_resting(start, to, motion);
+    finish_expansion(start, motion, to);
   } else {
     (void)pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
     expand_pair(start, h, motion, to);
   }
 }
 
-/// Forces of resting points are found at five places of the step and interpolated.
+/// Forces of elements, where those of a series are part of it.
+void Stepper::finish_expansion(const Start& start, Expansion& motion, State& to) const {
+  motion.fill_forces(start.forces);
+  for (const Eigen::Index i : start.forces.pressing) {
+    const Eigen::Index at = system_->elements[i].force;
+    if (at < 0) continue;
+    const ElementForces::Linear& linear = start.forces.linear[i];
+    const ModalSystem::Relation& relation = system_->elements[i].relation;
+    to.q(at) = linear.base + linear.stiffness * (offsets_[i] + relation.along(to.q));
+    to.v(at) = linear.stiffness * relation.along(to.v);
+  }
+  fill_resting(start, to, motion);
+}
+
+/// Forces of resting elements are found at five places of the step and interpolated.
 void Stepper::fill_resting(const Start& start, const State& to, Expansion& motion) const {
   if (start.forces.resting.empty()) return;
   constexpr int nodes = 5;
@@ -205,7 +219,7 @@ void Stepper::fill_resting(const Start& start, const State& to, Expansion& motio
     }
     return Square(powers.inverse());
   }();
-  Eigen::MatrixXd values(nodes, std::ssize(system_->points));
+  Eigen::MatrixXd values(nodes, std::ssize(system_->elements));
   State state = to;
   Eigen::VectorXd forces;
   for (int n = 0; n < nodes; ++n) {
@@ -230,23 +244,29 @@ double Stepper::accuracy() const {
   return events_over_steps * tolerance_of(solver_);
 }
 
-/// The buildings that a nonlinear force shakes, directly or through other contacts.
-BuildingRange Stepper::island(const ContactForces& forces) const {
-  const auto left = [&](Eigen::Index i) { return problem_->points[i].left; };
-  const auto touches_next = [&](Eigen::Index building) {
-    const auto is_of = [&](Eigen::Index i) { return left(i) == building; };
-    return std::ranges::any_of(forces.pressing, is_of) || std::ranges::any_of(forces.resting, is_of) ||
-           std::ranges::any_of(forces.nonlinear, is_of);
+/// The buildings that a nonlinear force shakes, directly or through other elements.
+BuildingRange Stepper::island(const ElementForces& forces) const {
+  BuildingRange range{std::ssize(system_->blocks), 0};
+  const auto take = [&](Eigen::Index i) {
+    const ModalSystem::Relation& relation = system_->elements[i].relation;
+    range.first = std::min(range.first, relation.left);
+    range.end = std::max(range.end, relation.right + 1);
   };
-  Eigen::Index first = std::ssize(system_->blocks);
-  Eigen::Index last = 0;
-  for (const Eigen::Index i : forces.nonlinear) {
-    first = std::min(first, left(i));
-    last = std::max(last, left(i) + 1);
+  for (const Eigen::Index i : forces.nonlinear) take(i);
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const auto* list : {&forces.pressing, &forces.resting}) {
+      for (const Eigen::Index i : *list) {
+        const ModalSystem::Relation& relation = system_->elements[i].relation;
+        const bool reaches_in = relation.left < range.end && relation.right >= range.first;
+        const bool reaches_out = relation.left < range.first || relation.right >= range.end;
+        if (!reaches_in || !reaches_out) continue;
+        take(i);
+        grows = true;
+      }
+    }
   }
-  while (first > 0 && touches_next(first - 1)) --first;
-  while (touches_next(last)) ++last;  // the last building touches nobody to its right
-  return {first, last + 1};
+  return range;
 }
 
 }  // namespace bentur::engine

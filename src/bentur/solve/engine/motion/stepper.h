@@ -11,22 +11,23 @@ namespace bentur::engine {
 /// Takes the next step in the way of a solver and makes it known as an expansion.
 ///
 /// exact: by power series where all forces are linear; where one is not, by the embedded pair for the island of
-/// buildings that it shakes (those joined by contacts) and by power series for the others. adaptive: by the embedded
+/// buildings that it shakes (those joined by elements) and by power series for the others. adaptive: by the embedded
 /// pair for all. runge-kutta: by steps of fixed length, a third of it in contact.
 class Stepper {
  public:
-  Stepper(const ModalSystem& system, const Problem& problem, const Solver& solver);
+  /// `offsets`: of each element's δ [length].
+  Stepper(const ModalSystem& system, const std::vector<double>& offsets, const Solver& solver);
 
   /// What a step starts from, and what acts during it.
   struct Start {
     const State& state;
     const std::vector<GroundInput>& inputs;
-    const ContactForces& forces;
+    const ElementForces& forces;
     const ForceFunction& force_at;
   };
 
   /// Goes from `start` as far as is good, `longest` [s] at most. False when no step is short enough.
-  [[nodiscard]] bool advance(const Start& start, double longest, bool in_contact, Expansion& motion, State& to);
+  [[nodiscard]] bool advance(const Start& start, double longest, bool touching, Expansion& motion, State& to);
 
   /// Takes the same step again, but only `h` [s] of it. For solvers whose expansions are an approximation only.
   void retake(const Start& start, double h, Expansion& motion, State& to);
@@ -45,15 +46,16 @@ class Stepper {
 
  private:
   enum class Way { series, pair, fixed };
-  [[nodiscard]] BuildingRange island(const ContactForces& forces) const;
+  [[nodiscard]] BuildingRange island(const ElementForces& forces) const;
   bool begin_contact(const Start& start, double longest, Expansion& motion, State& to);
   [[nodiscard]] double longest_before_parting(const Start& start, double h) const;
   bool advance_by_pair(const Start& start, double longest, Expansion& motion, State& to);
   void expand_pair(const Start& start, double h, Expansion& motion, State& to);
+  void finish_expansion(const Start& start, Expansion& motion, State& to) const;
   void fill_resting(const Start& start, const State& from, Expansion& motion) const;
 
   const ModalSystem* system_;
-  const Problem* problem_;
+  std::vector<double> offsets_;
   Solver solver_;
   Series series_;
   EmbeddedPair pair_;
@@ -65,7 +67,7 @@ class Stepper {
   double first_guess_ = 0;    ///< length of the step that begins a contact [s]
   double parting_scale_ = 0;  ///< step that failed first in a contact [s]; 0: none has
   bool fresh_ = true;
-  /// What a force does over the first step of a contact: ∫F dt and ∫(h − t) F dt per point, changes of v and q.
+  /// What a force does over the first step of a contact: ∫F dt and ∫(h − t) F dt per element, changes of v and q.
   struct Push {
     Eigen::VectorXd impulse, moment, force, dv, dq;
   };

@@ -14,6 +14,7 @@ BoundedOutputs::BoundedOutputs(const Eigen::MatrixXd& weights, Index columns, ke
       shares_(StepBuffer::most + 1),
       betweens_(StepBuffer::most) {
   peak.setZero(weights_.rows());
+  offset.setZero(weights_.rows());
   inverse_.setZero(weights_.rows());
   values_.resize(weights_.rows() * (StepBuffer::most + 1));
 }
@@ -36,7 +37,7 @@ void BoundedOutputs::compare(Index steps, const double* x, const double* rise, I
 
 void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
   ends_ = steps + 1;
-  kernels::raise_peaks(of_, weights_, ends_, x, stride, peak.data(), values_.data());
+  kernels::raise_peaks(of_, weights_, offset.data(), ends_, x, stride, peak.data(), values_.data());
 }
 
 void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {

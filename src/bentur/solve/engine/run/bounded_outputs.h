@@ -8,7 +8,7 @@
 namespace bentur::engine {
 
 /// Quantities linear in some coordinates (or in their accelerations), and their largest values so far: of their sizes,
-/// or of themselves. Quantities come in fours; rows of zeros fill the last four up.
+/// or of themselves. An offset may be added to each. Quantities come in fours; rows of zeros fill the last four up.
 class BoundedOutputs {
  public:
   /// `weights`: quantities × coordinates, filled up with zeros to `columns`.
@@ -46,10 +46,11 @@ class BoundedOutputs {
   /// Fours whose reach `before` in a whole that this is a part of was below are not looked at. `before` may be `reach`.
   [[nodiscard]] bool settled(const double* start, const double* end, const double* rise, const double* before,
                              double* reach) {
-    return kernels::reach_of_rows(of_, weights_, start, end, rise, peak.data(), before, reach);
+    return kernels::reach_of_rows(of_, weights_, offset.data(), start, end, rise, peak.data(), before, reach);
   }
 
   Eigen::VectorXd peak;
+  Eigen::VectorXd offset;  ///< of each quantity: what it is where all coordinates are zero
 
  private:
   void take_ends(Eigen::Index steps, const double* x, Eigen::Index stride);

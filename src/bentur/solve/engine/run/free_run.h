@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "bentur/solve/engine/run/gap_monitor.h"
 #include "bentur/solve/engine/run/run.h"
 
 namespace bentur::engine {
@@ -23,50 +22,24 @@ struct FreeResult {
 /// The first segment in which one of the gaps may close when they have these widths; max() where they never do.
 [[nodiscard]] long first_contact(const FreeResult& free, const std::vector<double>& widths);
 
-/// Contact switched off: peak displacements and the gap that would have been needed.
+/// Contact switched off: peaks and the gaps that would have been needed.
 class FreeRun final : public Run {
  public:
   explicit FreeRun(const Setup& setup);
-
-  /// Per point, max(0, x_left − x_right) [length].
-  [[nodiscard]] std::vector<double> needed() const;
 
   /// After to_end().
   [[nodiscard]] FreeResult take_result();
 
  private:
-  [[nodiscard]] const ContactForces& forces() const override { return none_; }
-  [[nodiscard]] const ForceFunction& force_at() const override { return no_force_; }
-  [[nodiscard]] bool may_fly() const override { return true; }
-  [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override { return count; }
   void take_buffer(const StepBuffer& buffer) override;
-  double look(double time) override;
-  [[nodiscard]] bool settle_before(long /*segment*/) override { return true; }
+  void approximated() override;
+  [[nodiscard]] bool settle_before(long /*segment*/) override { return elements_.may_fly(); }
   void settled_before(long /*segment*/) override { result_.checkpoints.push_back(checkpoint()); }
-  void settle() override;
   void note(Eigen::Index point, long segment, double reach);
   void note_speeds(const double* v);
-  void raise(const State& from, const State& to);
-  [[nodiscard]] bool below(const std::vector<double>& reach) const;
+  void note_reaches(const RelationGroup& group, const StepBuffer& buffer);
 
-  /// A step in which a gap may have been exceeded.
-  struct Unsettled {
-    const Flights* flights;  ///< none: a power series
-    std::size_t halvings;
-    double length;  ///< [s]
-    State start;
-    std::vector<GroundInput> inputs;
-    std::vector<double> reach;  ///< per point
-  };
-  void note_reaches(const Gaps& gaps, const StepBuffer& buffer);
-  [[nodiscard]] bool settled(Gaps& gaps, const StepBuffer& buffer, Eigen::Index step);
-
-  const ContactForces none_;
-  const ForceFunction no_force_;
-  std::vector<Gaps> gaps_;       ///< their peaks are what is needed
-  std::vector<double*> needed_;  ///< per point, where its peak is kept
   FreeResult result_;
-  std::vector<Unsettled> unsettled_;
 };
 
 }  // namespace bentur::engine

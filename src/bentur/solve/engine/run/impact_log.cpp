@@ -14,17 +14,17 @@ using Gauss = boost::math::quadrature::gauss<double, 15>;  // exact to degree 29
 
 using ShortGauss = boost::math::quadrature::gauss<double, 7>;  // on the steps of an embedded pair, which are shorter
 
-double depth(const ImpactLog::Stretch& stretch, double s) { return -value(stretch.opening, s); }
+double depth(const ImpactLog::Stretch& stretch, double s) { return value(stretch.penetration, s); }
 double closing_speed(const ImpactLog::Stretch& stretch, double s) {
-  return -first_derivative(stretch.opening, s) / stretch.h;
+  return first_derivative(stretch.penetration, s) / stretch.h;
 }
 
-/// Raises the peaks of penetration and force of a spring alone: both are where the opening is lowest.
+/// Raises the peaks of penetration and force of a spring alone: both are where δ is largest.
 void raise_peaks_of_spring(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
   double lowest = std::max(-branch.base / branch.stiffness, 0.0);  // deeper counts
   lowest = std::max(lowest, std::min(impact.peak_penetration, (impact.peak_force - branch.base) / branch.stiffness));
   double where = 0.0;
-  if (!raise_to_maximum(-at.opening, at.end, lowest, where)) return;
+  if (!raise_to_maximum(at.penetration, at.end, lowest, where)) return;
   impact.peak_penetration = std::max(impact.peak_penetration, lowest);
   const double force = branch.base + branch.stiffness * lowest;
   if (force > impact.peak_force) {
@@ -35,15 +35,15 @@ void raise_peaks_of_spring(const ImpactLog::Stretch& at, const Branch& branch, I
 
 /// F = base + k δ + c δ̇: everything is a polynomial.
 void accumulate_linear(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
-  Polynomial force = at.opening;
-  for (int k = 0; k <= force.degree; ++k) force[k] *= -branch.stiffness;
+  Polynomial force = at.penetration;
+  for (int k = 0; k <= force.degree; ++k) force[k] *= branch.stiffness;
   force[0] += branch.base;
   double where = 0.0;
   if (branch.damping == 0.0 && branch.stiffness > 0.0) {
     raise_peaks_of_spring(at, branch, impact);
   } else {
-    raise_to_maximum(-at.opening, at.end, impact.peak_penetration, where);
-    for (int k = 0; k < force.degree; ++k) force[k] -= branch.damping * (k + 1.0) * at.opening[k + 1] / at.h;
+    raise_to_maximum(at.penetration, at.end, impact.peak_penetration, where);
+    for (int k = 0; k < force.degree; ++k) force[k] += branch.damping * (k + 1.0) * at.penetration[k + 1] / at.h;
     if (raise_to_maximum(force, at.end, impact.peak_force, where)) impact.peak_force_time = at.time + where * at.h;
     double pull = std::max(impact.peak_tension, at.force_band);
     if (raise_to_maximum(-force, at.end, pull, where)) impact.peak_tension = pull;
@@ -129,7 +129,7 @@ void ImpactLog::accumulate(Eigen::Index point, const Stretch& stretch) {
     accumulate_linear(stretch, branch, impact);
   } else {
     double where = 0.0;
-    raise_to_maximum(-stretch.opening, stretch.end, impact.peak_penetration, where);
+    raise_to_maximum(stretch.penetration, stretch.end, impact.peak_penetration, where);
     accumulate_nonlinear(stretch, impact);
   }
 }

@@ -21,11 +21,11 @@ class ImpactLog {
   struct Stretch {
     const Law& law;
     const LawState& state;
-    const Polynomial& opening;  ///< g(s) [length]
-    double h = 0;               ///< of the step [s]
-    double time = 0;            ///< its start [s]
-    double end = 1;             ///< s where the stretch ends
-    double force_band = 0;      ///< pulls up to this are round-off [force]
+    const Polynomial& penetration;  ///< δ(s) [length]
+    double h = 0;                   ///< of the step [s]
+    double time = 0;                ///< its start [s]
+    double end = 1;                 ///< s where the stretch ends
+    double force_band = 0;          ///< pulls up to this are round-off [force]
   };
   void accumulate(Eigen::Index point, const Stretch& stretch);
 

@@ -112,7 +112,7 @@ void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const d
     if (!tools.go_on(1)) return;
     half.advance(b, part.input,
                  {start->q.data(), start->v.data(), end->q.data(), end->v.data(), end->acceleration.data(),
-                  rise_.data(), acceleration_rise_.data()});
+                  rise_.data(), acceleration_rise_.data(), tools.load});
     const PeakWatch::Interval interval{
         start->q.data() + begin,          end->q.data() + begin, start->acceleration.data() + begin,
         end->acceleration.data() + begin, rise_.data() + begin,  acceleration_rise_.data() + begin};
@@ -157,6 +157,7 @@ void PeakSearch::halve_whole(const UnsettledFlight& flight, Tools& tools) {
     std::copy_n(kept, block.padded_size, x->data() + block.begin);
     kept += block.padded_size;
   }
+  tools.load = system_->load_of(flight.block, whole.end.q.data(), load_);
   halve(flight, whole.end, whole.reach.data(), tools);
 }
 
@@ -198,7 +199,7 @@ void PeakSearch::look_into_parts(Tools& tools, bool search) {
 
 void PeakSearch::settle(Series& series, Expansion& motion, const GoOn& go_on) {
   const auto step_curves = [&](const UnsettledStep& step) { return curves(step); };
-  Tools tools{series, motion, go_on, kept_count_};
+  Tools tools{series, motion, go_on, kept_count_, nullptr};
   look_into(steps_, step_curves, false);
   for (const UnsettledFlight& flight : flights_) {
     if (watch_.count_unsettled(flight.block, kept_.data() + flight.at) > 0) halve_whole(flight, tools);

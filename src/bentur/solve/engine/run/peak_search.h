@@ -76,7 +76,8 @@ class PeakSearch {
     Series& series;
     Expansion& motion;
     const GoOn& go_on;
-    Eigen::Index mark;  ///< in kept_: from there on stands what belongs to parts_
+    Eigen::Index mark;   ///< in kept_: from there on stands what belongs to parts_
+    const double* load;  ///< of the flight that is halved
   };
   void halve_whole(const UnsettledFlight& flight, Tools& tools);
   void halve(const UnsettledFlight& flight, const Place& from, const double* before, Tools& tools);
@@ -94,7 +95,7 @@ class PeakSearch {
   Eigen::Index kept_count_ = 0;
   std::vector<Halving> halvings_;             ///< scratch
   State state_;                               ///< scratch
-  Eigen::VectorXd before_;                    ///< scratch
+  Eigen::VectorXd before_, load_;             ///< scratch
   Eigen::VectorXd rise_, acceleration_rise_;  ///< scratch
 };
 

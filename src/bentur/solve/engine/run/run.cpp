@@ -20,28 +20,39 @@ constexpr const char* not_finite = "the response is no longer a finite number";
 
 }  // namespace
 
-Run::Run(const Setup& setup)
+Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales)
     : system_(setup.system),
       problem_(setup.problem),
-      stepper_(setup.system, setup.problem, setup.solver),
-      motion_(setup.system, gap_widths(setup.problem)),
+      stepper_(setup.system, offsets_of(setup.problem), setup.solver),
+      motion_(setup.system, offsets_of(setup.problem)),
       state_{system_.initial_q, system_.initial_v},
-      next_(state_),
       inputs_(system_.blocks.size()),
+      elements_(system_, setup.problem, idle, scales, stepper_.accuracy(), state_),
       buffer_(system_, setup.plan),
+      force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
+        elements_.forces_at(state, inputs, forces);
+      }),
       search_(system_),
-      floors_(system_, setup.grid),
       grid_(setup.grid),
       plan_(setup.plan),
       largest_ground_(system_.blocks.size(), 0.0),
-      most_steps_(setup.most_steps) {}
+      most_steps_(setup.most_steps) {
+  next_ = state_;
+  std::vector<ModalSystem::Relation> idle_ones;
+  for (Eigen::Index i = 0; i < idle; ++i) idle_ones.push_back(system_.elements[i].relation);
+  watches_.emplace_back(system_, system_.watched, setup.grid);
+  watches_.emplace_back(system_, system_.spans, setup.grid);
+  watches_.emplace_back(system_, idle_ones, setup.grid);
+}
 
 void Run::resume(const Checkpoint& checkpoint) {
   segment_ = checkpoint.segment;
   steps_ = checkpoint.steps;
   state_ = checkpoint.state;
+  elements_.resume(checkpoint.elements, state_);
   search_.watch().resume(checkpoint.peaks);
-  floors_.resume(checkpoint.nearest);
+  watches_[0].resume(checkpoint.floors);
+  watches_[1].resume(checkpoint.links);
 }
 
 Status Run::to_end(const std::function<bool(double)>& progress) {
@@ -61,15 +72,14 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
         advance(plan_.rest, 0, start, left);
       }
       ++segment_;
-    } else if (!may_fly() || !cruise()) {
+    } else if (!elements_.may_fly() || !cruise()) {
       grid_.input(segment_, inputs_);
       halve(plan_.flights[kind], 0, start, length);
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
     if (status() != Status::done) return status();
-    if (search_.much_is_unsettled()) settle_peaks();
-    if (floors_.much_is_unsettled()) settle_floors();
+    bound_memory();
     if (progress && segment_ - reported >= segments_between_reports) {
       reported = segment_;
       if (!progress(start / problem_.duration)) return Status::stopped;
@@ -77,8 +87,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
   }
   flush_buffer();
   settle_peaks();
-  settle_floors();
-  settle();
+  settle_watches();
   return status();
 }
 
@@ -97,6 +106,11 @@ bool Run::go_on(long steps) {
   return status() == Status::done;
 }
 
+void Run::take_buffer(const StepBuffer& buffer) {
+  search_.take(buffer);
+  for (SpanWatch& watch : watches_) watch.take(buffer);
+}
+
 void Run::flush_buffer() {
   take_buffer(buffer_);
   buffer_.clear();
@@ -111,7 +125,7 @@ void Run::ensure_space() {
 bool Run::cruise() {
   ensure_space();
   grid_.input(segment_, inputs_);
-  buffer_.begin(state_, inputs_);
+  buffer_.begin(state_, inputs_, elements_.forces().load_or_null());
   const Eigen::Index first = buffer_.size();
   long last = std::min<long>(plan_.segments, segment_ + buffer_.space());
   const auto jump = std::upper_bound(plan_.jumps.begin(), plan_.jumps.end(), segment_);
@@ -144,7 +158,7 @@ bool Run::cruise() {
     flush_buffer();
     if (settle_before(segment_)) {
       settle_peaks();
-      settle_floors();
+      settle_watches();
       settled_before(segment_);
     }
   }
@@ -164,7 +178,7 @@ void Run::pass_flights(Eigen::Index first) {
 /// Part of a segment, after so many halvings.
 void Run::advance(const Flights& flights, std::size_t halvings, double start, double length) {
   if (!go_on()) return;
-  if (may_fly() && fly(flights, halvings, start, length)) return;
+  if (elements_.may_fly() && fly(flights, halvings, start, length)) return;
   halve(flights, halvings, start, length);
 }
 
@@ -181,7 +195,7 @@ void Run::halve(const Flights& flights, std::size_t halvings, double start, doub
 /// False, and nothing has changed, when something may happen.
 bool Run::fly(const Flights& flights, std::size_t halvings, double start, double length) {
   ensure_space();
-  buffer_.begin(state_, inputs_);
+  buffer_.begin(state_, inputs_, elements_.forces().load_or_null());
   const Eigen::Index n = buffer_.size();
   buffer_.fly(flights, halvings, inputs_);
   if (quiet(1) == 0) return false;
@@ -201,8 +215,7 @@ void Run::take_steps(double start, double length) {
   long cuts = 0;
   long stalled = 0;
   while (elapsed < length && go_on()) {
-    if (search_.much_is_unsettled()) settle_peaks();
-    if (floors_.much_is_unsettled()) settle_floors();
+    bound_memory();
     const double left = length - elapsed;
     const double time = start + elapsed;
     if (!step(time, left)) return;
@@ -232,16 +245,95 @@ void Run::take_steps(double start, double length) {
     }
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
-    arrived(start + elapsed);
+    arrived(time, start + elapsed);
+    if (!trouble_.empty()) return;
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     if (event && ++cuts > limit) {
-      fail(fmt::format("more than {} contacts closed or opened within one step of the ground motion", limit), time);
+      fail(fmt::format("more than {} events within one step of the ground motion", limit), time);
     }
   }
 }
 
+/// Takes the step again, but only `length` [s] of it.
+void Run::retake(double length) {
+  stepper_.retake(here(), length, motion_, next_);
+  (void)motion_.find_rises();
+  elements_.look(state_, next_, motion_.rise());
+}
+
+/// The first event of the step, which ends there if it is no power series.
+void Run::find_event(double time) {
+  elements_.gauge(state_, next_);
+  if (stepper_.is_fixed()) {
+    find_event_by_bisection(time);
+    return;
+  }
+  event_ = elements_.next_event(motion_, state_, time);
+  if (stepper_.is_series()) return;
+  constexpr int attempts = 20;
+  // A step by approximation is taken again up to its event, and ends a little elsewhere than the longer one was at that
+  // place: where it has then gone through an event of another element, that one is the first.
+  for (int attempt = 0; attempt < attempts && event_ && event_->s > 0.0 && event_->s < 1.0; ++attempt) {
+    retake(event_->s * motion_.h());
+    const auto again = elements_.next_event(motion_, state_, time);
+    if (again && again->element != event_->element) {
+      event_ = again;
+    } else {
+      event_->s = 1.0;
+    }
+  }
+}
+
+/// As the monograph does it: by what is found at the end of a step, and bisection.
+void Run::find_event_by_bisection(double time) {
+  const double whole = motion_.h();
+  std::vector<GroundInput> inputs;
+  const auto due = [&] {
+    inputs = inputs_;
+    system_.advance(inputs, motion_.h());
+    return elements_.due(next_, inputs, time + motion_.h());
+  };
+  event_ = due();
+  if (!event_) return;
+  constexpr int halvings = 50;
+  double before = 0.0;
+  double after = 1.0;
+  for (int n = 0; n < halvings && before < after; ++n) {
+    const double middle = 0.5 * (before + after);
+    stepper_.retake(here(), middle * whole, motion_, next_);
+    if (const auto found = due()) {
+      event_ = found;
+      after = middle;
+    } else {
+      before = middle;
+    }
+  }
+  retake(after * whole);
+}
+
+/// Looks at the step from state_ to next_ (motion_), which began at `time`; returns where it must be cut (1: nowhere).
+double Run::look(double time) {
+  elements_.look(state_, next_, motion_.rise());
+  find_event(time);
+  const double cut = event_ ? event_->s : 1.0;
+  if (lasts(cut * motion_.h())) elements_.accumulate(motion_, time, cut);
+  take_step(time, cut);
+  return cut;
+}
+
+/// At the end of a step that began at `from`.
+void Run::arrived(double from, double time) {
+  elements_.note_touches(motion_, from, event_ ? event_->s : 1.0, state_);
+  if (!event_) return;
+  buffer_.break_off();
+  elements_.change(*event_, time, state_);
+  if (elements_.failed()) return fail("no impulses part the points that collide", time);
+  if (elements_.began()) stepper_.contact_begins();
+  changed();
+}
+
 bool Run::step(double time, double longest) {
-  if (!stepper_.advance(here(), longest, !may_fly(), motion_, next_)) {
+  if (!stepper_.advance(here(), longest, elements_.any_touching(), motion_, next_)) {
     fail("no step is short enough to follow the contact force", time);
     return false;
   }
@@ -263,21 +355,27 @@ void Run::watch_step(double time, double cut) {
     buffer_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
     return;
   }
-  force_at()(state_, inputs_, forces_);
+  force_at_(state_, inputs_, forces_);
   system_.acceleration(state_, inputs_, forces_, start_acceleration_);
-  force_at()(next_, end_inputs_, forces_);
+  force_at_(next_, end_inputs_, forces_);
   system_.acceleration(next_, end_inputs_, forces_, end_acceleration_);
   search_.take({motion_, cut, state_, next_, start_acceleration_, end_acceleration_});
-  floors_.take(motion_, cut, state_, next_, time);
+  for (SpanWatch& watch : watches_) watch.take(motion_, cut, state_, next_, time);
+  approximated();
   buffer_.break_off();
 }
 
 void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
+  if (system_.load_of(stretch.from.q.data(), replayed_forces_.load) == nullptr) replayed_forces_.load.resize(0);
+  replay_within(stretch, wanted, each);
+}
+
+void Run::replay_within(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
   if (!go_on()) return;
   if (stretch.flights == nullptr || stretch.halvings + 1 >= stretch.flights->size()) {
     replayed_.q.resize(system_.size);
     replayed_.v.resize(system_.size);
-    stepper_.series().expand(stretch.from, stretch.inputs, stretch.length, {}, motion_);
+    stepper_.series().expand(stretch.from, stretch.inputs, stretch.length, replayed_forces_, motion_);
     motion_.evaluate(1.0, replayed_);
     each(stretch.start, stretch.from, stretch.inputs, replayed_);
     return;
@@ -295,10 +393,10 @@ void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& e
     for (std::size_t b = 0; b < at.inputs.size(); ++b) {
       half.advance(b, at.inputs[b],
                    {from->q.data(), from->v.data(), to->q.data(), to->v.data(), at.acceleration.data(), at.rise.data(),
-                    at.acceleration_rise.data()});
+                    at.acceleration_rise.data(), replayed_forces_.load_or_null()});
     }
     if (wanted({start, half.length(), *from, *to, at.rise})) {
-      replay({stretch.flights, stretch.halvings + 1, start, half.length(), *from, at.inputs}, wanted, each);
+      replay_within({stretch.flights, stretch.halvings + 1, start, half.length(), *from, at.inputs}, wanted, each);
     }
     from = to;
     start += half.length();
@@ -311,16 +409,28 @@ void Run::settle_peaks() {
   search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
 }
 
-void Run::settle_floors() {
-  for (const FloorWatch::Unsettled& flight : floors_.take_unsettled()) {
-    if (floors_.settled(flight)) continue;
+void Run::settle_watches() {
+  for (SpanWatch& watch : watches_) settle(watch);
+}
+
+void Run::settle(SpanWatch& watch) {
+  for (const SpanWatch::Unsettled& flight : watch.take_unsettled()) {
+    if (watch.settled(flight)) continue;
     replay(
         {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
-        [this](const Part& part) { return floors_.may_come_nearer(part.from, part.to, part.rise); },
-        [this](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
+        [&](const Part& part) { return watch.may_go_further(part.from, part.to, part.rise); },
+        [&](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
           (void)motion_.find_rises();
-          floors_.take(motion_, 1.0, from, to, time);
+          watch.take(motion_, 1.0, from, to, time);
         });
+  }
+}
+
+/// Of a long run.
+void Run::bound_memory() {
+  if (search_.much_is_unsettled()) settle_peaks();
+  for (SpanWatch& watch : watches_) {
+    if (watch.much_is_unsettled()) settle(watch);
   }
 }
 
@@ -336,7 +446,7 @@ void Run::arrive() {
 void Run::note_ground(const double* q) {
   if (problem_.kinematics != Kinematics::absolute) return;
   for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
-    const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].size - 1;
+    const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].modes;
     largest_ground_[b] = std::max(largest_ground_[b], std::abs(q[ground]));
   }
 }

@@ -1,20 +1,23 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/stepper.h"
-#include "bentur/solve/engine/run/floors/floor_watch.h"
+#include "bentur/solve/engine/run/elements.h"
 #include "bentur/solve/engine/run/peak_search.h"
+#include "bentur/solve/engine/run/span_watch.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {
 
-/// What the free response and the response with contact have in common: the way along the time grid. A segment is one
-/// flight where its bound proves that nothing can happen in it; otherwise it is halved, and the parts that cannot be
-/// halved any more, or all of it where there are no flights, are taken by the solver's own steps.
+/// What the free response and the response with contact have in common: the way along the time grid, and what happens to
+/// elements on it. A segment is one flight where its bound proves that nothing can happen in it; otherwise it is halved,
+/// and the parts that cannot be halved any more, or all of it where there are no flights, are taken by the solver's own
+/// steps, cut at events.
 class Run {
  public:
   /// What all runs of one problem share.
@@ -26,7 +29,8 @@ class Run {
     const FlightPlan& plan;
     long most_steps = 0;  ///< more are a failure; 0: no limit
   };
-  explicit Run(const Setup& setup);
+  /// The first `idle` elements do nothing; `scales` as Elements takes them.
+  Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales);
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -35,8 +39,9 @@ class Run {
   struct Checkpoint {
     long segment = 0, steps = 0;
     State state;
-    Eigen::VectorXd peaks;                     ///< so far
-    std::vector<FloorWatch::Nearest> nearest;  ///< so far
+    Elements::Memory elements;
+    Eigen::VectorXd peaks;                            ///< so far
+    std::vector<SpanWatch::Nearest> floors, links;  ///< so far
   };
   /// Goes on from there, before to_end().
   void resume(const Checkpoint& checkpoint);
@@ -45,49 +50,45 @@ class Run {
   Status to_end(const std::function<bool(double)>& progress);
 
   [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
-  [[nodiscard]] const std::vector<FloorWatch::Nearest>& nearest() const { return floors_.nearest(); }
+  /// How far watched floors came, ModalSystem::spans, and idle elements.
+  [[nodiscard]] const SpanWatch& floors() const { return watches_[0]; }
+  [[nodiscard]] const SpanWatch& links() const { return watches_[1]; }
+  [[nodiscard]] const SpanWatch& idle() const { return watches_[2]; }
+  [[nodiscard]] Elements& elements() { return elements_; }
+  [[nodiscard]] const State& state() const { return state_; }
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] long steps() const { return steps_; }
   [[nodiscard]] double largest_ground_displacement(std::size_t block) const { return largest_ground_[block]; }
 
  protected:
-  /// What the contact points do.
-  [[nodiscard]] virtual const ContactForces& forces() const = 0;
-  [[nodiscard]] virtual const ForceFunction& force_at() const = 0;
-  /// Whether no contact is under way or remembered, so that every building is free.
-  [[nodiscard]] virtual bool may_fly() const = 0;
-  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, what the run looks for
-  /// cannot have happened.
-  [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) = 0;
-  /// Takes in the steps of the buffer, which is emptied after that.
-  virtual void take_buffer(const StepBuffer& buffer) {
-    search_.take(buffer);
-    floors_.take(buffer);
+  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, nothing can have happened.
+  [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) {
+    return elements_.quiet(buffer_, count, system_.switched, std::ssize(system_.elements));
   }
+  /// Takes in the steps of the buffer, which is emptied after that.
+  virtual void take_buffer(const StepBuffer& buffer);
   /// Whether to find all peaks so far where a segment begins that only flights have come before.
   [[nodiscard]] virtual bool settle_before(long segment) = 0;
   /// Called when they have been found.
   virtual void settled_before(long /*segment*/) {}
   /// Whether pass() is to be told of every flight.
   [[nodiscard]] virtual bool notes_flights() const { return false; }
-  /// Looks at the step from state_ to next_ (motion_), which began at `time`; returns where it must be cut (1:
-  /// nowhere).
-  virtual double look(double time) = 0;
-  /// After the state has been moved to the cut.
-  virtual void arrived(double /*time*/) {}
-  /// When the run is over.
-  virtual void settle() {}
+  /// Takes in [0, cut] of the expanded step (motion_), which began at `time` with state_ and inputs_.
+  virtual void take_step(double /*time*/, double /*cut*/) {}
+  /// After elements have changed.
+  virtual void changed() {}
+  /// After a step from state_ to next_ that is an approximation.
+  virtual void approximated() {}
   /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
   virtual void pass(double /*start*/, const Flights& /*flights*/, std::size_t /*halvings*/) {}
 
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] Checkpoint checkpoint() const {
-    return {segment_, steps_, state_, search_.watch().peaks(), floors_.nearest()};
+    return {segment_, steps_, state_, elements_.memory(), search_.watch().peaks(), floors().nearest(),
+            links().nearest()};
   }
-  /// What the next step starts from.
-  [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, forces(), force_at()}; }
 
   /// A stretch without events, by flights[halvings]; without flights it is no longer than one power series.
   struct Stretch {
@@ -109,9 +110,6 @@ class Run {
   using Wanted = std::function<bool(const Part&)>;
   using EachStep = std::function<void(double, const State&, const std::vector<GroundInput>&, const State&)>;
   void replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
-  void fail(const std::string& reason, double time);
-  /// Whether a state that lasts so long [s] is one of the motion's.
-  [[nodiscard]] bool lasts(double length) const;
 
   const ModalSystem& system_;
   const Problem& problem_;
@@ -119,6 +117,7 @@ class Run {
   Expansion motion_;
   State state_, next_;
   std::vector<GroundInput> inputs_;  ///< at state_
+  Elements elements_;
   StepBuffer buffer_;
 
  private:
@@ -129,10 +128,21 @@ class Run {
   void halve(const Flights& flights, std::size_t halvings, double start, double length);
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
   void take_steps(double start, double length);
+  [[nodiscard]] Stepper::Start here() const { return {state_, inputs_, elements_.forces(), force_at_}; }
   [[nodiscard]] bool step(double time, double longest);
+  [[nodiscard]] double look(double time);
+  void find_event(double time);
+  void find_event_by_bisection(double time);
+  void retake(double length);
+  void arrived(double from, double time);
+  /// Whether a state that lasts so long [s] is one of the motion's.
+  [[nodiscard]] bool lasts(double length) const;
   void watch_step(double time, double cut);
   void settle_peaks();
-  void settle_floors();
+  void settle_watches();
+  void settle(SpanWatch& watch);
+  void bound_memory();
+  void fail(const std::string& reason, double time);
   void arrive();
   void note_ground(const double* q);
   void pass_flights(Eigen::Index first);
@@ -146,8 +156,12 @@ class Run {
     Eigen::VectorXd acceleration, rise, acceleration_rise;
   };
 
+  void replay_within(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
+
+  const ForceFunction force_at_;
+  std::optional<Elements::Event> event_;
   PeakSearch search_;
-  FloorWatch floors_;
+  std::vector<SpanWatch> watches_;
   const TimeGrid& grid_;
   const FlightPlan& plan_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< scratch
@@ -161,6 +175,7 @@ class Run {
   const std::function<bool(double)>* progress_ = nullptr;
   std::vector<Halving> halvings_;  ///< scratch
   State replayed_;                 ///< scratch
+  ElementForces replayed_forces_;  ///< scratch: constant ones
 };
 
 }  // namespace bentur::engine

@@ -31,7 +31,7 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
   for (const auto& block : system.blocks) {
     for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
   }
-  const Index points = std::ssize(system.points);
+  const Index points = system.switched;
   histories_.opening = MatrixXd::Zero(points, count_);
   histories_.force = MatrixXd::Zero(points, count_);
 }
@@ -39,13 +39,13 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
 bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= time + sample_slack * step_; }
 
 void Sampler::take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
-                   const Contacts& contacts) {
+                   const Elements& elements) {
   for (; due(until); ++taken_) {
     const double s = std::clamp((next_time() - time) / motion.h(), 0.0, 1.0);
     motion.evaluate(s, state_);
     std::vector<GroundInput> now = inputs;
     system_->advance(now, s * motion.h());
-    contacts.forces_at(state_, now, forces_);
+    elements.forces_at(state_, now, forces_);
     system_->acceleration(state_, now, forces_, acceleration_);
     histories_.time.push_back(next_time());
     histories_.ground_acceleration.push_back(acceleration_at(problem_->motion, next_time()));
@@ -59,8 +59,8 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
-    for (Index i = 0; i < std::ssize(system_->points); ++i) {
-      histories_.opening(i, taken_) = problem_->points[i].width + system_->points[i].sense(state_.q);
+    for (Index i = 0; i < system_->switched; ++i) {
+      histories_.opening(i, taken_) = problem_->points[i].width - system_->elements[i].relation.along(state_.q);
       histories_.force(i, taken_) = forces_(i);
     }
   }

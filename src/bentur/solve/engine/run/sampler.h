@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bentur/solve/engine/motion/expansion.h"
-#include "bentur/solve/engine/run/contacts.h"
+#include "bentur/solve/engine/run/elements.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {
@@ -21,7 +21,7 @@ class Sampler {
 
   /// Takes every sample up to `until` [s] out of the expanded step that began at `time` with `inputs`.
   void take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
-            const Contacts& contacts);
+            const Elements& elements);
 
   [[nodiscard]] Histories& histories() { return histories_; }
   /// Drops the columns of samples that were not taken.

@@ -16,41 +16,53 @@ struct Input {
 };
 
 /// Flies four coordinates from j on (flight.h).
-BENTUR_INLINE void fly_four(const double* table, Index j, const Input& in, const FlightArrays& arrays) {
-  const auto at = [row = table + j * FlightMap::columns](FlightMap::Column column) __attribute__((always_inline)) {
-    return load(row + column * four);
-  };
+template <bool loaded>
+BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, const FlightArrays& arrays) {
+  const auto at = [row = map.table.data() + j * FlightMap::columns](FlightMap::Column column)
+                      __attribute__((always_inline)) { return load(row + column * four); };
+  const auto of_load = [row = loaded ? map.loads.data() + j * FlightMap::load_columns : nullptr](FlightMap::LoadColumn column)
+                           __attribute__((always_inline)) { return load(row + column * four); };
   using enum FlightMap::Column;
   const Four q_start = load(arrays.q + j);
   const Four v_start = load(arrays.v + j);
-  const Four q = (at(qq) * q_start + at(qv) * v_start) + (at(qa) * in.value + at(qb) * in.slope);
-  const Four v = (at(vq) * q_start + at(vv) * v_start) + (at(va) * in.value + at(vb) * in.slope);
+  Four q = (at(qq) * q_start + at(qv) * v_start) + (at(qa) * in.value + at(qb) * in.slope);
+  Four v = (at(vq) * q_start + at(vv) * v_start) + (at(va) * in.value + at(vb) * in.slope);
+  Four particular = at(p_value) * in.value + at(p_slope) * in.slope;
+  Four slow_force = at(slow) * in.largest;
+  Four second_rise = at(second_force) * in.largest;
+  Four fourth_rise = at(fourth_force) * in.largest + at(fourth_slope) * in.steepest;
+  Four pushed = in.end * at(gamma);
+  if constexpr (loaded) {
+    using enum FlightMap::LoadColumn;
+    const Four by = load(arrays.load + j);
+    const Four most = abs(by);
+    q += of_load(load_q) * by;
+    v += of_load(load_v) * by;
+    particular += of_load(load_p) * by;
+    slow_force += of_load(load_slow) * most;
+    second_rise += of_load(load_second) * most;
+    fourth_rise += of_load(load_fourth) * most;
+    pushed += by;
+  }
   const Four du = v_start - at(p_rate) * in.slope;
-  const Four u = at(omega) * (q_start - (at(p_value) * in.value + at(p_slope) * in.slope));
-  const Four s = root(du * du + u * u) + at(slow) * in.largest;
+  const Four u = at(omega) * (q_start - particular);
+  const Four s = root(du * du + u * u) + slow_force;
   store(arrays.q_end + j, q);
   store(arrays.v_end + j, v);
-  store(arrays.acceleration_end + j, in.end * at(gamma) - at(omega_squared) * q - at(two_sigma) * v);
-  store(arrays.rise + j, at(second) * s + at(second_force) * in.largest);
-  store(arrays.acceleration_rise + j,
-        at(fourth) * s + (at(fourth_force) * in.largest + at(fourth_slope) * in.steepest));
+  store(arrays.acceleration_end + j, pushed - at(omega_squared) * q - at(two_sigma) * v);
+  store(arrays.rise + j, at(second) * s + second_rise);
+  store(arrays.acceleration_rise + j, at(fourth) * s + fourth_rise);
 }
 
-BENTUR_INLINE void fly_building(const double* table, CoordinateRange range, const FlightInput& input,
+template <bool loaded>
+BENTUR_INLINE void fly_building(const FlightMap& map, CoordinateRange range, const FlightInput& input,
                                 const FlightArrays& arrays) {
   const Input in(input);
-  for (Index j = range.begin; j < range.begin + range.size; j += four) fly_four(table, j, in, arrays);
+  for (Index j = range.begin; j < range.begin + range.size; j += four) fly_four<loaded>(map, j, in, arrays);
 }
 
-}  // namespace
-
-BENTUR_FOR_ALL_PROCESSORS
-void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays) {
-  fly_building(map.table.data(), range, input, arrays);
-}
-
-BENTUR_FOR_ALL_PROCESSORS
-void fly_on(const FlightSequence& sequence, Index count) {
+template <bool loaded>
+BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
   std::size_t kind = 0;
   const FlightInput* input = sequence.inputs;
   for (Index n = 0; n < count; ++n) {
@@ -62,11 +74,26 @@ void fly_on(const FlightSequence& sequence, Index count) {
                               sequence.v + end,
                               sequence.acceleration + end,
                               sequence.rise + at,
-                              sequence.acceleration_rise + at};
-    const double* table = sequence.maps[kind]->table.data();
+                              sequence.acceleration_rise + at,
+                              sequence.load};
+    const FlightMap& map = *sequence.maps[kind];
     if (++kind == sequence.maps.size()) kind = 0;
-    for (const CoordinateRange& range : sequence.ranges) fly_building(table, range, *input++, arrays);
+    for (const CoordinateRange& range : sequence.ranges) fly_building<loaded>(map, range, *input++, arrays);
   }
+}
+
+}  // namespace
+
+BENTUR_FOR_ALL_PROCESSORS
+void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays) {
+  if (arrays.load != nullptr) return fly_building<true>(map, range, input, arrays);
+  fly_building<false>(map, range, input, arrays);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+void fly_on(const FlightSequence& sequence, Index count) {
+  if (sequence.load != nullptr) return fly_all<true>(sequence, count);
+  fly_all<false>(sequence, count);
 }
 
 }  // namespace bentur::engine::kernels

@@ -41,11 +41,17 @@ struct FlightMap {
     two_sigma,
     columns
   };
+  /// The same of a constant load: what it adds to the end position and speed, and to the bounds.
+  enum LoadColumn { load_q, load_v, load_p, load_slow, load_second, load_fourth, load_columns };
+
   explicit FlightMap(Index coordinates) : table(coordinates * columns, 0.0) {}
-  std::vector<double> table;
+  std::vector<double> table, loads;  ///< `loads` is empty where no load ever acts
 
   [[nodiscard]] double& operator()(Index coordinate, Column column) {
     return table[(coordinate / 4 * columns + column) * 4 + coordinate % 4];
+  }
+  [[nodiscard]] double& operator()(Index coordinate, LoadColumn column) {
+    return loads[(coordinate / 4 * load_columns + column) * 4 + coordinate % 4];
   }
 };
 
@@ -59,6 +65,7 @@ struct FlightInput {
 struct FlightArrays {
   const double *q, *v;
   double *q_end, *v_end, *acceleration_end, *rise, *acceleration_rise;
+  const double* load = nullptr;  ///< constant, on every coordinate; null: none
 };
 
 /// The coordinates of one building over one flight.
@@ -72,6 +79,7 @@ struct FlightSequence {
   const FlightInput* inputs;               ///< flights × buildings
   Index stride;                            ///< of the columns
   double *q, *v, *acceleration, *rise, *acceleration_rise;
+  const double* load;  ///< as of FlightArrays
 };
 
 /// Flies `count` of them.

@@ -47,7 +47,7 @@ TEST(Kernels, FlyingOnIsFlyingAgainAndAgain) {
   const FlightMap* maps[] = {&two.map};
   const FlightSequence sequence{two.ranges,          maps,        two.inputs.data(),
                                 Two::size,           q.data(),    v.data(),
-                                acceleration.data(), rise.data(), acceleration_rise.data()};
+                                acceleration.data(), rise.data(), acceleration_rise.data(), nullptr};
   fly_on(sequence, count);
   Eigen::VectorXd from = q.col(0), speed = v.col(0), to(Two::size), to_speed(Two::size), to_acceleration(Two::size),
                   rises(Two::size), acceleration_rises(Two::size);

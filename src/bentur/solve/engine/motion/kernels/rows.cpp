@@ -12,9 +12,9 @@ namespace {
 struct Ends {
   Four start, end, beyond;
 };
-BENTUR_INLINE Ends ends_of_rows(Index columns, const double* weights, const double* start, const double* end,
-                                const double* rise) {
-  Ends at{all(0.0), all(0.0), all(0.0)};
+BENTUR_INLINE Ends ends_of_rows(Index columns, const double* weights, Four offset, const double* start,
+                                const double* end, const double* rise) {
+  Ends at{offset, offset, all(0.0)};
   for (Index j = 0; j < columns; ++j) {
     const Four weight = load(weights + four * j);
     at.start += weight * all(start[j]);
@@ -31,15 +31,15 @@ BENTUR_INLINE Four measure(Four x) {
 }
 
 template <Peaks of>
-BENTUR_INLINE bool reach(const PackedRows& rows, const double* start, const double* end, const double* rise,
-                         double* peak, const double* reach_before, double* reach) {
+BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const double* start, const double* end,
+                         const double* rise, double* peak, const double* reach_before, double* reach) {
   Bits beyond_peak{};
   for (Index r = 0; r < rows.rows(); r += four) {
     const Four before = load(peak + r);
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
     if (!any(so_far > before)) continue;
-    const Ends at = ends_of_rows(rows.columns(), rows.from(r), start, end, rise);
+    const Ends at = ends_of_rows(rows.columns(), rows.from(r), load(offset + r), start, end, rise);
     const Four most = max(measure<of>(at.start), measure<of>(at.end));
     const Four high = max(before, most);
     store(peak + r, high);
@@ -51,14 +51,16 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* start, const doub
 
 /// Rows r to r + 4 groups - 1 of raise_peaks().
 template <Peaks of, int groups>
-BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, const double* x, Index stride,
-                                double* peak, double* values) {
+BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, Index r, Index count, const double* x,
+                                Index stride, double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
   const Index columns = rows.columns();
   const double* weights[groups];
   Four high[groups];
+  Four rest[groups];
   for (int g = 0; g < groups; ++g) {
     weights[g] = rows.from(r + four * g);
+    rest[g] = load(offset + r + four * g);
     high[g] = load(peak + r + four * g);
   }
   const auto take = [&](int g, Index i, Four value) __attribute__((always_inline)) {
@@ -70,7 +72,10 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
   for (; i + four <= count; i += four) {
     const double* at[four];
     for (Index k = 0; k < four; ++k) at[k] = x + (i + k) * stride;
-    Four value[groups][four] = {};
+    Four value[groups][four];
+    for (int g = 0; g < groups; ++g) {
+      for (Index k = 0; k < four; ++k) value[g][k] = rest[g];
+    }
     for (Index j = 0; j < columns; ++j) {
       Four weight[groups];
       for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
@@ -85,7 +90,7 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
   }
   for (; i < count; ++i) {
     for (int g = 0; g < groups; ++g) {
-      Four value = all(0.0);
+      Four value = rest[g];
       for (Index j = 0; j < columns; ++j) value += load(weights[g] + four * j) * all(x[i * stride + j]);
       take(g, i, value);
     }
@@ -95,11 +100,13 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, Index r, Index count, co
 }
 
 template <Peaks of>
-BENTUR_INLINE void raise(const PackedRows& rows, Index count, const double* x, Index stride, double* peak,
-                         double* values) {
+BENTUR_INLINE void raise(const PackedRows& rows, const double* offset, Index count, const double* x, Index stride,
+                         double* peak, double* values) {
   Index r = 0;
-  for (; r + 2 * four <= rows.rows(); r += 2 * four) raise_groups<of, 2>(rows, r, count, x, stride, peak, values);
-  if (r < rows.rows()) raise_groups<of, 1>(rows, r, count, x, stride, peak, values);
+  for (; r + 2 * four <= rows.rows(); r += 2 * four) {
+    raise_groups<of, 2>(rows, offset, r, count, x, stride, peak, values);
+  }
+  if (r < rows.rows()) raise_groups<of, 1>(rows, offset, r, count, x, stride, peak, values);
 }
 
 /// Of sums().
@@ -123,10 +130,10 @@ PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-bool reach_of_rows(Peaks of, const PackedRows& rows, const double* start, const double* end, const double* rise,
-                   double* peak, const double* before, double* reach_now) {
-  if (of == Peaks::of_abs) return reach<Peaks::of_abs>(rows, start, end, rise, peak, before, reach_now);
-  return reach<Peaks::of_values>(rows, start, end, rise, peak, before, reach_now);
+bool reach_of_rows(Peaks of, const PackedRows& rows, const double* offset, const double* start, const double* end,
+                   const double* rise, double* peak, const double* before, double* reach_now) {
+  if (of == Peaks::of_abs) return reach<Peaks::of_abs>(rows, offset, start, end, rise, peak, before, reach_now);
+  return reach<Peaks::of_values>(rows, offset, start, end, rise, peak, before, reach_now);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -169,10 +176,10 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void raise_peaks(Peaks of, const PackedRows& rows, Index count, const double* x, Index stride, double* peak,
-                 double* values) {
-  if (of == Peaks::of_abs) return raise<Peaks::of_abs>(rows, count, x, stride, peak, values);
-  raise<Peaks::of_values>(rows, count, x, stride, peak, values);
+void raise_peaks(Peaks of, const PackedRows& rows, const double* offset, Index count, const double* x, Index stride,
+                 double* peak, double* values) {
+  if (of == Peaks::of_abs) return raise<Peaks::of_abs>(rows, offset, count, x, stride, peak, values);
+  raise<Peaks::of_values>(rows, offset, count, x, stride, peak, values);
 }
 
 BENTUR_FOR_ALL_PROCESSORS

@@ -51,14 +51,14 @@ class PackedRows {
   std::vector<double> weights_;
 };
 
-/// Peaks are of sizes |Σ_j w_rj x_j|, or of the sums themselves.
+/// Peaks are of sizes |Σ_j w_rj x_j + offset_r|, or of the sums themselves.
 enum class Peaks { of_abs, of_values };
 
 /// How far each row can come between two vectors when entry j rises at most `rise` above its chord; raises
 /// `peak` by the ends. Four rows whose reaches were not above their peaks `before` are left alone. Returns whether no
 /// reach exceeds its peak.
-bool reach_of_rows(Peaks of, const PackedRows& weights, const double* start, const double* end, const double* rise,
-                   double* peak, const double* before, double* reach);
+bool reach_of_rows(Peaks of, const PackedRows& weights, const double* offset, const double* start, const double* end,
+                   const double* rise, double* peak, const double* before, double* reach);
 
 /// For every row r: the largest |Σ_j w_rj x_j| over `count` vectors x, one after the other, raises `peak`; and `reach`
 /// is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four rows whose
@@ -68,8 +68,8 @@ bool reach_of_samples(const PackedRows& weights, int count, const double* x, con
 
 /// Raises `peak` for every row r by `count` vectors x, `stride` apart; `values` has what rows r to r + 3 (r a multiple
 /// of four) are at vector n from entry r count + 4 n on.
-void raise_peaks(Peaks of, const PackedRows& weights, Index count, const double* x, Index stride, double* peak,
-                 double* values);
+void raise_peaks(Peaks of, const PackedRows& weights, const double* offset, Index count, const double* x, Index stride,
+                 double* peak, double* values);
 
 /// For each of the vectors of such values of n rows, the largest value as a part of a limit, the limits given by what
 /// is inverse to them; rows of zeros have no say.

@@ -28,8 +28,8 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
   bool settled = true, ends_settled = true;
   const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
   const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
-  const bool ends_found = reach_of_rows(Peaks::of_abs, packed, x.data(), x.data() + columns, rise.data(),
-                                        ends_peak.data(), ends_reach.data(), ends_reach.data());
+  const bool ends_found = reach_of_rows(Peaks::of_abs, packed, Numbers(rows, 0.0).data(), x.data(), x.data() + columns,
+                                        rise.data(), ends_peak.data(), ends_reach.data(), ends_reach.data());
   for (Index r = 0; r < rows; ++r) {
     const auto at = static_cast<std::size_t>(r);
     double largest = 0.0, further = 0.0;
@@ -71,10 +71,18 @@ TEST(Kernels, ReachOfValuesIsOneSided) {
   const PackedRows packed(Eigen::MatrixXd::Identity(4, 4), 4);
   const Numbers start{-3, 1, 0, 2}, end{-1, -5, 0, 4}, rise{1, 1, 0, 1};
   Numbers peak{0, 2, 0, 9}, reach(4, std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(reach_of_rows(Peaks::of_values, packed, start.data(), end.data(), rise.data(), peak.data(), reach.data(),
-                            reach.data()));
+  const Numbers none(4, 0.0);
+  EXPECT_TRUE(reach_of_rows(Peaks::of_values, packed, none.data(), start.data(), end.data(), rise.data(), peak.data(),
+                            reach.data(), reach.data()));
   EXPECT_EQ(reach, (Numbers{0, 2, 0, 5}));
   EXPECT_EQ(peak, (Numbers{0, 2, 0, 9}));
+  // An offset moves values, not how far they rise in between.
+  const Numbers offset{0, 0, -1, 8};
+  reach.assign(4, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(reach_of_rows(Peaks::of_values, packed, offset.data(), start.data(), end.data(), rise.data(),
+                             peak.data(), reach.data(), reach.data()));
+  EXPECT_EQ(reach, (Numbers{0, 2, -1, 13}));
+  EXPECT_EQ(peak, (Numbers{0, 2, 0, 12}));
 }
 
 class PeaksOf : public testing::TestWithParam<Peaks> {};
@@ -87,7 +95,7 @@ TEST_P(PeaksOf, AllVectorsAndTheirShares) {
   const Numbers x = random_numbers(count * stride, 1);
   Numbers peak(8, 0.0), inverse(8), share(count), at_vectors(8 * count), expected(rows, 0.0);
   peak[2] = expected[2] = 100.0;  // higher than any
-  raise_peaks(GetParam(), packed, count, x.data(), stride, peak.data(), at_vectors.data());
+  raise_peaks(GetParam(), packed, Numbers(8, 0.0).data(), count, x.data(), stride, peak.data(), at_vectors.data());
   for (std::size_t r = 0; r < 8; ++r) inverse[r] = 1.0 / peak[r];
   largest_shares(8, count, at_vectors.data(), inverse.data(), share.data());
   Eigen::MatrixXd values(rows, count);

@@ -5,20 +5,19 @@
 namespace bentur::engine::kernels {
 namespace {
 
-/// sense · x, summed as ModalSystem::Point::sense does.
-BENTUR_INLINE double opening_of(const Pressing& p, const double* x) {
-  return sum(product(p.right_size, p.sense_right, x + p.right_begin)) +
-         sum(product(p.left_size, p.sense_left, x + p.left_begin));
+/// row · x, summed as ModalSystem::Relation::along does.
+BENTUR_INLINE double along(const Pressing& p, const double* x) {
+  return sum(product(p.right_size, p.right_row, x + p.right_begin)) +
+         sum(product(p.left_size, p.left_row, x + p.left_begin));
 }
 
 /// (T-2) for any number of buildings and points.
-BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* stiff, const double* damp,
-                              const double* gamma, std::span<GroundSeries> grounds, int degree, Index stride,
-                              double* c) {
+BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven& of, std::span<GroundSeries> grounds,
+                              int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
   const Index begin = grounds.front().begin;
   const Index end = grounds.back().begin + grounds.back().size;
-  for (const Pressing& p : pressing) p.opening[0] = opening_of(p, c) + p.width;
+  for (const Pressing& p : pressing) p.deformation[0] = along(p, c) + p.offset;
   for (int k = 0; k + 2 <= degree; ++k) {
     const Four scale = factor(power_factors.scale, k);
     const Four step = factor(power_factors.next, k);
@@ -26,60 +25,65 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const double* 
     const double* c1 = c0 + stride;
     double* c2 = c + (k + 2) * stride;
     const auto own = [&](Index j) __attribute__((always_inline)) {
-      return load(stiff + j) * load(c0 + j) + step * load(damp + j) * load(c1 + j);
+      return load(of.stiff + j) * load(c0 + j) + step * load(of.damp + j) * load(c1 + j);
     };
     if (k < 2 || driven) {
       for (GroundSeries& ground : grounds) {
         const Four a = all(ground.next(k));
         for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
-          store(c2 + j, load(gamma + j) * a - own(j));
+          store(c2 + j, load(of.gamma + j) * a - own(j));
         }
       }
     } else {
       for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
     }
+    if (k == 0 && of.load != nullptr) {
+      for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) + load(of.load + j));
+    }
     for (const Pressing& p : pressing) {
-      const double opening = opening_of(p, c1);
-      p.opening[k + 1] = opening;
-      double force = -p.stiffness * p.opening[k] - p.damping * step[0] * opening;
+      const double speed = along(p, c1);
+      p.deformation[k + 1] = speed;
+      double force = p.stiffness * p.deformation[k] + p.damping * step[0] * speed;
       if (k == 0) force += p.base;
       const auto push = [&](Index first, Index n, const double* by) __attribute__((always_inline)) {
         for (Index j = 0; j < n; j += four) store(c2 + first + j, load(c2 + first + j) + all(force) * load(by + j));
       };
-      push(p.left_begin, p.left_size, p.push_left);
-      push(p.right_begin, p.right_size, p.push_right);
+      push(p.left_begin, p.left_size, p.left_push);
+      push(p.right_begin, p.right_size, p.right_push);
     }
     for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
   }
-  for (const Pressing& p : pressing) p.opening[degree] = opening_of(p, c + degree * stride);
+  for (const Pressing& p : pressing) p.deformation[degree] = along(p, c + degree * stride);
 }
 
 /// The same for two buildings of four coordinates each and one point. All stays in registers, and where nothing damps
 /// the contact no power waits for the one before.
-BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, const double* damp, const double* gamma,
-                                      std::span<GroundSeries> grounds, int degree, Index stride, double* c) {
+BENTUR_INLINE void expand_two_of_four(const Pressing p, const Driven& of, std::span<GroundSeries> grounds, int degree,
+                                      Index stride, double* c) {
   const Index l = p.left_begin;
   const Index r = p.right_begin;
   const bool driven = grounds[0].nu_squared > 0.0;
   struct Building {
-    Four stiff, damp, gamma, push, sense, c0, c1;
+    Four stiff, damp, gamma, push, row, c0, c1;
   };
-  Building left{load(stiff + l),    load(damp + l), load(gamma + l),     load(p.push_left),
-                load(p.sense_left), load(c + l),    load(c + stride + l)};
-  Building right{load(stiff + r),     load(damp + r), load(gamma + r),     load(p.push_right),
-                 load(p.sense_right), load(c + r),    load(c + stride + r)};
-  const auto opening_of = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
-    return sum(right.sense * of_right) + sum(left.sense * of_left);
+  const auto building = [&](Index at, const double* push, const double* row) __attribute__((always_inline)) {
+    return Building{load(of.stiff + at), load(of.damp + at), load(of.gamma + at),      load(push),
+                    load(row),           load(c + at),       load(c + stride + at)};
   };
-  double opening = opening_of(left.c0, right.c0) + p.width;
-  double next_opening = opening_of(left.c1, right.c1);
-  p.opening[0] = opening;
-  p.opening[1] = next_opening;
+  Building left = building(l, p.left_push, p.left_row);
+  Building right = building(r, p.right_push, p.right_row);
+  const auto along_row = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
+    return sum(right.row * of_right) + sum(left.row * of_left);
+  };
+  double deformation = along_row(left.c0, right.c0) + p.offset;
+  double next = along_row(left.c1, right.c1);
+  p.deformation[0] = deformation;
+  p.deformation[1] = next;
   for (int k = 0; k + 2 <= degree; ++k) {
     const Four step = factor(power_factors.next, k);
     const Four scale = factor(power_factors.scale, k);
-    double force = -p.stiffness * opening;
-    if (p.damping != 0.0) force -= p.damping * step[0] * next_opening;
+    double force = p.stiffness * deformation;
+    if (p.damping != 0.0) force += p.damping * step[0] * next;
     if (k == 0) force += p.base;
     const auto advance = [&](Building & b, double a) __attribute__((always_inline)) {
       const Four own = b.stiff * b.c0 + step * b.damp * b.c1;
@@ -94,9 +98,9 @@ BENTUR_INLINE void expand_two_of_four(const Pressing p, const double* stiff, con
     double* c2 = c + (k + 2) * stride;
     store(c2 + l, left.c1);
     store(c2 + r, right.c1);
-    opening = next_opening;
-    next_opening = opening_of(left.c1, right.c1);
-    p.opening[k + 2] = next_opening;
+    deformation = next;
+    next = along_row(left.c1, right.c1);
+    p.deformation[k + 2] = next;
   }
 }
 
@@ -193,13 +197,13 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void expand(const double* stiff, const double* damp, const double* gamma, std::span<GroundSeries> grounds,
-            std::span<const Pressing> pressing, int degree, Index stride, double* c) {
+void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
+            Index stride, double* c) {
   const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
-  if (pressing.size() == 1 && two_of_four) {
-    expand_two_of_four(pressing[0], stiff, damp, gamma, grounds, degree, stride, c);
+  if (pressing.size() == 1 && two_of_four && of.load == nullptr && pressing[0].right_size > 0) {
+    expand_two_of_four(pressing[0], of, grounds, degree, stride, c);
   } else {
-    expand_all(pressing, stiff, damp, gamma, grounds, degree, stride, c);
+    expand_all(pressing, of, grounds, degree, stride, c);
   }
 }
 
@@ -281,20 +285,20 @@ void accelerate(Index n, const double* omega_squared, const double* two_sigma, c
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void opening_series(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial) {
-  const auto sums = [stride](SensedBy by, int k) __attribute__((always_inline)) {
+void row_series(const RowOf& right, const RowOf& left, Index stride, int degree, double* polynomial) {
+  const auto sums = [stride](RowOf by, int k) __attribute__((always_inline)) {
     Four total[four] = {};  // NOLINT(modernize-avoid-c-arrays): registers
     for (Index j = 0; j < by.size; j += four) {
-      const Four sense = load(by.sense + j);
-      for (Index i = 0; i < four; ++i) total[i] += sense * load(by.c + (k + i) * stride + j);
+      const Four weight = load(by.row + j);
+      for (Index i = 0; i < four; ++i) total[i] += weight * load(by.c + (k + i) * stride + j);
     }
     return sums_of(total[0], total[1], total[2], total[3]);
   };
   int k = 0;
   for (; k + 4 <= degree + 1; k += 4) store(polynomial + k, sums(right, k) + sums(left, k));
   for (; k <= degree; ++k) {
-    polynomial[k] = sum(product(right.size, right.sense, right.c + k * stride)) +
-                    sum(product(left.size, left.sense, left.c + k * stride));
+    polynomial[k] = sum(product(right.size, right.row, right.c + k * stride)) +
+                    sum(product(left.size, left.row, left.c + k * stride));
   }
 }
 

@@ -8,14 +8,14 @@ namespace bentur::engine::kernels {
 
 using Eigen::Index;
 
-/// A contact point that presses with a linear force, as a power series over a step of h: F_k h² = −stiffness g_k −
-/// (k + 1) damping g_{k+1}, and `base` more for k = 0.
+/// An element that presses with a linear force, as a power series over a step of h: F_k h² = stiffness δ_k +
+/// (k + 1) damping δ_{k+1}, and `base` more for k = 0.
 struct Pressing {
   Index left_begin, left_size, right_begin, right_size;
-  const double *sense_left, *sense_right, *push_left, *push_right;
-  double width;                     ///< w [length]
+  const double *left_row, *right_row, *left_push, *right_push;
+  double offset;                    ///< of δ [length]
   double base, stiffness, damping;  ///< times h², h², h
-  double* opening;                  ///< g_k, filled on the way: degree + 1 of them
+  double* deformation;              ///< δ_k, filled on the way: degree + 1 of them
 };
 
 /// The ground acceleration of one building as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
@@ -39,10 +39,13 @@ struct Oscillators {
 void begin_series(Index n, const Oscillators& of, const double* q, const double* v, double h, Index stride,
                   double* stiff, double* damp, double* c);
 
-/// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled. `stiff` h²Ω²,
-/// `damp` h D, columns `stride` apart.
-void expand(const double* stiff, const double* damp, const double* gamma, std::span<GroundSeries> grounds,
-            std::span<const Pressing> pressing, int degree, Index stride, double* c);
+/// What coordinates are made of and driven by: h²Ω², h D, γ, and h² times a constant load (null: none).
+struct Driven {
+  const double *stiff, *damp, *gamma, *load;
+};
+/// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled, `stride` apart.
+void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
+            Index stride, double* c);
 
 /// Position, dq/ds and d²q/ds² at s, of n coordinates whose coefficients begin at `c`.
 void evaluate(Index n, const double* c, Index stride, int degree, double s, double* q, double* first, double* second);
@@ -68,13 +71,13 @@ void sample(Index n, const double* c, Index stride, int degree, const Places& pl
 void accelerate(Index n, const double* omega_squared, const double* two_sigma, const double* gamma, double value,
                 const double* q, const double* v, double* acceleration);
 
-/// The polynomial sense · c of a point, summed as ModalSystem::Point::sense does: two rows of a size each, and the
+/// The polynomial row · c of a relation, summed as ModalSystem::Relation::along does: two rows of a size each, and the
 /// coefficients of their coordinates.
-struct SensedBy {
+struct RowOf {
   Index size;
-  const double *sense, *c;
+  const double *row, *c;
 };
-void opening_series(const SensedBy& right, const SensedBy& left, Index stride, int degree, double* polynomial);
+void row_series(const RowOf& right, const RowOf& left, Index stride, int degree, double* polynomial);
 
 /// What tells how a polynomial p of s behaves on an interval that ends at b > 0 and has its middle at mid > 0: p(b),
 /// the first two derivatives at mid, and bounds of the second and third ones on [0, b].

@@ -22,22 +22,22 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   constexpr Index n = 8;
   constexpr int degree = 26;
   const Numbers stiff = random_numbers(n, 1), damp = random_numbers(n, 2), gamma = random_numbers(n, 3);
-  Numbers sense = random_numbers(n, 4), push = random_numbers(n, 5);
-  Numbers c = random_numbers(n * (degree + 1), 6), opening(degree + 1);
+  Numbers row = random_numbers(n, 4), push = random_numbers(n, 5);
+  Numbers c = random_numbers(n * (degree + 1), 6), deformation(degree + 1);
   Numbers expected = c;
   std::vector<GroundSeries> grounds = {{0, 4, 0.3, -0.2, 0.09}, {4, 4, -0.5, 0.7, 0.09}};
   std::vector<GroundSeries> again = grounds;
-  const Pressing pressing{0,   4,   4,   4,   sense.data(),  sense.data() + 4, push.data(), push.data() + 4,
-                          0.2, 0.1, 1.3, 0.4, opening.data()};
-  expand(stiff.data(), damp.data(), gamma.data(), grounds, {&pressing, 1}, degree, n, c.data());
+  const Pressing pressing{0,   4,   4,   4,   row.data(),        row.data() + 4, push.data(), push.data() + 4,
+                          0.2, 0.1, 1.3, 0.4, deformation.data()};
+  expand({stiff.data(), damp.data(), gamma.data(), nullptr}, grounds, {&pressing, 1}, degree, n, c.data());
 
-  const auto opening_at = [&](int k) {
+  const auto deformation_at = [&](int k) {
     const double* x = expected.data() + k * n;
-    return dot(4, sense.data() + 4, x + 4) + dot(4, sense.data(), x) + (k == 0 ? 0.2 : 0.0);
+    return dot(4, row.data() + 4, x + 4) + dot(4, row.data(), x) + (k == 0 ? 0.2 : 0.0);
   };
   for (int k = 0; k + 2 <= degree; ++k) {
     const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-    double force = -1.3 * opening_at(k) - 0.4 * (k + 1.0) * opening_at(k + 1);
+    double force = 1.3 * deformation_at(k) + 0.4 * (k + 1.0) * deformation_at(k + 1);
     if (k == 0) force += 0.1;
     const double input[] = {again[0].next(k), again[1].next(k)};
     for (Index j = 0; j < n; ++j) {
@@ -49,7 +49,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
     }
   }
   EXPECT_EQ(c, expected);
-  for (int k = 0; k <= degree; ++k) EXPECT_EQ(opening[static_cast<std::size_t>(k)], opening_at(k)) << k;
+  for (int k = 0; k <= degree; ++k) EXPECT_EQ(deformation[static_cast<std::size_t>(k)], deformation_at(k)) << k;
 }
 
 TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
@@ -142,12 +142,12 @@ TEST(Kernels, PolynomialsStayWithinTheirRiseOfTheChord) {
   EXPECT_FALSE(std::isfinite(leave(c, degree, rise, second_rise)));
 }
 
-TEST(Kernels, OpeningsAreSummedAsTwoProducts) {
+TEST(Kernels, RowsAreSummedAsTwoProducts) {
   constexpr Index stride = 16;
   const Numbers right = random_numbers(4, 1), left = random_numbers(8, 2), c = random_numbers(stride * 27, 3);
   for (const int degree : {6, 7, 8, 9, 26}) {
     Numbers polynomial(27, 0.0);
-    opening_series({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
+    row_series({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
     for (int k = 0; k < 27; ++k) {
       const double* x = c.data() + k * stride;
       EXPECT_EQ(polynomial[static_cast<std::size_t>(k)],

@@ -169,7 +169,7 @@ EmbeddedPair::EmbeddedPair(const ModalSystem& system, double tolerance)
     : system_(&system),
       tolerance_(tolerance),
       rate_(MatrixXd::Zero(system.size, all_stages)),
-      forces_(std::ssize(system.points)) {}
+      forces_(std::ssize(system.elements)) {}
 
 /// Slope of stage i, from those before it.
 void EmbeddedPair::stage(int i, const ForceFunction& forces) {

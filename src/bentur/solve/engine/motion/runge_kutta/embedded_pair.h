@@ -8,7 +8,7 @@
 
 namespace bentur::engine {
 
-/// Force of every point [force] at a state and ground input; what a Runge-Kutta stage asks for.
+/// Force of every element [force] at a state and ground input; what a Runge-Kutta stage asks for.
 using ForceFunction = std::function<void(const State&, const std::vector<GroundInput>&, Eigen::VectorXd&)>;
 
 /// Buildings [first, end) of the row.
@@ -17,7 +17,7 @@ struct BuildingRange {
 };
 
 /// The explicit Runge-Kutta pair of Dormand and Prince of order 8(5,3) with its interpolant of order 7
-/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no contact joins to others. As q̇
+/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no element joins to others. As q̇
 /// = v the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the

@@ -2,7 +2,7 @@
 
 namespace bentur::engine {
 
-FixedStep::FixedStep(const ModalSystem& system) : system_(&system), forces_(std::ssize(system.points)) {}
+FixedStep::FixedStep(const ModalSystem& system) : system_(&system), forces_(std::ssize(system.elements)) {}
 
 /// q̈ at a state `after` [s] the start of the step.
 void FixedStep::accelerate(const State& state, double after, const ForceFunction& forces, Eigen::VectorXd& result) {

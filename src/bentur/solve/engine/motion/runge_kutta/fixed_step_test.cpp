@@ -40,7 +40,8 @@ TEST(FixedStep, ExpansionHasPositionSpeedAndAccelerationAtBothEnds) {
   Problem problem = test::pair(test::oscillator(2, 50, 0.1), test::oscillator(3, 40, 0.05), {test::contact(0.1, 1)}, 1);
   const ModalSystem system(problem);
   const ForceFunction force = [&](const State& state, const std::vector<GroundInput>&, VectorXd& forces) {
-    const double depth = -(0.1 + system.points[0].sense(state.q)), speed = -system.points[0].sense(state.v);
+    const ModalSystem::Relation& of = system.elements[0].relation;
+    const double depth = of.along(state.q) - 0.1, speed = of.along(state.v);
     forces = VectorXd::Constant(1, 30 * std::sin(depth) + 4 * speed);
   };
   FixedStep scheme(system);

@@ -1,0 +1,518 @@
+#include "bentur/solve/engine/run/elements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/solve/engine/run/impulses.h"
+#include "bentur/solve/engine/run/link_stretch.h"
+
+namespace bentur::engine {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double round_off_band = 0x1p-46;  // of displacements and speeds at an element, and of resting forces
+constexpr double resting_threshold =
+    0x1p-20;                          // of the speeds at a point: slower impacts without duration do not bounce
+constexpr double free_part = 0x1p-6;  // of the speeds of the free response, which count as that of an impact before one
+constexpr double least_slack = 4.0;   // tolerances: a guard that starts this far below zero starts at zero
+constexpr double least_speed = 1e-9;  // of the speeds at a point: slower starts are told to no law that needs them
+constexpr int most_branches = 1000;   // that loading in one direction goes through
+
+/// The last place in [0, end] where δ, which is not negative at `end`, was zero; nothing where it is never zero or less
+/// but at the start.
+std::optional<double> last_zero(const Polynomial& deformation, double end) {
+  if (value(deformation, end) <= 0.0) return end;
+  double largest = 0.0;
+  double where = 0.0;
+  if (!raise_to_maximum(-deformation, end, largest, where)) return std::nullopt;
+  return root(deformation, where, end);
+}
+
+/// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
+bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
+
+double fading(const Guard& guard, const LawState& state, double time) {
+  return guard.decaying == 0.0 ? 0.0 : guard.decaying * std::exp(-guard.rate * (time - state.since));
+}
+
+/// What the spring of a branch has taken in at δ, from zero.
+double potential(const Branch& branch, double deformation) {
+  return (branch.base + 0.5 * branch.stiffness * deformation) * deformation;
+}
+
+std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std::vector<const Law*>& laws,
+                                           const std::vector<double>& offsets) {
+  std::vector<GuardMonitor::Watched> all;
+  for (Index i = 0; i < std::ssize(laws); ++i) {
+    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({})});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<const Law*> laws_of(const Problem& problem) {
+  std::vector<const Law*> laws;
+  for (const ContactPoint& point : problem.points) laws.push_back(point.law.get());
+  for (const Link& link : problem.links) laws.push_back(link.law.get());
+  for (const Building& building : problem.buildings) {
+    for (const auto& law : building.storey_laws) {
+      if (law) laws.push_back(law.get());
+    }
+  }
+  return laws;
+}
+
+std::vector<double> offsets_of(const Problem& problem) {
+  std::vector<double> offsets(laws_of(problem).size(), 0.0);
+  for (std::size_t i = 0; i < problem.points.size(); ++i) offsets[i] = -problem.points[i].width;
+  return offsets;
+}
+
+Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle, const Scales& scales, double accuracy,
+                   State& state)
+    : system_(&system),
+      laws_(laws_of(problem)),
+      offsets_(offsets_of(problem)),
+      idle_(idle),
+      tolerances_(laws_.size(), 0.0),
+      least_speeds_(laws_.size(), 0.0),
+      start_slack_(std::max(least_slack, accuracy / round_off_band)),
+      states_(laws_.size()),
+      branches_(laws_.size()),
+      bodies_(laws_.size(), 0),
+      watched_(laws_.size(), 0),
+      monitor_(watched(system, laws_, offsets_), system.size),
+      touches_(laws_.size()),
+      leaves_band_(laws_.size(), 0),
+      log_(laws_.size()),
+      accounts_(laws_.size()) {
+  forces_.linear.resize(laws_.size());
+  for (Index i = 0; i < std::ssize(scales.displacement); ++i) {
+    tolerances_[i] = round_off_band * scales.displacement[i];
+    least_speeds_[i] = least_speed * scales.speed[i];
+    fastest_ = std::max(fastest_, free_part * scales.speed[i]);
+  }
+  for (Index i = 0; i < count(); ++i) {
+    enter(i, {});
+    bodies_[i] = branches_[i].bodies != Bodies::none ? 1 : 0;
+    if (i >= idle_ && !two_bodies(i)) load(i, state);
+  }
+  gather(state);
+}
+
+/// From rest to the initial state in one direction, slowly: what guards end on the way.
+void Elements::load(Index i, State& state) {
+  const double end = deformation(i, state);
+  const double sense = end < 0.0 ? -1.0 : 1.0;
+  double at = 0.0;
+  for (int n = 0; n < most_branches; ++n) {
+    std::optional<std::size_t> failed;
+    double where = end;
+    for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
+      const Guard& guard = branches_[i].guards[g];
+      if (guard.deformation * sense >= 0.0 || guard.speed != 0.0) continue;
+      const double zero = -guard.constant / guard.deformation;
+      if ((where - zero) * sense > 0.0) {
+        where = (at - zero) * sense > 0.0 ? at : zero;
+        failed = g;
+      }
+    }
+    if (!failed) break;
+    take_work(i, where);
+    states_[i] = law(i).next(states_[i], *failed, 0.0, where, sense);
+    branches_[i] = law(i).branch(states_[i]);
+    at = where;
+  }
+  take_work(i, end);
+  enter(i, states_[i]);
+  initial_work_ += accounts_[i].work - 0.5 * system_->elements[i].stiffness * end * end;
+}
+
+/// Goes on to a deformation in the branch it is in.
+void Elements::take_work(Index i, double deformation) {
+  Account& account = accounts_[i];
+  account.work += potential(branches_[i], deformation) - potential(branches_[i], account.entered);
+  account.entered = deformation;
+}
+
+double Elements::tolerance(Index i, const Guard& guard, const State& state) const {
+  if (branches_[i].touching() && of_sign_alone(guard)) return 0.0;
+  double result = std::abs(guard.deformation) * tolerances_[i] + std::abs(guard.constant) * round_off_band;
+  if (guard.decaying != 0.0) result += tolerances_[i];
+  if (guard.speed != 0.0) result += std::abs(guard.speed) * round_off_band * relation(i).along_abs(state.v);
+  return result;
+}
+
+/// The guard's function over the expanded step.
+Polynomial Elements::guarded(Index i, const Guard& guard, const Polynomial& deformation, double h, double time) const {
+  Polynomial p;
+  p.degree = deformation.degree;
+  for (int k = 0; k <= p.degree; ++k) p[k] = guard.deformation * deformation[k];
+  if (guard.speed != 0.0) {
+    for (int k = 0; k < p.degree; ++k) p[k] += guard.speed * (k + 1.0) * deformation[k + 1] / h;
+  }
+  double term = fading(guard, states_[i], time);
+  for (int k = 0; term != 0.0 && k <= p.degree; ++k) {
+    p[k] += term;
+    term *= -guard.rate * h / (k + 1.0);
+  }
+  p[0] += guard.constant;
+  return p;
+}
+
+void Elements::gauge(const State& from, const State& to) {
+  for (Index i = idle_; i < count(); ++i) {
+    if (monitor_.stays(i) && !resting(i)) continue;
+    const double size = std::abs(offsets_[i]) + std::max(relation(i).along_abs(from.q), relation(i).along_abs(to.q));
+    tolerances_[i] = std::max(tolerances_[i], round_off_band * size);
+  }
+}
+
+std::optional<Elements::Event> Elements::next_event(const Expansion& motion, const State& from, double time) {
+  std::optional<Event> first;
+  const auto take = [&first](Index element, std::size_t guard, const std::optional<double>& s) {
+    if (s && (!first || *s < first->s)) first = Event{element, guard, *s};
+  };
+  for (Index i = idle_; i < count(); ++i) {
+    if (resting(i)) {
+      Polynomial force = motion.resting_force(i);
+      double size = 0.0;
+      for (int k = 0; k <= force.degree; ++k) size += std::abs(force[k]);
+      force[0] += size * round_off_band;
+      take(i, 0, first_negative(force));
+      continue;
+    }
+    if (monitor_.stays(i) || branches_[i].guard_count == 0) continue;
+    const Polynomial& deformation = motion.deformation(i);
+    for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
+      const Guard& guard = branches_[i].guards[g];
+      Polynomial p = guarded(i, guard, deformation, motion.h(), time);
+      const double slack = tolerance(i, guard, from);
+      p[0] += slack;
+      const double known = start_slack_ * std::max(slack, std::abs(guard.deformation) * tolerances_[i]);
+      if (p[0] < 0.0 && p[0] >= -known) p[0] = 0.0;
+      const auto s = first_negative(p);
+      if (awaits(i)) leaves_band_[i] = s ? 1 : 0;
+      take(i, g, s);
+    }
+  }
+  return first;
+}
+
+std::optional<Elements::Event> Elements::due(const State& state, const std::vector<GroundInput>& inputs,
+                                             double time) const {
+  Eigen::VectorXd forces;
+  if (!forces_.resting.empty()) forces_at(state, inputs, forces);
+  for (Index i = idle_; i < count(); ++i) {
+    if (resting(i)) {
+      if (forces(i) < 0.0) return Event{i, 0, 1.0};
+      continue;
+    }
+    for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
+      const Guard& guard = branches_[i].guards[g];
+      const double value = guard.constant + guard.deformation * deformation(i, state) + guard.speed * speed(i, state) +
+                           fading(guard, states_[i], time);
+      if (value < -tolerance(i, guard, state)) return Event{i, g, 1.0};
+    }
+  }
+  return std::nullopt;
+}
+
+void Elements::forces_at(const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& result) const {
+  result.setZero(count());
+  for (const Index i : forces_.constant) result(i) = forces_.linear[i].base;
+  for (const Index i : forces_.pressing) {
+    const ElementForces::Linear& linear = forces_.linear[i];
+    result(i) = linear.base + linear.stiffness * deformation(i, state) + linear.damping * speed(i, state);
+  }
+  for (const Index i : forces_.nonlinear) {
+    result(i) = law(i).force(states_[i], deformation(i, state), speed(i, state));
+  }
+  if (forces_.resting.empty()) return;
+  Eigen::VectorXd acceleration;
+  system_->acceleration(state, inputs, result, acceleration);
+  Eigen::VectorXd missing(std::ssize(forces_.resting));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    missing(n) = relation(forces_.resting[n]).along(acceleration);
+  }
+  const Eigen::VectorXd held = system_->forces_for(forces_.resting, missing);
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    result(forces_.resting[n]) = held(n);
+  }
+}
+
+double Elements::stored_in_contacts(const State& state) const {
+  double sum = 0.0;
+  for (Index i = idle_; i < count(); ++i) {
+    if (branches_[i].touching()) sum += law(i).stored_energy(states_[i], deformation(i, state));
+  }
+  return sum;
+}
+
+double Elements::stored_in_others(const State& state) const {
+  double sum = 0.0;
+  for (Index i = idle_; i < count(); ++i) {
+    if (two_bodies(i)) continue;
+    const double delta = deformation(i, state);
+    sum += law(i).stored_energy(states_[i], delta) - 0.5 * system_->elements[i].stiffness * delta * delta;
+  }
+  return sum;
+}
+
+double Elements::damping_power(const State& state) const {
+  double sum = 0.0;
+  for (const Index i : forces_.pressing) {
+    if (two_bodies(i) || forces_.linear[i].damping == 0.0) continue;
+    const double rate = speed(i, state);
+    sum += forces_.linear[i].damping * rate * rate;
+  }
+  return sum;
+}
+
+double Elements::energy_lost(Index i, const State& state) const {
+  const Account& account = accounts_[i];
+  const double delta = deformation(i, state);
+  const double work = account.work + potential(branches_[i], delta) - potential(branches_[i], account.entered);
+  return work + account.damped - law(i).stored_energy(states_[i], delta);
+}
+
+double Elements::residual(Index i, const State& state) const {
+  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i]);
+  return law == nullptr ? 0.0 : law->residual(states_[i], deformation(i, state));
+}
+
+void Elements::accumulate(const Expansion& motion, double time, double end) {
+  for (Index i = idle_; i < system_->storeys; ++i) {
+    if (branches_[i].touching()) {
+      if (resting(i)) {
+        log_.rest(i, motion.resting_force(i), motion.h(), time, end);
+        continue;
+      }
+      double band = 2.0 * branches_[i].stiffness * tolerances_[i];
+      if (branches_[i].damping != 0.0) {
+        const double speeds = relation(i).along_abs(motion.coefficients().col(1).data());
+        band += 2.0 * branches_[i].damping * round_off_band * speeds / motion.h();
+      }
+      log_.accumulate(i, {law(i), states_[i], motion.deformation(i), motion.h(), time, end, band});
+    } else if (!two_bodies(i)) {
+      const LinkStretch link = link_stretch(forces_.linear[i], motion.deformation(i), motion.h(), end);
+      Account& account = accounts_[i];
+      account.damped += link.damped;
+      account.peak_force = std::max(account.peak_force, link.peak_force);
+      account.peak_tension = std::max(account.peak_tension, link.peak_tension);
+    }
+  }
+}
+
+void Elements::note_touches(const Expansion& motion, double time, double end, State& state) {
+  for (Index i = idle_; i < count(); ++i) {
+    if (!awaits(i)) continue;
+    if (monitor_.stays(i) || deformation(i, state) < 0.0) {
+      touches_[i] = {};
+      continue;
+    }
+    const Polynomial& deformation = motion.deformation(i);
+    const auto zero = last_zero(deformation, end);
+    // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
+    // it has been negative since the start of the step, or before.
+    const bool leaves = leaves_band_[i] != 0 || value(deformation, end) > tolerances_[i];
+    if (!zero && leaves && touches_[i].time >= 0.0) continue;
+    const double s = zero.value_or(leaves ? 0.0 : end);
+    touches_[i] = {time + s * motion.h(), first_derivative(deformation, s) / motion.h()};
+  }
+  if (forces_.fading > 0.0) forget_faded(time + end * motion.h(), state);
+}
+
+/// A surface that has come back to within round-off of its place is a fresh one.
+void Elements::forget_faded(double time, State& state) {
+  for (Index i = idle_; i < count(); ++i) {
+    for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
+      const Guard& guard = branches_[i].guards[g];
+      if (guard.decaying == 0.0 || std::abs(fading(guard, states_[i], time)) > tolerances_[i]) continue;
+      set(i, {}, state);
+      break;
+    }
+  }
+}
+
+void Elements::enter(Index i, const LawState& law_state) {
+  states_[i] = law_state;
+  branches_[i] = law(i).branch(law_state);
+  watched_[i] = monitor_.enter(i, branches_[i]) ? 1 : 0;
+}
+
+void Elements::set(Index i, const LawState& law_state, State& state) {
+  enter(i, law_state);
+  gather(state);
+}
+
+/// Works out what all elements do, and the force coordinates of `state`.
+void Elements::gather(State& state) {
+  forces_.pressing.clear();
+  forces_.constant.clear();
+  forces_.resting.clear();
+  forces_.nonlinear.clear();
+  forces_.load.resize(0);
+  forces_.fading = 0.0;
+  may_fly_ = true;
+  any_touching_ = false;
+  for (Index i = idle_; i < count(); ++i) {
+    const Branch& branch = branches_[i];
+    const ModalSystem::Element& element = system_->elements[i];
+    any_touching_ = any_touching_ || branch.touching();
+    for (std::size_t g = 0; g < branch.guard_count; ++g) {
+      forces_.fading = std::max(forces_.fading, branch.guards[g].decaying != 0.0 ? branch.guards[g].rate : 0.0);
+    }
+    ElementForces::Linear& linear = forces_.linear[i];
+    linear = {};
+    bool constant = false;
+    if (resting(i)) {
+      forces_.resting.push_back(i);
+    } else if (!branch.linear) {
+      forces_.nonlinear.push_back(i);
+    } else {
+      const double stiffness = branch.stiffness - element.stiffness;
+      linear = {branch.base, stiffness, branch.damping + element.tangent_damping * stiffness};
+      constant = linear.stiffness == 0.0 && linear.damping == 0.0 && (branch.base == 0.0 || element.force >= 0);
+      if (!constant) {
+        forces_.pressing.push_back(i);
+      } else if (branch.base != 0.0) {
+        forces_.constant.push_back(i);
+      }
+    }
+    may_fly_ = may_fly_ && constant && watched_[i] != 0;
+    if (element.force < 0) continue;
+    const double moved = constant ? 0.0 : 1.0;
+    state.q(element.force) = linear.base + moved * linear.stiffness * deformation(i, state);
+    state.v(element.force) = moved * linear.stiffness * speed(i, state);
+  }
+  for (const Index i : forces_.constant) {
+    if (forces_.load.size() == 0) forces_.load.setZero(system_->size);
+    system_->push(i, forces_.linear[i].base, forces_.load);
+  }
+}
+
+void Elements::change(const Event& event, double time, State& state) {
+  const Index i = event.element;
+  ++events_;
+  jumps_.clear();
+  began_ = false;
+  if (law(i).restitution()) {
+    collide(i, time, state);
+    return;
+  }
+  const LawState before = states_[i];
+  const Branch ended = branches_[i];
+  const double delta = of_sign_alone(ended.guards[event.guard]) ? 0.0 : deformation(i, state);
+  if (!two_bodies(i)) {
+    take_work(i, delta);
+    set(i, law(i).next(before, event.guard, time, delta, speed(i, state)), state);
+    return;
+  }
+  double start = time;
+  double closing = speed(i, state);
+  const bool awaited = awaits(i);
+  if (awaited && touches_[i].time >= 0.0) {
+    start = touches_[i].time;
+    closing = touches_[i].closing_speed;
+    touches_[i] = {};
+  }
+  const bool slow = awaited && from_rest(i, closing) && law(i).needs_closing_speed();
+  set(i, law(i).next(before, event.guard, start, delta, slow ? least_speeds_[i] : closing), state);
+  const bool touched = ended.touching();
+  const bool touches = branches_[i].touching();
+  if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, delta);
+  if (touched && touches) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], delta);
+  if (touched && !touches) log_.end(i, time, -closing);
+  began_ = !touched && touches;
+  if (began_) {
+    log_.begin(i, start, from_rest(i, closing) ? 0.0 : closing);
+    log_.under_way(i).slow_start = slow;
+    log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], delta);
+  }
+}
+
+Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_}; }
+
+void Elements::resume(const Memory& memory, State& state) {
+  for (Index i = idle_; i < count(); ++i) {
+    if (two_bodies(i)) continue;
+    enter(i, memory.states[i]);
+    accounts_[i] = memory.accounts[i];
+    tolerances_[i] = memory.tolerances[i];
+  }
+  gather(state);
+}
+
+/// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add
+/// up to. It lets go at zero, or what is left would decide whether it closes again at once.
+void Elements::let_go(Index element, State& state) {
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(std::ssize(forces_.resting));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    if (forces_.resting[n] == element) missing(n) = deformation(element, state);
+  }
+  const Eigen::VectorXd moves = system_->forces_for(forces_.resting, missing);
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    system_->push(forces_.resting[n], moves(n), state.q);
+  }
+  set(element, {}, state);
+}
+
+/// Impacts without duration: every point that is closed and has such a law takes part; or a resting point lets go.
+void Elements::collide(Index element, double time, State& state) {
+  if (resting(element)) {
+    let_go(element, state);
+    log_.end(element, time, 0.0);
+    return;
+  }
+  std::vector<Index> at;
+  for (Index i = idle_; i < count(); ++i) {
+    if (!two_bodies(i)) continue;
+    if (law(i).restitution() && (i == element || resting(i) || deformation(i, state) >= -tolerances_[i])) {
+      at.push_back(i);
+    }
+    fastest_ = std::max(fastest_, relation(i).along_abs(state.v));
+  }
+  const Index count = std::ssize(at);
+  Eigen::MatrixXd a(count, count);
+  Eigen::VectorXd before(count), b(count);
+  std::vector<char> slow(at.size(), 0);
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
+    before(n) = speed(i, state);
+    slow[n] = std::abs(before(n)) <= resting_threshold * fastest_ ? 1 : 0;
+    b(n) = before(n) * (1.0 + (slow[n] != 0 ? 0.0 : *law(i).restitution()));
+    for (Index m = 0; m < count; ++m) {
+      a(n, m) = system_->coupling(i, at[m]);
+    }
+  }
+  const std::optional<Eigen::VectorXd> found = impulses(a, b);
+  failed_ = !found;
+  if (failed_) return;
+  const Eigen::VectorXd& p = *found;
+  for (Index n = 0; n < count; ++n) system_->push(at[n], p(n), state.v);
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
+    const double after = speed(i, state);
+    const double lost = 0.5 * p(n) * (before(n) + after);
+    if (p(n) > 0.0) jumps_.push_back({i, p(n), lost});
+    const bool was_resting = resting(i);
+    const bool pressed = p(n) > 0.0 || (was_resting && after >= -round_off_band * fastest_);
+    const bool rests = pressed && slow[n] != 0;
+    if (!was_resting && p(n) > 0.0) {
+      const bool touched_before = touches_[i].time >= 0.0;
+      log_.begin(i, touched_before ? touches_[i].time : time, before(n));
+    }
+    log_.under_way(i).impulse += p(n);
+    log_.under_way(i).energy_lost += lost;
+    if (was_resting && !rests && deformation(i, state) > start_slack_ * tolerances_[i]) let_go(i, state);
+    if (rests != was_resting) set(i, rests ? LawState{1, time, before(n)} : LawState{}, state);
+    if (!rests && (was_resting || p(n) > 0.0)) log_.end(i, was_resting ? time : log_.under_way(i).start, -after);
+    touches_[i] = {};
+  }
+}
+
+}  // namespace bentur::engine

@@ -1,0 +1,193 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "bentur/solve/engine/motion/expansion.h"
+#include "bentur/solve/engine/run/guard_monitor.h"
+#include "bentur/solve/engine/run/impact_log.h"
+
+namespace bentur::engine {
+
+/// Laws and offsets of a problem's elements, in the order of ModalSystem::elements.
+[[nodiscard]] std::vector<const Law*> laws_of(const Problem& problem);
+[[nodiscard]] std::vector<double> offsets_of(const Problem& problem);
+
+/// Where every element stands, when that changes next, and what it does to the buildings.
+///
+/// Every branch of a law is guarded by functions of δ and δ̇ (law.h); a branch ends when one of them falls below minus
+/// its tolerance, some units of round-off of the displacements and speeds it is computed from. The band keeps round-off
+/// from changing an element to and fro at one instant; nothing deeper than it is missed. A contact ends without
+/// tolerance where its opening becomes more than zero. One that began by going below the band is dated from where its
+/// opening became negative: an opening of zero is open.
+class Elements {
+ public:
+  struct Event {
+    Eigen::Index element = 0;
+    std::size_t guard = 0;
+    double s = 0;  ///< place in the expanded step
+  };
+  /// Velocities that changed at one instant.
+  struct Jump {
+    Eigen::Index element = 0;
+    double impulse = 0;      ///< [force·s]
+    double energy_lost = 0;  ///< [force·length]
+  };
+
+  /// How large the numbers are whose difference δ is, and how fast they change, per element.
+  struct Scales {
+    std::vector<double> displacement;  ///< [length]; grows with what the run does
+    std::vector<double> speed;         ///< [length/s]
+  };
+  /// What an element that is no pair of bodies has done up to the last change of its branch.
+  struct Account {
+    double entered = 0;       ///< δ at that change [length]
+    double work = 0;          ///< that its springs took in [force·length]
+    double damped = 0;        ///< that its dashpot took in, up to now [force·length]
+    double peak_force = 0;    ///< max F of links, up to now [force]
+    double peak_tension = 0;  ///< max −F of links, up to now [force]
+  };
+
+  /// The first `idle` elements do nothing. `accuracy`: how well states at events are known, relative to displacements
+  /// and speeds; a guard that starts its branch below zero by no more starts at zero. `state` is that at the start,
+  /// whose force coordinates are filled in.
+  Elements(const ModalSystem& system, const Problem& problem, Eigen::Index idle, const Scales& scales, double accuracy,
+           State& state);
+
+  [[nodiscard]] const ElementForces& forces() const { return forces_; }
+  /// No force changes, and guards watch δ alone, so that buildings fly.
+  [[nodiscard]] bool may_fly() const { return may_fly_; }
+  /// Whether bodies touch.
+  [[nodiscard]] bool any_touching() const { return any_touching_; }
+
+  /// How many of `count` flights after the last step of a buffer come before the first in which something may happen to
+  /// the elements [first, end).
+  [[nodiscard]] Eigen::Index quiet(const StepBuffer& buffer, Eigen::Index count, Eigen::Index first,
+                                   Eigen::Index end) {
+    return monitor_.quiet(buffer, count, first, end);
+  }
+  /// Looks at an interval between two states, whose coordinates leave their chords by `rise` at most. What follows is
+  /// told of the interval last looked at.
+  void look(const State& from, const State& to, const Eigen::VectorXd& rise) {
+    (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, count());
+  }
+  /// Takes in how large the displacements are in it. To be called before events are looked for.
+  void gauge(const State& from, const State& to);
+  /// The first change in the expanded step, which began at `time` with the state `from`.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, double time);
+
+  /// A change that is due at a state, looking at nothing before it.
+  [[nodiscard]] std::optional<Event> due(const State& state, const std::vector<GroundInput>& inputs, double time) const;
+
+  /// The force of every element [force].
+  void forces_at(const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& result) const;
+  /// Energy stored in all contacts [force·length].
+  [[nodiscard]] double stored_in_contacts(const State& state) const;
+  /// Energy that all other elements would give back, beyond what the modes hold of them [force·length].
+  [[nodiscard]] double stored_in_others(const State& state) const;
+  /// Power that their dashpots take in, beyond what D does [force·length/s].
+  [[nodiscard]] double damping_power(const State& state) const;
+  /// Work of the forces of all other elements by which the initial state came about [force·length].
+  [[nodiscard]] double initial_work() const { return initial_work_; }
+  [[nodiscard]] bool two_bodies(Eigen::Index element) const { return bodies_[element] != 0; }
+
+  /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way and to what links do.
+  void accumulate(const Expansion& motion, double time, double end);
+
+  /// Notes when the openings of bodies that are apart last were zero, up to `end` of the expanded step, which began at
+  /// `time`; `state` is that at `end`. To be called after every step, before change().
+  void note_touches(const Expansion& motion, double time, double end, State& state);
+
+  /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
+  void change(const Event& event, double time, State& state);
+  /// Whether the last change found no impulses (E-1).
+  [[nodiscard]] bool failed() const { return failed_; }
+  /// Whether the last change began a contact.
+  [[nodiscard]] bool began() const { return began_; }
+  /// The jumps of the last change.
+  [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }
+
+  /// Ends the run at `time`: contacts still closed count as impacts.
+  void finish(double time) { log_.finish(branches_, time); }
+
+  /// What is remembered of elements that are not idle, to go on from some state without contact.
+  struct Memory {
+    std::vector<LawState> states;
+    std::vector<Account> accounts;
+    std::vector<double> tolerances;
+  };
+  [[nodiscard]] Memory memory() const;
+  void resume(const Memory& memory, State& state);
+
+  [[nodiscard]] long events() const { return events_; }
+  [[nodiscard]] std::vector<Impact>& impacts() { return log_.impacts(); }
+  // Of an element at the end:
+  [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
+  [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
+  [[nodiscard]] const Account& account(Eigen::Index element) const { return accounts_[element]; }
+
+ private:
+  [[nodiscard]] Eigen::Index count() const { return std::ssize(laws_); }
+  [[nodiscard]] const Law& law(Eigen::Index element) const { return *laws_[element]; }
+  [[nodiscard]] const ModalSystem::Relation& relation(Eigen::Index element) const {
+    return system_->elements[element].relation;
+  }
+  [[nodiscard]] double deformation(Eigen::Index element, const State& state) const {
+    return offsets_[element] + relation(element).along(state.q);
+  }
+  [[nodiscard]] double speed(Eigen::Index element, const State& state) const {
+    return relation(element).along(state.v);
+  }
+  [[nodiscard]] bool resting(Eigen::Index element) const {
+    return branches_[element].touching() && law(element).restitution().has_value();
+  }
+  [[nodiscard]] bool awaits(Eigen::Index element) const { return branches_[element].bodies == Bodies::apart; }
+  [[nodiscard]] bool from_rest(Eigen::Index element, double closing_speed) const {
+    return std::abs(closing_speed) < least_speeds_[element];
+  }
+  [[nodiscard]] double tolerance(Eigen::Index element, const Guard& guard, const State& state) const;
+  [[nodiscard]] Polynomial guarded(Eigen::Index element, const Guard& guard, const Polynomial& deformation, double h,
+                                   double time) const;
+  void load(Eigen::Index element, State& state);
+  void enter(Eigen::Index element, const LawState& law_state);
+  void set(Eigen::Index element, const LawState& law_state, State& state);
+  void gather(State& state);
+  void take_work(Eigen::Index element, double deformation);
+  void forget_faded(double time, State& state);
+  void let_go(Eigen::Index element, State& state);
+  void collide(Eigen::Index element, double time, State& state);
+
+  const ModalSystem* system_;
+  std::vector<const Law*> laws_;
+  std::vector<double> offsets_;       ///< of δ [length]
+  Eigen::Index idle_;                 ///< the first elements, which do nothing
+  std::vector<double> tolerances_;    ///< the band [length] per element
+  std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per element
+  double start_slack_;                ///< accuracy, in tolerances
+  std::vector<LawState> states_;      ///< per element
+  std::vector<Branch> branches_;      ///< of states_
+  std::vector<char> bodies_;          ///< whether an element is two bodies
+  std::vector<char> watched_;         ///< whether the monitor watches all that ends its branch
+  GuardMonitor monitor_;
+  ElementForces forces_;
+  bool may_fly_ = true;
+  bool any_touching_ = false;
+  /// When the opening of bodies that are apart last was zero, and δ̇ then; negative time: it is above zero.
+  struct Touch {
+    double time = -1;
+    double closing_speed = 0;
+  };
+  std::vector<Touch> touches_;
+  std::vector<char> leaves_band_;  ///< whether the opening of such bodies does, in the step last looked at
+  ImpactLog log_;
+  std::vector<Account> accounts_;
+  std::vector<Jump> jumps_;
+  double initial_work_ = 0;
+  double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
+  bool began_ = false;
+  bool failed_ = false;
+  long events_ = 0;
+};
+
+}  // namespace bentur::engine
