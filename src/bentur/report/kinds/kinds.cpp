@@ -71,7 +71,11 @@ const RunKind run_kinds[] = {
 
 /// Of contact points there are none where a study models no contact.
 bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
-  return results.find(kind.quantity) != nullptr || results.find(kind.quantity + "_1") != nullptr;
+  if (results.find(kind.quantity) != nullptr) return true;
+  for (int b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
+    if (results.find(fmt::format("{}_{}", kind.quantity, b)) != nullptr) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -131,7 +135,7 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
       if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
     }
     // Any other quantity by its own name.
-    const auto is_it = [&](const Quantity& one) { return one.key == kind && one.owner != Owner::impact; };
+    const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };
     const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
     if (quantity != quantities().end()) {
       const SweepKind by_name{kind, kind, std::string(quantity->long_name)};
