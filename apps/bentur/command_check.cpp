@@ -16,6 +16,20 @@ std::string count(std::size_t number, const std::string& singular, const std::st
   return fmt::format("{} {}", number, number == 1 ? singular : plural);
 }
 
+/// "A: 2 of 3 storeys can yield, peak-oriented".
+std::string yielding_text(const Building& building, const BuildingSpec& spec) {
+  std::string law;
+  int yielding = 0;
+  for (const auto& one : building.storey_laws) {
+    if (one == nullptr) continue;
+    ++yielding;
+    law = one->name();
+  }
+  return fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
+                     count(building.storey_laws.size(), "storey", "storeys"), law,
+                     spec.tangent_damping ? ", damping of the tangent stiffness" : "");
+}
+
 void run(const std::string& file) {
   const Loaded loaded = load(file);
   std::string text = fmt::format("{}: no errors\n", file);
@@ -23,17 +37,23 @@ void run(const std::string& file) {
     text += loaded.c.title + "\n";
   }
   text += excitation_line(loaded.c) + "\n";
-  for (const Building& building : loaded.problem.buildings) {
+  for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
+    const Building& building = loaded.problem.buildings[b];
     text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
                         count(building.model.elevations.size(), "floor", "floors"),
                         count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
                         proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
+    if (building.can_yield()) text += yielding_text(building, loaded.c.buildings[b]);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
                         count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
+  }
+  for (const LinkSpec& spec : loaded.c.links) {
+    text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
+                        count(spec.elevations.size(), "link", "links"), spec.law);
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");

@@ -32,12 +32,13 @@ struct RunArguments {
   bool force = false;
 };
 
-/// Every quantity of contact points or floors that is for tables, behind the elevations of the places.
+/// Every quantity of contact points, links or floors that is for tables, behind the elevations of the places.
 Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places) {
   std::vector<double> elevations;
   for (const QuantityPlace& at : places) {
-    elevations.push_back(owner == Owner::point ? run.problem.points[at.item].elevation
-                                               : run.problem.buildings[at.item].model.elevations[at.floor]);
+    elevations.push_back(owner == Owner::point  ? run.problem.points[at.item].elevation
+                         : owner == Owner::link ? run.problem.links[at.item].elevation
+                                                : run.problem.buildings[at.item].model.elevations[at.floor]);
   }
   Table table;
   table.add("Level", run.units.length, elevations);
@@ -182,6 +183,14 @@ std::string summary_text(const RunResults& run) {
                         quantity_table(view, Owner::point, places_of(points_from_top(gap))).text());
   }
   text += law_text(run, view);
+  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(run.c.links);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    if (links[k].empty()) continue;
+    const std::vector<Eigen::Index> from_top(links[k].rbegin(), links[k].rend());
+    text +=
+        fmt::format("\nLinks {}, {}, from the top down\n\n{}", link_name(problem, problem.links.at(from_top.front())),
+                    run.c.links[k].law, quantity_table(view, Owner::link, places_of(from_top)).text());
+  }
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
@@ -192,7 +201,7 @@ std::string summary_text(const RunResults& run) {
                         proportions_text(building, found, run.c.units));
   }
   const std::string unusual = remarks_text(run.remarks);
-  text += "\n" + unusual + wrapped(model_text()) + "\n";
+  text += "\n" + unusual + wrapped(model_text(some_building_yields(problem, run.response))) + "\n";
   if (run.response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
                         number(run.response.energy->peak_input), run.c.units.force, run.c.units.length,

@@ -42,7 +42,8 @@ struct Added {
 };
 const std::vector<Added> added = {{Owner::run, "made_up_of_run"},     {Owner::building, "made_up_of_building"},
                                   {Owner::floor, "made_up_of_floor"}, {Owner::point, "made_up_of_point"},
-                                  {Owner::gap, "made_up_of_gap"},     {Owner::impact, "made_up_of_impact"}};
+                                  {Owner::gap, "made_up_of_gap"},     {Owner::impact, "made_up_of_impact"},
+                                  {Owner::link, "made_up_of_link"}};
 
 class NewQuantity : public testing::Test {
  protected:
@@ -58,6 +59,7 @@ class NewQuantity : public testing::Test {
     }
     Diagnostics diagnostics;
     Case c = read_case(example, diagnostics).value();
+    c.links = {{.elevations = c.gaps[0].elevations, .numbers = {{"damping", {1}}}}};
     Problem problem = make_problem(c);
     SolveOptions options;
     options.output_step = 0.01;
@@ -78,6 +80,7 @@ TEST_F(NewQuantity, IsInTheSummary) {
   EXPECT_EQ(json.at("buildings").at(1).at("made_up_of_floor").at(0), 107);
   EXPECT_EQ(json.at("gaps").at(0).at("made_up_of_gap"), 7);
   EXPECT_EQ(json.at("gaps").at(0).at("points").at(0).at("made_up_of_point"), 7);
+  EXPECT_EQ(json.at("links").at(0).at("points").at(0).at("made_up_of_link"), 7);
 }
 
 TEST_F(NewQuantity, IsInTheListOfImpacts) {
@@ -90,7 +93,7 @@ TEST_F(NewQuantity, IsInTheListOfImpacts) {
 TEST_F(NewQuantity, IsInTheHistories) {
   const NetcdfReader file(histories_netcdf(*results, "1"), "histories.nc");
   for (const std::string name : {"made_up_of_run", "made_up_of_building_1", "made_up_of_floor_1", "made_up_of_gap",
-                                 "made_up_of_point", "impact_made_up_of_impact"}) {
+                                 "made_up_of_point", "impact_made_up_of_impact", "link_made_up_of_link"}) {
     EXPECT_EQ(file.numbers(name).at(0), 7) << name;
     EXPECT_EQ(file.at(name).units, results->c.units.force + " s") << name;
     EXPECT_EQ(file.at(name).long_name.rfind("made up", 0), 0U) << name;
@@ -100,7 +103,7 @@ TEST_F(NewQuantity, IsInTheHistories) {
 
 TEST_F(NewQuantity, HasItsColumnInTables) {
   for (const std::size_t language : {0U, 1U}) {
-    for (const Owner owner : {Owner::floor, Owner::point, Owner::impact}) {
+    for (const Owner owner : {Owner::floor, Owner::point, Owner::impact, Owner::link}) {
       const std::vector<TableColumn> columns = table_columns(owner, results->view(), {{0, 0}}, language);
       EXPECT_EQ(columns.back().label, language == 0 ? "Made up" : "Buatan");
       EXPECT_EQ(columns.back().unit, results->c.units.force + "·s");
@@ -130,6 +133,7 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
   const NetcdfReader file(output);
   for (const Added& one : added) {
     if (one.owner == Owner::impact) continue;  // as many as there happen to be
+    if (one.owner == Owner::link) continue;    // the example has none
     const bool numbered = one.owner == Owner::building || one.owner == Owner::floor;
     EXPECT_EQ(file.numbers(one.key + (numbered ? "_1" : "")).at(0), 7) << one.key;
     EXPECT_FALSE(make_figure(file, one.key).panels.empty()) << one.key;
@@ -138,7 +142,7 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
 
 /// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
 std::string row_of(const Quantity& quantity) {
-  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact"};
+  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link"};
   std::string unit = unit_text(quantity.units, {.length = "length", .force = "force"}), symbol;
   for (const char c : quantity.symbol) symbol += c == '|' ? "\\|" : std::string(1, c);
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.key, owners[static_cast<int>(quantity.owner)],

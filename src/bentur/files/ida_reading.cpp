@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -126,8 +127,9 @@ class Reader {
       for (const NetcdfVariable* variable : variables) {
         const std::vector<double> values = file_.numbers(variable->name, i);
         const std::size_t each = values.size() / ends.size();
+        const bool by_size = is_compared_by_size(file_, variable->name);
         for (std::size_t k = 0; k < values.size(); ++k) {
-          if (event_.holds(values[k])) events[k / each] = true;
+          if (event_.holds(by_size ? std::abs(values[k]) : values[k])) events[k / each] = true;
         }
       }
       for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -171,6 +173,10 @@ class Reader {
 std::string without_number(const std::string& name) {
   const std::size_t end = name.find_last_not_of("0123456789");
   return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
+}
+
+bool is_compared_by_size(const NetcdfReader& file, const std::string& variable) {
+  return file.attribute(variable, "compared_by") == "size";
 }
 
 IdaResults read_ida_results(const NetcdfReader& file, const EventRule& event) { return Reader(file, event).take(); }

@@ -7,6 +7,7 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
+#include "bentur/files/result_reading.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 
@@ -81,10 +82,26 @@ struct Fixture {
     response.energy = EnergyAudit{.peak_input = 8, .residual = 2, .histories = {}};
     EnergyHistories& e = response.energy->histories;
     double first = 0;
-    for (Eigen::VectorXd* curve : {&e.input, &e.kinetic, &e.strain, &e.damping, &e.contact_stored, &e.contact_lost}) {
+    for (Eigen::VectorXd* curve :
+         {&e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.contact_stored, &e.contact_lost}) {
       *curve = Eigen::VectorXd::LinSpaced(3, first, first + 2);
       first += 10;
     }
+  }
+
+  /// The lower storey of the left building can yield; two tables of links, of two and of one.
+  void add_yielding_and_links() {
+    std::get<Stick>(c.buildings[0].structure).yield_forces = {5, std::numeric_limits<double>::infinity()};
+    c.links = {{.elevations = {3}, .law = "cable", .numbers = {{"stiffness", {50}}}},
+               {.elevations = {3}, .law = "yielding", .numbers = {{"stiffness", {70}}, {"yield_force", {2}}}}};
+    problem = make_problem(c);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    response.buildings[0].yielding = {Eigen::Vector2d(2.5, none), Eigen::Vector2d(-0.01, 0), Eigen::Vector2d(40, 0)};
+    response.buildings[0].yielding_no_contact = {Eigen::Vector2d(1.5, none), Eigen::Vector2d(0.02, 0),
+                                                 Eigen::Vector2d(30, 0)};
+    response.links = {
+        {.peak_compression = 0, .peak_tension = 4, .peak_closing = 0.3, .peak_opening = 0.2},
+        {.peak_compression = 2.5, .peak_tension = 2, .peak_closing = 0.3, .peak_opening = 0.2, .energy_dissipated = 7}};
   }
 
   [[nodiscard]] RunResults results() const { return run_results(c, problem, response); }
@@ -146,6 +163,40 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
                            {"release", "separation"},
                            {"calibration", "exact"}}},
                          {"restitution", {{"asked", 0.65}, {"smallest", nullptr}, {"largest", nullptr}}}}));
+}
+
+TEST(SummaryJson, YieldingOfBuildingsThatCanAndLinksTableByTable) {
+  Fixture f;
+  const Json without = Json::parse(summary_json(f.results(), "1"));
+  EXPECT_FALSE(without.contains("links"));
+  EXPECT_FALSE(without["buildings"][0].contains("ductility"));
+  f.add_yielding_and_links();
+  const Json json = Json::parse(summary_json(f.results(), "1"));
+  EXPECT_EQ(json["status"], "completed");
+  const Json& left = json["buildings"][0];
+  EXPECT_EQ(left["ductility"], (Json{2.5, nullptr}));
+  EXPECT_EQ(left["residual_drift_ratio"], (Json{-0.01, 0.0}));
+  EXPECT_EQ(left["hysteretic_energy"], (Json{40.0, 0.0}));
+  EXPECT_EQ(left["ductility_no_contact"], (Json{1.5, nullptr}));
+  EXPECT_EQ(left["residual_drift_ratio_no_contact"], (Json{0.02, 0.0}));
+  EXPECT_EQ(left["hysteretic_energy_no_contact"], (Json{30.0, 0.0}));
+  for (const char* key : {"ductility", "residual_drift_ratio", "hysteretic_energy_no_contact"}) {
+    EXPECT_FALSE(json["buildings"][1].contains(key)) << key;
+  }
+  ASSERT_EQ(json["links"].size(), 2U);
+  EXPECT_EQ(json["links"][0]["between"], (Json{"Left, old", "Right"}));
+  EXPECT_EQ(json["links"][0]["points"],
+            (Json::array({{{"elevation", 3.0},
+                           {"peak_compression", 0.0},
+                           {"peak_tension", 4.0},
+                           {"peak_closing", 0.3},
+                           {"peak_opening", 0.2},
+                           {"energy_dissipated", 0.0},
+                           {"link", {{"law", "cable"}, {"stiffness", 50}, {"slack", 0}}}}})));
+  const Json& second = json["links"][1]["points"][0];
+  EXPECT_EQ(second["peak_compression"], 2.5);
+  EXPECT_EQ(second["energy_dissipated"], 7);
+  EXPECT_EQ(second["link"], (Json{{"law", "yielding"}, {"stiffness", 70}, {"yield_force", 2}, {"hardening", 0}}));
 }
 
 TEST(SummaryJson, RestitutionOfTheImpactsThatHaveEnded) {
@@ -315,7 +366,8 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
 TEST(HistoriesNetcdf, EnergyCurvesWithAnAuditOnly) {
   Fixture f;
   f.add_histories();
-  const std::vector<std::string> parts = {"input", "kinetic", "strain", "damping", "contact_stored", "contact_lost"};
+  const std::vector<std::string> parts = {"input",      "kinetic",        "strain",      "damping",
+                                          "hysteretic", "contact_stored", "contact_lost"};
   for (const bool audited : {false, true}) {
     if (audited) f.add_energy();
     const NetcdfReader file(histories_netcdf(f.results(), "1"), "histories.nc");
@@ -361,6 +413,49 @@ TEST(HistoriesNetcdf, ImpactsPeaksAndModes) {
   f.response.impacts.clear();  // then there is no such dimension
   const NetcdfReader without(histories_netcdf(f.results(), "1"), "histories.nc");
   EXPECT_EQ(without.find("impact_start"), nullptr);
+}
+
+TEST(HistoriesNetcdf, YieldingAndLinksAreReadBack) {
+  Fixture f;
+  f.add_yielding_and_links();
+  f.add_histories();
+  const NetcdfReader file(histories_netcdf(f.results(), "1"), "histories.nc");
+  EXPECT_EQ(values(file, "residual_drift_ratio_1", {2}), (std::vector<double>{-0.01, 0}));
+  EXPECT_EQ(values(file, "link_peak_tension", {2}), (std::vector<double>{4, 2}));
+  EXPECT_EQ(file.at("link_energy_dissipated").units, "1000 kgf m");
+  EXPECT_EQ(values(file, "link_elevation", {2}), (std::vector<double>{3, 3}));
+  EXPECT_EQ(file.texts("link_right"), (std::vector<std::string>{"Right", "Right"}));
+  EXPECT_EQ(file.find("ductility_2"), nullptr);  // nothing of it can yield
+  const RunResults read = read_histories(file);
+  const auto& yielding = read.response.buildings[0].yielding;
+  ASSERT_EQ(yielding.ductility.size(), 2);
+  EXPECT_EQ(yielding.ductility(0), 2.5);
+  EXPECT_TRUE(std::isnan(yielding.ductility(1)));
+  EXPECT_EQ(read.response.buildings[0].yielding_no_contact.hysteretic_energy, Eigen::Vector2d(30, 0));
+  EXPECT_EQ(read.response.buildings[1].yielding.ductility.size(), 0);
+  ASSERT_EQ(read.problem.links.size(), 2U);
+  EXPECT_EQ(read.problem.links[1].left, 0);
+  EXPECT_EQ(read.problem.links[1].right, 1);
+  EXPECT_EQ(read.problem.links[1].left_floor, 0);
+  ASSERT_EQ(read.response.links.size(), 2U);
+  EXPECT_EQ(read.response.links[0].peak_tension, 4);
+  EXPECT_EQ(read.response.links[1].energy_dissipated, 7);
+}
+
+TEST(Tables, ColumnsOfYieldingOnlyWhereABuildingCan) {
+  Fixture f;
+  f.add_yielding_and_links();
+  const RunResults results = f.results();
+  const RunView run = results.view();
+  const auto labels = [&](Owner owner, const std::vector<QuantityPlace>& places) {
+    std::string list;
+    for (const TableColumn& column : table_columns(owner, run, places)) list += column.label + "; ";
+    return list;
+  };
+  const std::string elastic = "Displacement; Without contact; Amplification; Drift; Acceleration; Storey shear; ";
+  EXPECT_EQ(labels(Owner::floor, floors_of(f.problem, 1)), elastic);
+  EXPECT_EQ(labels(Owner::floor, floors_of(f.problem, 0)), elastic + "Ductility; Residual drift; Energy by yielding; ");
+  EXPECT_EQ(labels(Owner::link, first_places(2)), "Peak push; Peak pull; Closing; Opening; Energy lost; ");
 }
 
 TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {

@@ -27,11 +27,12 @@ std::span<const double> by_columns(const Eigen::PlainObjectBase<Matrix>& matrix)
 /// what they are of: "_1", " of building \"A\"".
 void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
                       const std::vector<Dimension>& dimensions, const std::vector<QuantityPlace>& places,
-                      const std::string& prefix, const std::string& suffix, const std::string& of) {
+                      const std::string& suffix, const std::string& of) {
   for (const Quantity* quantity : quantities_of(owner)) {
+    if (!places.empty() && !is_told(*quantity, run, places.front().item)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, run, at));
-    const Variable variable = file.write(fmt::format("{}{}{}", prefix, quantity->key, suffix), dimensions, values,
+    const Variable variable = file.write(file_name(*quantity) + suffix, dimensions, values,
                                          udunits(quantity->units, run.units), std::string(quantity->long_name) + of);
     if (!quantity->symbol.empty()) file.attribute(variable, "symbol", std::string(quantity->symbol));
   }
@@ -68,9 +69,8 @@ void write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, co
   file.write("base_shear" + number, {time}, by_columns(base_shear), force, "shear of the lowest storey of " + owner);
   const double base = building.model.elevations.front() - building.model.storey_heights.front();
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
-  write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), "", number,
-                   " of the floors of " + owner);
-  write_quantities(file, Owner::building, run, {}, {{b, 0}}, "", number, " of " + owner);
+  write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), number, " of the floors of " + owner);
+  write_quantities(file, Owner::building, run, {}, {{b, 0}}, number, " of " + owner);
   const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
   const Dimension modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
   file.write("period" + number, {modes}, by_columns(periods), "s", "periods of " + owner);
@@ -97,17 +97,29 @@ void write_points(const NetcdfWriter& file, Dimension time, const RunView& run, 
   for (const Variable variable : {opening, contact}) {
     file.attribute(variable, "coordinates", "point_elevation point_width point_left point_right");
   }
-  write_quantities(file, Owner::point, run, {points}, first_places(std::ssize(problem.points)), "", "", "");
+  write_quantities(file, Owner::point, run, {points}, first_places(std::ssize(problem.points)), "", "");
+}
+
+/// Nothing without a link.
+void write_links(const NetcdfWriter& file, const RunView& run, const std::string& length) {
+  const Problem& problem = run.problem;
+  if (problem.links.empty()) return;
+  const Dimension links = file.dimension("link", problem.links.size());
+  write_link_places(file, links, problem, length);
+  write_quantities(file, Owner::link, run, {links}, first_places(std::ssize(problem.links)), "", "");
 }
 
 void write_energy(const NetcdfWriter& file, Dimension time, const EnergyHistories& energy, const std::string& units) {
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(energy.input.size());
   const auto curve = [&](const std::string& part, const Eigen::VectorXd& values, const std::string& what) {
     file.write("energy_" + part, {time}, by_columns(values), units, what);
   };
   curve("input", energy.input, "energy at the start and work of the ground motion so far");
   curve("kinetic", energy.kinetic, "kinetic energy of the buildings, relative to their bases");
-  curve("strain", energy.strain, "strain energy of the buildings");
-  curve("damping", energy.damping, "energy lost to the damping of the buildings so far");
+  curve("strain", energy.strain, "strain energy of the buildings and links");
+  curve("damping", energy.damping, "energy lost to the damping of the buildings and links so far");
+  curve("hysteretic", energy.hysteretic.size() > 0 ? energy.hysteretic : nothing,
+        "energy lost to yielding of storeys and links so far");
   curve("contact_stored", energy.contact_stored, "energy stored in contacts, to be given back");
   curve("contact_lost", energy.contact_lost, "energy lost in contacts so far");
 }
@@ -120,8 +132,7 @@ void write_impacts(const NetcdfWriter& file, const RunView& run) {
   std::vector<int> points;
   for (const Impact& impact : impacts) points.push_back(static_cast<int>(impact.point));
   file.write("impact_point", {dimension}, points, "", "number of the contact point of each impact, counted from 0");
-  write_quantities(file, Owner::impact, run, {dimension}, first_places(std::ssize(impacts)), "impact_", "",
-                   " of each impact");
+  write_quantities(file, Owner::impact, run, {dimension}, first_places(std::ssize(impacts)), "", " of each impact");
 }
 
 void write_figure_data(const NetcdfWriter& file, const FigureData& figures, const std::string& length,
@@ -160,6 +171,20 @@ void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points,
   }
 }
 
+void write_link_places(const NetcdfWriter& file, NetcdfWriter::Dimension links, const Problem& problem,
+                       const std::string& length) {
+  std::vector<std::string> left, right;
+  std::vector<double> elevations;
+  for (const Link& link : problem.links) {
+    left.push_back(problem.buildings.at(static_cast<std::size_t>(link.left)).name);
+    right.push_back(problem.buildings.at(static_cast<std::size_t>(link.right)).name);
+    elevations.push_back(link.elevation);
+  }
+  file.write("link_left", {links}, left, "", "left building of the links");
+  file.write("link_right", {links}, right, "", "right building of the links");
+  if (!length.empty()) file.write("link_elevation", {links}, elevations, length, "elevation of the links");
+}
+
 std::string histories_netcdf(const RunResults& results, std::string_view version) {
   const auto& [c, problem, response, remarks, figures] = results;
   const RunView run = results.view();
@@ -196,9 +221,10 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   for (const Gap& gap : gaps_of(problem)) gap_names.push_back(gap_name(problem, gap.left));
   const Dimension gaps = file.dimension("gap", gap_names.size());
   file.write("gap_name", {gaps}, gap_names, "", "buildings on both sides of the gaps");
-  write_quantities(file, Owner::gap, run, {gaps}, first_places(std::ssize(gap_names)), "", "", "");
-  write_quantities(file, Owner::run, run, {}, {{}}, "", "", "");
+  write_quantities(file, Owner::gap, run, {gaps}, first_places(std::ssize(gap_names)), "", "");
+  write_quantities(file, Owner::run, run, {}, {{}}, "", "");
   write_points(file, time, run, length, force);
+  write_links(file, run, length);
   write_impacts(file, run);
   write_figure_data(file, figures, length, force);
   if (response.energy) write_energy(file, time, response.energy->histories, force + " " + length);

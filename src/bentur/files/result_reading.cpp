@@ -88,10 +88,11 @@ Eigen::MatrixXd table(const NetcdfReader& file, const std::string& variable, std
 
 /// Every quantity of `owner` that a response keeps, at each of its places.
 void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<QuantityPlace>& places,
-                     const std::string& prefix, const std::string& suffix, Response& response) {
+                     const std::string& suffix, Response& response) {
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
-    const std::string name = fmt::format("{}{}{}", prefix, quantity->key, suffix);
+    const std::string name = file_name(*quantity) + suffix;
+    if (is_of_yielding(*quantity) && file.find(name) == nullptr) continue;  // nothing of the building can yield
     const std::vector<double> values = file.numbers(name);
     if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
     for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], places[i], response);
@@ -177,6 +178,26 @@ void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, R
   results.c.gaps.push_back(spec);
 }
 
+/// What the laws of one [[link]] table worked with. @param first of its links in the problem
+void read_link_table(const UnorderedJson& json, std::size_t first, const fs::path& file, RunResults& results) {
+  LinkSpec spec;
+  for (const UnorderedJson& point : json.at("points")) {
+    if (first >= results.problem.links.size()) fail(file, "is not of the same run as histories.nc");
+    const Link& link = results.problem.links[first++];
+    spec.left = static_cast<std::size_t>(link.left);
+    spec.right = static_cast<std::size_t>(link.right);
+    spec.elevations.push_back(link.elevation);
+    for (const auto& [key, value] : point.at("link").items()) {
+      if (value.is_number()) {
+        spec.numbers[key].push_back(value);
+      } else {
+        spec.law = value;
+      }
+    }
+  }
+  results.c.links.push_back(std::move(spec));
+}
+
 void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
@@ -197,6 +218,12 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
     fail(file, "is not of the same run as histories.nc");
   }
   for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, file, results);
+  std::size_t links = 0;
+  for (const UnorderedJson& table : json.value("links", UnorderedJson::array())) {
+    read_link_table(table, links, file, results);
+    links += table.at("points").size();
+  }
+  if (links != results.problem.links.size()) fail(file, "is not of the same run as histories.nc");
 }
 
 void read_points(const NetcdfReader& file, RunResults& results) {
@@ -219,7 +246,7 @@ void read_points(const NetcdfReader& file, RunResults& results) {
   }
   Response& response = results.response;
   response.points.resize(left.size());
-  take_quantities(file, Owner::point, first_places(std::ssize(left)), "", "", response);
+  take_quantities(file, Owner::point, first_places(std::ssize(left)), "", response);
   response.histories.opening = table(file, "opening", left.size(), response.histories.time.size());
   response.histories.force = table(file, "force", left.size(), response.histories.time.size());
   if (file.find("impact_point") == nullptr) return;
@@ -227,7 +254,31 @@ void read_points(const NetcdfReader& file, RunResults& results) {
     if (!(point < static_cast<double>(left.size()))) throw NetcdfError(file.name(), "an impact is at no point of it");
     response.impacts.push_back({.point = static_cast<int>(point)});
   }
-  take_quantities(file, Owner::impact, first_places(std::ssize(response.impacts)), "impact_", "", response);
+  take_quantities(file, Owner::impact, first_places(std::ssize(response.impacts)), "", response);
+}
+
+/// Links without laws.
+void read_links(const NetcdfReader& file, RunResults& results) {
+  Problem& problem = results.problem;
+  const std::vector<std::string> left = file.texts("link_left"), right = file.texts("link_right");
+  const std::vector<double> elevations = file.numbers("link_elevation");
+  const auto building = [&](const std::string& name) {
+    const auto named = std::find_if(problem.buildings.begin(), problem.buildings.end(),
+                                    [&](const Building& one) { return one.name == name; });
+    if (named == problem.buildings.end()) throw NetcdfError(file.name(), "its links name no building of it");
+    return named - problem.buildings.begin();
+  };
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    Link link;
+    link.left = building(left[i]);
+    link.right = building(right.at(i));
+    link.elevation = elevations.at(i);
+    link.left_floor = floor_at(problem.buildings[link.left], link.elevation);
+    link.right_floor = floor_at(problem.buildings[link.right], link.elevation);
+    problem.links.push_back(link);
+  }
+  results.response.links.resize(left.size());
+  take_quantities(file, Owner::link, first_places(std::ssize(left)), "", results.response);
 }
 
 EnergyHistories read_energy(const NetcdfReader& file) {
@@ -236,6 +287,7 @@ EnergyHistories read_energy(const NetcdfReader& file) {
           .kinetic = part("kinetic"),
           .strain = part("strain"),
           .damping = part("damping"),
+          .hysteretic = part("hysteretic"),
           .contact_stored = part("contact_stored"),
           .contact_lost = part("contact_lost")};
 }
@@ -273,7 +325,12 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   const auto same_places = [](const ContactPoint& a, const ContactPoint& b) {
     return a.left == b.left && a.elevation == b.elevation && a.width == b.width;
   };
+  const auto same_links = [](const Link& a, const Link& b) {
+    return a.left == b.left && a.right == b.right && a.elevation == b.elevation;
+  };
   if (problem.buildings.size() != results.problem.buildings.size() ||
+      !std::equal(problem.links.begin(), problem.links.end(), results.problem.links.begin(),
+                  results.problem.links.end(), same_links) ||
       !std::equal(problem.points.begin(), problem.points.end(), results.problem.points.begin(),
                   results.problem.points.end(), same_places)) {
     return;
@@ -310,11 +367,12 @@ RunResults read_histories(const NetcdfReader& file) {
     problem.buildings.push_back(read_building(file, name, number));
     const std::size_t floors = problem.buildings.back().model.elevations.size();
     response.buildings.emplace_back();
-    take_quantities(file, Owner::floor, floors_of(problem, b), "", number, response);
+    take_quantities(file, Owner::floor, floors_of(problem, b), number, response);
     response.histories.displacement.push_back(
         table(file, "displacement" + number, floors, response.histories.time.size()));
   }
   if (file.find("opening") != nullptr) read_points(file, results);  // else no contact is modelled
+  if (file.find("link_left") != nullptr) read_links(file, results);
   if (file.find("energy_input") != nullptr) response.energy = EnergyAudit{.histories = read_energy(file)};
   results.figures = read_figure_data(file);
   problem.duration = response.histories.time.back();  // less than a step before the end of the analysis

@@ -11,8 +11,8 @@ namespace bentur {
 [[nodiscard]] bool is_histories(const NetcdfReader& file);
 
 /// What histories.nc alone tells of a run: of the case its title, units and duration; buildings with names, elevations,
-/// periods and shapes; contact points without laws; every kept quantity of floors, points and impacts; displacements,
-/// openings, forces and energies; data for figures.
+/// periods and shapes; contact points and links without laws; every kept quantity of floors, points, links and impacts;
+/// displacements, openings, forces and energies; data for figures.
 /// @throws NetcdfError when the file is not what bentur writes.
 [[nodiscard]] RunResults read_histories(const NetcdfReader& file);
 

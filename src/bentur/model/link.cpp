@@ -86,4 +86,19 @@ std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector
   return links;
 }
 
+std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<LinkSpec>& specs) {
+  std::vector<std::vector<Eigen::Index>> all;
+  Eigen::Index next = 0;
+  for (const LinkSpec& spec : specs) {
+    all.emplace_back();
+    for (std::size_t i = 0; i < spec.elevations.size(); ++i) all.back().push_back(next++);
+  }
+  return all;
+}
+
+std::string link_name(const Problem& problem, const Link& link) {
+  return problem.buildings.at(static_cast<std::size_t>(link.left)).name + " – " +
+         problem.buildings.at(static_cast<std::size_t>(link.right)).name;
+}
+
 }  // namespace bentur

@@ -59,4 +59,10 @@ struct LinkLaw {
 /// @throws InvalidParameter when a building does not exist or has no floor there.
 [[nodiscard]] std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector<Building>& buildings);
 
+/// Of each spec its links, as indices into Problem::links, from the lowest up.
+[[nodiscard]] std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<LinkSpec>& specs);
+
+/// "Model 1 – Model 3".
+[[nodiscard]] std::string link_name(const Problem& problem, const Link& link);
+
 }  // namespace bentur

@@ -68,7 +68,14 @@ double impact_duration(const RunView& r, const QuantityPlace& at) {
 }
 
 constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,
-                gap = Owner::gap, impact = Owner::impact;
+                gap = Owner::gap, impact = Owner::impact, link_ = Owner::link;
+
+constexpr YieldingSource yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list) {
+  return {&BuildingPeaks::yielding, list};
+}
+constexpr YieldingSource yielding_no_contact(Eigen::VectorXd BuildingPeaks::Yielding::*list) {
+  return {&BuildingPeaks::yielding_no_contact, list};
+}
 
 // clang-format off
 std::deque<Quantity>& list() {
@@ -84,7 +91,14 @@ std::deque<Quantity>& list() {
       {"amplification", floor, "1", "max |x| / max |x⁰|", "largest displacement over that with contact switched off", {"Amplification", "Amplifikasi"}, amplification, {}, {}, 1, 3},
       {"peak_drift_ratio", floor, "1", "max |Δx|/h", "largest storey drift over storey height", {"Drift", "Simpangan antartingkat"}, &BuildingPeaks::drift_ratio, {}, "%", 100},
       {"peak_acceleration", floor, "L s-2", "max |ẍ + a_g|", "largest absolute acceleration", {"Acceleration", "Percepatan"}, &BuildingPeaks::acceleration},
-      {"peak_storey_shear", floor, "F", "max |V|", "largest elastic storey shear", {"Storey shear", "Gaya geser tingkat"}, &BuildingPeaks::storey_shear},
+      {"peak_storey_shear", floor, "F", "max |V|", "largest storey shear, without dashpots", {"Storey shear", "Gaya geser tingkat"}, &BuildingPeaks::storey_shear},
+      // Of buildings with storeys that can yield.
+      {"ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at yield", {"Ductility", "Daktilitas"}, yielding(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
+      {"residual_drift_ratio", floor, "1", "Δ_r/h", "storey drift left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, yielding(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
+      {"hysteretic_energy", floor, "F L", "E_h", "energy that the storey has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, yielding(&BuildingPeaks::Yielding::hysteretic_energy)},
+      {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::ductility)},
+      {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, {}, 1, {}, false, true},
+      {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
       // Contact points.
       {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
       {"minimum_gap_no_contact", point, "L", "w⁰", "gap that the free response needs", {"Needed", "Diperlukan"}, &PointSummary::minimum_gap_no_contact},
@@ -104,6 +118,12 @@ std::deque<Quantity>& list() {
       {"gap_minimum_no_contact", gap, "L", "max w⁰", "gap that the free response needs, the largest of its points", {}, gap_of_points, "/minimum_gap_no_contact"},
       {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, whole_gap},
       {"unmodelled_contacts", gap, "1", "n_u", "floors that met what they face where no contact is modelled", {}, floors_met},
+      // Links, in the order of the case.
+      {"peak_compression", link_, "F", "max F", "largest push of the link, its dashpot included", {"Peak push", "Dorong puncak"}, &LinkSummary::peak_compression},
+      {"peak_tension", link_, "F", "max −F", "largest pull of the link, its dashpot included", {"Peak pull", "Tarik puncak"}, &LinkSummary::peak_tension},
+      {"peak_closing", link_, "L", "max δ", "largest shortening of the link", {"Closing", "Memendek"}, &LinkSummary::peak_closing},
+      {"peak_opening", link_, "L", "max −δ", "largest lengthening of the link", {"Opening", "Memanjang"}, &LinkSummary::peak_opening},
+      {"energy_dissipated", link_, "F L", "E", "energy that the link dissipated", {"Energy lost", "Energi hilang"}, &LinkSummary::energy_dissipated},
       // The run.
       {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, ground_acceleration, "/excitation/pga"},
       {"events", run, "1", "n_e", "contacts closed or opened", {}, events, "/solver/events"},
@@ -159,10 +179,31 @@ const Quantity& quantity_named(std::string_view key, Owner owner) {
 
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
+std::string file_name(const Quantity& quantity) {
+  const std::string_view prefix = quantity.owner == Owner::link     ? "link_"
+                                  : quantity.owner == Owner::impact ? "impact_"
+                                                                    : "";
+  return std::string(prefix) + std::string(quantity.key);
+}
+
+bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
+
+bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
+  const auto* source = std::get_if<YieldingSource>(&quantity.source);
+  return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
+}
+
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
   const Response& response = r.response;
   return std::visit(
       Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) { return (response.buildings[at.item].*member)(at.floor); },
+              [&](const YieldingSource& source) {
+                const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
+                return at.floor < values.size() ? values(at.floor) : none;
+              },
+              [&](double LinkSummary::*member) {
+                return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
+              },
               [&](std::optional<double> PointSummary::*member) {
                 return (response.points[at.item].*member).value_or(none);
               },
@@ -191,6 +232,12 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
                        if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
                        values(at.floor) = value;
                      },
+                     [&](const YieldingSource& source) {
+                       Eigen::VectorXd& values = response.buildings.at(at.item).*source.of.*source.list;
+                       if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
+                       values(at.floor) = value;
+                     },
+                     [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
                      [&](std::optional<double> PointSummary::*member) {
                        response.points.at(at.item).*member = std::isnan(value) ? std::nullopt : std::optional(value);
                      },
@@ -248,6 +295,8 @@ std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std:
   std::vector<TableColumn> columns;
   for (const Quantity* quantity : quantities_of(owner)) {
     if (quantity->label[language].empty()) continue;
+    const auto told = [&](const QuantityPlace& at) { return is_told(*quantity, r, at.item); };
+    if (!places.empty() && std::none_of(places.begin(), places.end(), told)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
     std::vector<std::string> cells = column(values);

@@ -16,7 +16,7 @@
 namespace bentur {
 
 /// What the values of a quantity belong to: one value for the run, or one each.
-enum class Owner { run, building, floor, point, gap, impact };
+enum class Owner { run, building, floor, point, gap, impact, link };
 
 /// A run as quantities are read from it.
 struct RunView {
@@ -28,16 +28,22 @@ struct RunView {
   std::vector<PointRestitution> restitutions;  ///< per contact point
 };
 
-/// Where a value is: number of the building, point, gap or impact, and of the floor.
+/// Where a value is: number of the building, point, gap, impact or link, and of the floor.
 struct QuantityPlace {
   Eigen::Index item = 0;
   Eigen::Index floor = 0;
 };
 
+/// A list of what storeys that yield do, of the run or of the free response.
+struct YieldingSource {
+  BuildingPeaks::Yielding BuildingPeaks::*of;
+  Eigen::VectorXd BuildingPeaks::Yielding::*list;
+};
+
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
 using QuantitySource =
-    std::variant<Eigen::VectorXd BuildingPeaks::*, double PointSummary::*, int PointSummary::*,
-                 std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
+    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, double PointSummary::*, int PointSummary::*,
+                 std::optional<double> PointSummary::*, double Impact::*, bool Impact::*, double LinkSummary::*,
                  double (*)(const RunView&, const QuantityPlace&), long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
@@ -56,6 +62,7 @@ struct Quantity {
   double shown_factor = 1;           ///< what the value is multiplied by for that
   std::optional<int> decimals = {};  ///< in tables; nothing: as many as its column needs
   bool audit_only = false;           ///< known with an energy audit alone
+  bool by_size = false;              ///< of either sign: |value| is what runs are compared by
 };
 
 /// All of them, in the order in which files and tables have them.
@@ -66,6 +73,13 @@ struct Quantity {
 [[nodiscard]] const Quantity& quantity_named(std::string_view key, Owner owner);
 /// Adds one, for a program that tells of something of its own. Not while others read the list.
 void add_quantity(const Quantity& quantity);
+
+/// Its name in NetCDF, where names of all owners stand side by side: "link_peak_tension", "impact_start", else the key.
+[[nodiscard]] std::string file_name(const Quantity& quantity);
+/// Whether it is told only of buildings that have storeys that can yield.
+[[nodiscard]] bool is_of_yielding(const Quantity& quantity);
+/// Whether it is told of item `item` of its owner.
+[[nodiscard]] bool is_told(const Quantity& quantity, const RunView& run, Eigen::Index item);
 
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
@@ -91,7 +105,7 @@ struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
 };
-/// A column for each quantity of this owner that has a label, with a cell for each place.
+/// A column for each quantity of this owner that has a label and is told of the places, with a cell for each place.
 /// @param language 0 English, 1 Indonesian
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
                                                      const std::vector<QuantityPlace>& places,

@@ -11,7 +11,7 @@ namespace bentur {
 std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {
   std::vector<RowPart> parts;
   const auto add = [&](const Quantity& quantity, Eigen::Index count) -> RowPart& {
-    parts.push_back({.name = std::string(quantity.key),
+    parts.push_back({.name = file_name(quantity),
                      .units = udunits(quantity.units, units),
                      .long_name = std::string(quantity.long_name),
                      .owner = quantity.owner,
@@ -24,6 +24,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
     const Building& building = problem.buildings[b];
     for (const Owner owner : {Owner::floor, Owner::building}) {
       for (const Quantity* quantity : quantities_of(owner)) {
+        if (is_of_yielding(*quantity) && !building.can_yield()) continue;
         RowPart& part = add(*quantity, owner == Owner::floor ? building.model.floors() : 1);
         part.name += fmt::format("_{}", b + 1);
         part.long_name += fmt::format(", building \"{}\"", building.name);
@@ -31,12 +32,13 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
       }
     }
   }
-  for (const Owner owner : {Owner::point, Owner::gap, Owner::run}) {
+  for (const Owner owner : {Owner::point, Owner::gap, Owner::link, Owner::run}) {
     for (const Quantity* quantity : quantities_of(owner)) {
       if (quantity->audit_only && !energy_audit) continue;
-      add(*quantity, owner == Owner::point ? std::ssize(problem.points)
-                     : owner == Owner::gap ? std::ssize(problem.buildings) - 1
-                                           : 1);
+      add(*quantity, owner == Owner::point  ? std::ssize(problem.points)
+                     : owner == Owner::gap  ? std::ssize(problem.buildings) - 1
+                     : owner == Owner::link ? std::ssize(problem.links)
+                                            : 1);
     }
   }
   return parts;
@@ -47,10 +49,14 @@ std::size_t row_size(const std::vector<RowPart>& parts) {
 }
 
 bool same_places(const Problem& a, const Problem& b) {
-  const auto floors = [](const Building& x, const Building& y) { return x.model.floors() == y.model.floors(); };
+  const auto floors = [](const Building& x, const Building& y) {
+    return x.model.floors() == y.model.floors() && x.can_yield() == y.can_yield();
+  };
   const auto left = [](const ContactPoint& x, const ContactPoint& y) { return x.left == y.left; };
+  const auto sides = [](const Link& x, const Link& y) { return x.left == y.left && x.right == y.right; };
   return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), floors) &&
-         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), left);
+         std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), left) &&
+         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), sides);
 }
 
 void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<double> row) {

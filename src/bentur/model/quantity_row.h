@@ -11,10 +11,10 @@ namespace bentur {
 
 /// The values of one quantity in the row of numbers that a study keeps of each run.
 struct RowPart {
-  std::string name;           ///< "peak_force"; of buildings and floors with their number, "peak_displacement_1"
-  std::string units;          ///< as UDUNITS reads it; "1" where there is none
+  std::string name;   ///< file_name(), "peak_force"; of buildings and floors with their number, "peak_displacement_1"
+  std::string units;  ///< as UDUNITS reads it; "1" where there is none
   std::string long_name;      ///< for a legend
-  Owner owner = Owner::run;   ///< one value, or one for each floor, point or gap
+  Owner owner = Owner::run;   ///< one value, or one for each floor, point, gap or link
   Eigen::Index building = 0;  ///< of buildings and floors
   Eigen::Index count = 1;     ///< how many values
   std::size_t first = 0;      ///< place of the first one in the row
@@ -22,13 +22,14 @@ struct RowPart {
 };
 
 /// The parts of a row, in its order: every quantity but those of impacts, building by building first. The numbers of
-/// floors, points and gaps are those of the problem; every problem of a study must have the same.
+/// floors, points, gaps and links are those of the problem; every problem of a study must have the same.
 [[nodiscard]] std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit);
 
 /// Values of a row: the sum of all counts.
 [[nodiscard]] std::size_t row_size(const std::vector<RowPart>& parts);
 
-/// Whether the floors, points and gaps of two problems are as many, so that their rows are alike.
+/// Whether the floors, points, gaps and links of two problems are as many, and the same buildings can yield, so that
+/// their rows are alike.
 [[nodiscard]] bool same_places(const Problem& a, const Problem& b);
 
 /// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/elements/kinematic_hardening.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur {
@@ -107,6 +109,35 @@ TEST_F(SweepRow, HoldsEachNumberUnderItsName) {
   EXPECT_EQ((*this)["energy_lost"], of_points([](const P& p) { return p.energy_lost; }));
   EXPECT_EQ((*this)["peak_ground_acceleration"], std::vector<double>{5});
   EXPECT_EQ((*this)["events"], std::vector<double>{1234});
+}
+
+TEST_F(SweepRow, YieldingOfBuildingsThatCanAndEveryLink) {
+  fill();
+  EXPECT_EQ(values_.count("ductility_1"), 0U);
+  EXPECT_TRUE((*this)["link_peak_tension"].empty());
+  const Problem elastic = problem_;
+  const auto law = std::make_shared<KinematicHardening>(32, 1, 0);
+  problem_.buildings[1].storey_laws = {law, nullptr};
+  Link link;
+  link.right = 2;
+  link.law = law;
+  problem_.links = {link, link};
+  response_.buildings[1].yielding = {Eigen::Vector2d(3, std::nan("")), Eigen::Vector2d(-1, 0), Eigen::Vector2d(5, 0)};
+  response_.links = {{.peak_tension = 8}, {.peak_tension = 9}};
+  fill();
+  EXPECT_EQ(values_.count("ductility_1"), 0U);
+  EXPECT_EQ((*this)["ductility_2"].at(0), 3);
+  EXPECT_TRUE(std::isnan((*this)["ductility_2"].at(1)));
+  EXPECT_EQ((*this)["residual_drift_ratio_2"], (std::vector<double>{-1, 0}));
+  EXPECT_EQ((*this)["hysteretic_energy_2"], (std::vector<double>{5, 0}));
+  EXPECT_TRUE(std::isnan((*this)["hysteretic_energy_no_contact_2"].at(0))) << "which this response does not have";
+  EXPECT_EQ((*this)["link_peak_tension"], (std::vector<double>{8, 9}));
+  EXPECT_EQ((*this)["peak_tension"].size(), 3U) << "of the contact points";
+  EXPECT_TRUE(same_places(problem_, problem_));
+  EXPECT_FALSE(same_places(problem_, elastic));
+  Problem other = problem_;
+  other.links.pop_back();
+  EXPECT_FALSE(same_places(problem_, other));
 }
 
 TEST_F(SweepRow, AGapNeedsWhatTheMostDemandingOfItsPointsNeeds) {

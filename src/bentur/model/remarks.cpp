@@ -185,6 +185,7 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     if (!(building.modes.omega(0) > 0)) continue;  // a free body
+    if (building.can_yield()) continue;            // both say what the linear elastic model overlooks
     const BuildingPeaks& peaks = response.buildings.at(b);
     list.most("drift", building.name, 100 * peaks.drift_ratio.maxCoeff(), "%", most_drift, most_drift);
     const Proportions found = proportions(building, c.units, &peaks);

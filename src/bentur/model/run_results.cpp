@@ -1,5 +1,6 @@
 #include "bentur/model/run_results.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -21,6 +22,13 @@ Eigen::MatrixXd sway_shapes(const Building& building) {
     if (const double largest = shape.cwiseAbs().maxCoeff(); largest > 0) shape /= largest;
   }
   return shapes;
+}
+
+bool some_building_yields(const Problem& problem, const Response& response) {
+  return std::any_of(problem.buildings.begin(), problem.buildings.end(),
+                     [](const Building& building) { return building.can_yield(); }) ||
+         std::any_of(response.buildings.begin(), response.buildings.end(),
+                     [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
 }
 
 RunResults run_results(Case c, Problem problem, Response response) {

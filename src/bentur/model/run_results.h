@@ -36,6 +36,9 @@ struct RunResults {
   [[nodiscard]] RunView view() const { return {problem, response, c.units}; }
 };
 
+/// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
+[[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);
+
 /// Those of a run that has been solved, without data for figures.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 

@@ -55,6 +55,8 @@ std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::s
   return texts;
 }
 
-std::string model_text(std::string_view language) { return html::Words(language)("remarks.model"); }
+std::string model_text(bool yields, std::string_view language) {
+  return html::Words(language)(yields ? "remarks.model_yielding" : "remarks.model");
+}
 
 }  // namespace bentur

@@ -14,7 +14,7 @@ namespace bentur {
 [[nodiscard]] std::vector<std::string> remark_texts(const std::vector<Remark>& remarks,
                                                     std::string_view language = "en");
 
-/// What the model leaves out.
-[[nodiscard]] std::string model_text(std::string_view language = "en");
+/// What the model leaves out. @param yields some_building_yields()
+[[nodiscard]] std::string model_text(bool yields, std::string_view language = "en");
 
 }  // namespace bentur

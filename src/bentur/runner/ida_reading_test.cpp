@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -48,7 +49,7 @@ class MadeUp : public testing::Test {
       const std::string& parameter = "gap[0].width", const std::string& of_files = "") const {
     const fs::path& folder = folder_.path();
     std::ofstream(folder / "bentur-made-up.toml")
-        << "case = '" << (tests / "bad_study/plain-case.toml").string() << "'\n"
+        << "case = '" << case_.string() << "'\n"
         << ida << "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['"
         << (tests / "bad_input/good.AT2").string() << "', {file = '"
         << (tests / "bad_input/good-two-column.txt").string() << "', unit = 'm/s2'}]\n"
@@ -75,6 +76,8 @@ class MadeUp : public testing::Test {
     if (run == 5) return {run, RunStatus::failed, "made up", {}};
     for (const RowPart& quantity : runs.quantities()) {
       if (quantity.name == "peak_force") result.values[quantity.first + 1] = force(run);
+      if (quantity.name == "residual_drift_ratio_1")
+        result.values[quantity.first] = force(run) * (run % 2 == 0 ? 1 : -1);
       if (quantity.name == "peak_drift_ratio_2") result.values[quantity.first + quantity.count - 1] = force(run) / 1000;
     }
     return result;
@@ -91,6 +94,7 @@ class MadeUp : public testing::Test {
   }
 
   TemporaryFolder folder_;
+  fs::path case_ = tests / "bad_study/plain-case.toml";
 };
 
 TEST_F(MadeUp, EachOutcomeIsFoundWhereItBelongs) {
@@ -125,6 +129,33 @@ TEST_F(MadeUp, EachOutcomeIsFoundWhereItBelongs) {
     EXPECT_TRUE(results->axes[0].coordinates[0].is_gap_width());
     EXPECT_EQ(results->places(2), std::vector<std::size_t>{2});
   }
+}
+
+// Which way a building leans does not matter: what can have either sign is compared by its size.
+TEST_F(MadeUp, AResidualDriftCountsBothWays) {
+  std::ifstream stream(case_);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::size_t at = text.find("stiffnesses = ");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "yield_forces = 1e3, ");
+  case_ = folder_.path() / "yields.toml";
+  std::ofstream(case_) << text;
+  const fs::path file = written();
+  Diagnostics diagnostics;
+  const auto results = read_ida_results(file, "residual_drift_ratio > 11.5", diagnostics);
+  ASSERT_TRUE(results.has_value());
+  const OutcomeTable& table = results->table;
+  for (std::size_t record = 0; record < records; ++record) {
+    for (std::size_t width = 0; width < widths; ++width) {
+      for (std::size_t level = 0; level < levels; ++level) {
+        const std::size_t run = (record * widths + width) * levels + level;
+        const Outcome expected = run == 5 ? Outcome::failed : force(run) > 11.5 ? Outcome::event : Outcome::no_event;
+        EXPECT_EQ(table.at(width, record, level), expected) << "run " << run;
+      }
+    }
+  }
+  EXPECT_TRUE(is_compared_by_size(NetcdfReader(file), "residual_drift_ratio_1"));
+  EXPECT_FALSE(is_compared_by_size(NetcdfReader(file), "ductility_1"));
 }
 
 TEST_F(MadeUp, ErrorsSayWhatToDo) {

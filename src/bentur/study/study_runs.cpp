@@ -107,7 +107,7 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) c
   ReadCase read = read_chosen(study_, root, *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
   Problem problem = read.problem();
-  if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors or contact points");
+  if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors, contact points or links");
   FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
   return std::make_shared<const Group>(
       Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(free)});

@@ -62,7 +62,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   for (const Quantity* quantity : quantities_of(owner)) {
     const Json::json_pointer at(quantity->pointer.empty() ? "/" + std::string(quantity->key)
                                                           : std::string(quantity->pointer));
-    if (object.contains(at)) continue;
+    if (object.contains(at) || !is_told(*quantity, run, item)) continue;
     if (owner == Owner::floor) {
       Json list = Json::array();
       for (Eigen::Index i = 0; i < run.problem.buildings[item].model.floors(); ++i) {
@@ -113,6 +113,26 @@ Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) 
   put_quantities(json, Owner::point, run, i);
   json["contact"] = contact_json(*point.law, contact);
   return json;
+}
+
+/// The links of each [[link]] table of the case.
+Json links_json(const RunView& run, const Case& c) {
+  Json tables = Json::array();
+  for (const std::vector<Eigen::Index>& of_table : links_by_spec(c.links)) {
+    Json points = Json::array();
+    Json names;
+    for (const Eigen::Index i : of_table) {
+      const Link& link = run.problem.links.at(static_cast<std::size_t>(i));
+      Json json = {{"elevation", link.elevation}};
+      put_quantities(json, Owner::link, run, i);
+      json["link"] = {{"law", c.links[tables.size()].law}};
+      for (const auto& [name, value] : link.law->parameters()) json["link"][std::string(name)] = value;
+      points.push_back(json);
+      names = {run.problem.buildings[link.left].name, run.problem.buildings[link.right].name};
+    }
+    tables.push_back({{"between", names}, {"points", points}});
+  }
+  return tables;
 }
 
 Json solver_json(const Solver& solver, const Response& response) {
@@ -195,6 +215,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
                {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
                {"gaps", gaps}};
+  if (!c.links.empty()) json["links"] = links_json(run, c);
   put_quantities(json, Owner::run, run);
   return dump(json);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <variant>
@@ -41,6 +42,9 @@ std::string damping_text(const Damping& damping, const Words& say) {
   }
   if (const auto* mass = std::get_if<MassProportionalDamping>(&damping)) {
     return say("damping.mass", {{"ratio", percent_list({mass->ratio})}});
+  }
+  if (const auto* stiffness = std::get_if<StiffnessProportionalDamping>(&damping)) {
+    return say("damping.stiffness", {{"ratio", percent_list({stiffness->ratio})}});
   }
   return say("damping.matrix");
 }
@@ -114,6 +118,17 @@ Html structure_echo(const Stick& stick, const Story& story, Rows& rows) {
   table.add(say("column.height"), units.length, reversed(stick.storey_heights, storeys));
   table.add(say("column.mass"), mass_unit(story.c), reversed(stick.masses, storeys));
   table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
+  if (!stick.yield_forces.empty()) {
+    rows.emplace_back(say("input.hysteresis"),
+                      stick.hysteresis == Hysteresis::bilinear
+                          ? say("input.bilinear")
+                          : say("input.peak_oriented", {{"exponent", number(stick.unloading_exponent)}}));
+    std::vector<double> forces = reversed(stick.yield_forces, storeys);
+    for (double& force : forces) force = std::isinf(force) ? std::numeric_limits<double>::quiet_NaN() : force;
+    table.add(say("column.yield_force"), units.force, forces);
+    table.add(say("column.hardening"), "",
+              reversed(stick.hardening.empty() ? std::vector<double>{0} : stick.hardening, storeys));
+  }
   return table.markup();
 }
 
@@ -176,7 +191,9 @@ Html building_echo(const Story& story, Eigen::Index b) {
   Rows rows;
   const Html table =
       std::visit([&](const auto& structure) { return structure_echo(structure, story, rows); }, spec.structure);
-  rows.emplace_back(say("input.damping"), damping_text(spec.damping, say));
+  const std::string damping = damping_text(spec.damping, say);
+  rows.emplace_back(say("input.damping"),
+                    spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);
   if (spec.calibrate_period) rows.emplace_back(say("input.calibrated"), quantity(*spec.calibrate_period, "s"));
   if (spec.base_elevation != 0) {
     rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, story.c.units.length));
@@ -235,6 +252,30 @@ Html gap_echo(const Story& story, Eigen::Index gap) {
     table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, story.c.units), values);
   }
   return element("h3", say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}})) + facts(rows) + table.markup();
+}
+
+/// Of one [[link]] table, from the top down.
+Html link_echo(const Story& story, const LinkSpec& spec, const std::vector<Eigen::Index>& links) {
+  if (links.empty()) return {};
+  const Words& say = story.say;
+  const Units& units = story.c.units;
+  const auto unit = [&](std::string_view name) -> std::string {
+    if (name == "yield_force") return units.force;
+    return name == "slack" ? units.length : parameter_unit(name, spec.law, units);
+  };
+  std::vector<double> elevations = spec.elevations;
+  std::reverse(elevations.begin(), elevations.end());
+  HtmlTable table;
+  table.add(say("column.elevation"), units.length, elevations);
+  const LinkLaw* const law = find_link_law(spec.law);
+  for (const LinkKey& key : law != nullptr ? law->keys : std::vector<LinkKey>()) {
+    std::vector<double> values;
+    for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
+    table.add(say("parameter." + std::string(key.name)), unit(key.name), values);
+  }
+  const std::string name = link_name(story.problem, story.problem.links.at(links.front()));
+  return element("h3", say("heading.links_of", {{"link", name}})) +
+         facts({{say("input.link_law"), say("input." + spec.law)}}) + table.markup();
 }
 
 Html motion_echo(const Story& story) {
@@ -350,6 +391,8 @@ Html input_section(const Story& story) {
   if (!story.from_case()) content += buildings_of_results(story);
   for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) content += building_echo(story, b);
   for (Eigen::Index gap = 0; gap < std::ssize(story.c.gaps); ++gap) content += gap_echo(story, gap);
+  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(story.c.links);
+  for (std::size_t k = 0; k < links.size(); ++k) content += link_echo(story, story.c.links[k], links[k]);
   content += initial_echo(story) + analysis_echo(story);
   return section("input", story.say("heading.input"), content);
 }

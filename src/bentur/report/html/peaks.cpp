@@ -56,6 +56,16 @@ Html building_table(const Story& story, Eigen::Index b) {
   return table.markup();
 }
 
+/// Of one [[link]] table, from the top down.
+Html links_table(const Story& story, const std::vector<Eigen::Index>& links) {
+  std::vector<double> elevations;
+  for (const Eigen::Index i : links) elevations.push_back(story.problem.links[i].elevation);
+  HtmlTable table;
+  table.add(story.say("column.elevation"), story.c.units.length, elevations);
+  add_quantities(table, story, Owner::link, places_of(links));
+  return table.markup();
+}
+
 /// Restitution asked and obtained, where a law was asked for one or an impact tells one.
 Html restitution_table(const Story& story) {
   if (!story.from_case()) return {};
@@ -104,7 +114,8 @@ Html remarks_section(const Story& story) {
     content += element("li", Html::text(text));
   }
   if (!story.remarks.empty()) content = element("ul", content);
-  content += element("p", Html::text(model_text(story.say.language())));
+  content +=
+      element("p", Html::text(model_text(some_building_yields(story.problem, story.response), story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);
 }
 
@@ -117,12 +128,21 @@ Html peaks_section(const Story& story) {
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
   }
   content += restitution_table(story);
+  for (std::vector<Eigen::Index> links : links_by_spec(story.c.links)) {
+    if (links.empty()) continue;
+    std::reverse(links.begin(), links.end());
+    const std::string name = link_name(story.problem, story.problem.links.at(links.front()));
+    content += element("h3", Html::text(say("heading.links_of", {{"link", name}}))) + links_table(story, links);
+  }
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
                proportions_text(story, b);
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
+  if (some_building_yields(story.problem, story.response)) {
+    content += element("p", Html::text(say("peaks.yielding_note")), "class=\"note\"");
+  }
   if (story.response.energy) {
     const EnergyAudit& energy = *story.response.energy;
     content += element(

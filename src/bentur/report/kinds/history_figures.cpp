@@ -170,7 +170,7 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
     curve.y.assign(sum.begin(), sum.end());
     return within(curve, asked);
   };
-  const Panel panel{
+  Panel panel{
       .x = {.label = time_label, .from = asked.from, .to = asked.to},
       .y = {.label = with_unit("Energy E", unit_text("F L", run.c.units))},
       .height = 5,
@@ -179,6 +179,9 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
                  part(energy.damping, {.label = "damping", .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
                  part(energy.contact_stored + energy.contact_lost,
                       {.label = "contact", .tone = Tone::blue, .line = Line::dash_dot, .width = 1.2})}};
+  if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
+    panel.curves.push_back(part(energy.hysteretic, {.label = "yielding", .tone = Tone::orange, .line = Line::dashed}));
+  }
   return {.title = "Where the energy is, of all buildings together", .panels = {panel}, .width = options.width};
 }
 

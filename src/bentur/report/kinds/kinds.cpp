@@ -30,6 +30,12 @@ bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value
 bool has_energy(const RunResults& run) {
   return run.response.energy && run.response.energy->histories.input.size() > 0;
 }
+bool has_yielding(const RunResults& run) {
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  const bool any = std::any_of(buildings.begin(), buildings.end(),
+                               [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
+  return any && !run.response.histories.time.empty();
+}
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
@@ -43,6 +49,8 @@ const RunKind run_kinds[] = {
     {"amplification", "largest displacement with contact over that without, over the height", always,
      amplification_figure},
     {"modes", "mode shapes of each building", always, modes_figure},
+    {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
+     storey_loop_figure},
     {"energy", "where the energy is", has_energy, energy_figure},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
@@ -63,7 +71,11 @@ const RunKind run_kinds[] = {
 
 /// Of contact points there are none where a study models no contact.
 bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
-  return results.find(kind.quantity) != nullptr || results.find(kind.quantity + "_1") != nullptr;
+  if (results.find(kind.quantity) != nullptr) return true;
+  for (int b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
+    if (results.find(fmt::format("{}_{}", kind.quantity, b)) != nullptr) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -123,7 +135,7 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
       if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
     }
     // Any other quantity by its own name.
-    const auto is_it = [&](const Quantity& one) { return one.key == kind && one.owner != Owner::impact; };
+    const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };
     const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
     if (quantity != quantities().end()) {
       const SweepKind by_name{kind, kind, std::string(quantity->long_name)};

@@ -14,15 +14,21 @@ namespace {
 constexpr std::size_t most_owner_curves = 6;  // points or floors drawn one by one
 constexpr std::size_t most_level_curves = 4;  // values of a second parameter drawn as curves, not as a map
 
-/// The variables of a kind: one, or one for each building.
-std::vector<std::string> quantities(const NetcdfReader& results, const SweepKind& kind) {
-  if (results.find(kind.quantity) != nullptr) return {kind.quantity};
-  std::vector<std::string> names;
-  for (std::size_t b = 1;; ++b) {
-    const std::string name = fmt::format("{}_{}", kind.quantity, b);
-    if (results.find(name) == nullptr) return names;
-    names.push_back(name);
+/// A variable, and of which building it is, from 1; 0 where it is of none.
+struct SweepVariable {
+  std::string name;
+  std::size_t building = 0;
+};
+
+/// The variables of a kind: one, or one for each building that has it.
+std::vector<SweepVariable> quantities(const NetcdfReader& results, const SweepKind& kind) {
+  if (results.find(kind.quantity) != nullptr) return {{kind.quantity}};
+  std::vector<SweepVariable> found;
+  for (std::size_t b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
+    std::string name = fmt::format("{}_{}", kind.quantity, b);
+    if (results.find(name) != nullptr) found.push_back({std::move(name), b});
   }
+  return found;
 }
 
 /// "Model 1" out of the long name of the floors, where it stands in quotes.
@@ -58,15 +64,15 @@ class SweepDrawing {
   }
 
   Figure make() {
-    const std::vector<std::string> names = quantities(sweep_.results(), kind_);
+    const std::vector<SweepVariable> found = quantities(sweep_.results(), kind_);
     Figure figure{.title = kind_.label, .width = options_.width};
-    for (std::size_t q = 0; q < names.size(); ++q) {
-      Panel panel = this->panel(names[q]);
-      if (names.size() > 1) panel.title = building_name(sweep_.results(), q + 1);
-      if (q + 1 < names.size()) panel.x.label = "";
+    for (const SweepVariable& one : found) {
+      Panel panel = this->panel(one.name);
+      if (found.size() > 1) panel.title = building_name(sweep_.results(), one.building);
+      if (&one != &found.back()) panel.x.label = "";
       figure.panels.push_back(std::move(panel));
     }
-    figure.shared_legend = names.size() > 1 && same_legends(figure);
+    figure.shared_legend = found.size() > 1 && same_legends(figure);
     return figure;
   }
 

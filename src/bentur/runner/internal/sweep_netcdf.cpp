@@ -63,7 +63,7 @@ class SweepFile {
   std::vector<Dimension> run_dimensions_;
   std::vector<std::size_t> run_sizes_;
   std::vector<Dimension> floors_;  // of each building
-  Dimension points_{}, gaps_{};
+  Dimension points_{}, gaps_{}, links_{};
   std::vector<Variable> varies_;
   std::vector<std::optional<Variable>> quantities_;  // nothing for what no run has
   Variable status_{}, message_{};
@@ -111,6 +111,9 @@ void SweepFile::define_places() {
   if (!problem_.points.empty()) points_ = file_.dimension("point", problem_.points.size());
   gaps_ = file_.dimension("gap", problem_.buildings.size() - 1);
   define_points();
+  if (problem_.links.empty()) return;
+  links_ = file_.dimension("link", problem_.links.size());
+  write_link_places(file_, links_, problem_, runs_.facts().links_move ? "" : udunit(runs_.facts().units.length));
 }
 
 void SweepFile::define_points() {
@@ -200,7 +203,7 @@ void SweepFile::define_quantities() {
     if (!names.empty()) file_.attribute(variable, "coordinates", names);
   };
   for (const RowPart& quantity : runs_.quantities()) {
-    if (quantity.count == 0) {  // of contact points where there are none
+    if (quantity.count == 0) {  // of contact points or links where there are none
       quantities_.emplace_back();
       continue;
     }
@@ -215,9 +218,14 @@ void SweepFile::define_quantities() {
       dimensions.push_back(points_);
       names += runs_.facts().points_move ? "point_left point_right" : "point_elevation point_left point_right";
     }
+    if (quantity.owner == Owner::link) {
+      dimensions.push_back(links_);
+      names += runs_.facts().links_move ? "link_left link_right" : "link_elevation link_left link_right";
+    }
     const Variable variable =
         file_.define(quantity.name, NetcdfType::number, dimensions, quantity.units, quantity.long_name);
     file_.attribute(variable, "symbol", std::string(quantity.quantity->symbol));
+    if (quantity.quantity->by_size) file_.attribute(variable, "compared_by", "size");
     coordinates(variable, names);
     quantities_.emplace_back(variable);
   }
@@ -365,11 +373,12 @@ SweepTotals SweepFile::write(const Journal& journal, const std::string& version)
 
 void check_names(const Study& study, Diagnostics& diagnostics) {
   // Whatever the case has: no name may mean one thing in one study and another in the next.
-  std::set<std::string_view> taken = {"point",         "gap",      "intensity", "record_intensity", "scale_factor",
-                                      "normalisation", "sample",   "status",    "message",          "point_left",
-                                      "point_right",   "gap_name", "elevation", "point_elevation"};
+  std::set<std::string> taken = {"point",         "gap",        "intensity",     "record_intensity", "scale_factor",
+                                 "normalisation", "sample",     "status",        "message",          "point_left",
+                                 "point_right",   "gap_name",   "elevation",     "point_elevation",  "link",
+                                 "link_left",     "link_right", "link_elevation"};
   for (const Quantity& quantity : quantities()) {
-    if (quantity.owner != Owner::impact) taken.insert(quantity.key);
+    if (quantity.owner != Owner::impact) taken.insert(file_name(quantity));
   }
   const auto is_taken = [&](const std::string& name) { return taken.count(name) > 0 || without_number(name) != name; };
   for (const Vary& vary : study.varies) {

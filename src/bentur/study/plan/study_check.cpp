@@ -194,7 +194,9 @@ class Trial {
   void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
     const Problem& first = facts_.problem;
     if (!same_places(first, problem)) {
-      because_of(axis, choices, "the numbers of floors and contact points must be the same in all runs");
+      because_of(axis, choices,
+                 "the numbers of floors, contact points and links, and which buildings can yield, must be the same in "
+                 "all runs");
       ++errors_;
       return;
     }
@@ -203,6 +205,9 @@ class Trial {
     }
     for (std::size_t i = 0; i < first.points.size(); ++i) {
       facts_.points_move |= first.points[i].elevation != problem.points[i].elevation;
+    }
+    for (std::size_t i = 0; i < first.links.size(); ++i) {
+      facts_.links_move |= first.links[i].elevation != problem.links[i].elevation;
     }
   }
 

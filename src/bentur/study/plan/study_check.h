@@ -23,6 +23,7 @@ struct StudyFacts {
   std::set<std::string> record_files;          ///< where they are
   bool floors_move = false;                    ///< elevations of floors differ between runs
   bool points_move = false;                    ///< elevations of contact points differ between runs
+  bool links_move = false;                     ///< elevations of links do
   RecordIntensities intensities;               ///< with [ida]
 };
 

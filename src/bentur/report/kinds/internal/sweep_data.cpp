@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "bentur/files/ida_reading.h"
 #include "bentur/report/figures/internal/text.h"
 
 namespace bentur {
@@ -118,6 +119,9 @@ std::size_t SweepData::owners(const std::string& quantity) const {
 std::vector<double> SweepData::values(const std::string& quantity, const std::vector<std::size_t>& at) const {
   if (loaded_ != quantity) {
     held_ = results_.numbers(quantity);
+    if (is_compared_by_size(results_, quantity)) {
+      for (double& value : held_) value = std::abs(value);
+    }
     loaded_ = quantity;
   }
   std::size_t run = 0;
@@ -132,7 +136,8 @@ std::vector<std::string> SweepData::owner_names(const std::string& quantity) con
   const std::size_t count = owners(quantity);
   if (variable.shape.size() == dimensions_.size()) return {""};
   const std::string& dimension = variable.dimensions.back();
-  const NetcdfVariable* elevations = results_.find(dimension == "point" ? "point_elevation" : dimension);
+  const NetcdfVariable* elevations =
+      results_.find(dimension == "point" || dimension == "link" ? dimension + "_elevation" : dimension);
   std::vector<std::string> names;
   if (elevations != nullptr && !elevations->text && elevations->shape == std::vector<std::size_t>{count}) {
     const std::string unit = elevations->units == "1" ? "" : " " + unit_text(elevations->units);

@@ -40,9 +40,10 @@ class SweepData {
   /// Index of a dimension among dimensions(); their count where there is none of that name.
   [[nodiscard]] std::size_t index(const std::string& name) const;
 
-  /// Values of a quantity at one combination of the dimensions' values, one per point, floor or gap.
+  /// Values of a quantity at one combination of the dimensions' values, one per point, floor, gap or link; the sizes of
+  /// what can have either sign.
   [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const;
-  /// How many points, floors or gaps a quantity has values for; 1 where there is one value a run.
+  /// How many points, floors, gaps or links a quantity has values for; 1 where there is one value a run.
   [[nodiscard]] std::size_t owners(const std::string& quantity) const;
   /// Their names, "z = 300 cm" or "gap 1"; one empty name where there is one value a run.
   [[nodiscard]] std::vector<std::string> owner_names(const std::string& quantity) const;

@@ -6,7 +6,6 @@
 namespace bentur::engine {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 namespace {
 
@@ -74,9 +73,9 @@ bool GuardMonitor::enter(Index i, const Branch& branch) {
   group.rows.offset(i - group.first) = offset;
   limits_[i] = limit;
   stays_[i] = 0;
-  VectorXd limits = VectorXd::Zero(group.rows.size());
-  for (Index n = 0; n < group.count; ++n) limits(n) = limits_[group.first + n];
-  group.rows.limit(limits);
+  group_limits_.setZero(group.rows.size());
+  for (Index n = 0; n < group.count; ++n) group_limits_(n) = limits_[group.first + n];
+  group.rows.limit(group_limits_);
   return watched;
 }
 

@@ -44,6 +44,7 @@ class GuardMonitor {
   std::vector<double> offsets_;  ///< per element
   std::vector<double> limits_;   ///< per element: of its row; infinite where that is not watched
   std::vector<char> stays_;
+  Eigen::VectorXd group_limits_;  ///< scratch
   Eigen::Index stride_;
 };
 
