@@ -22,7 +22,6 @@ namespace bentur::test {
 struct RandomYielding {
   Problem problem;
   bool straight = true;  ///< no contact is integrated
-  bool rests = false;    ///< some contact may rest
 };
 
 /// Draws rows of two to four sticks of one to eight storeys [m, N, s]: storeys that stay elastic, bilinear and
@@ -108,7 +107,6 @@ class YieldingGenerator {
       result.problem.points.push_back(point);
     }
     result.straight = result.straight && example->straight;
-    result.rests = result.rests || example->law == "restitution";
   }
 
   void link(Problem& problem) {

@@ -29,10 +29,8 @@ struct Allowed {
   double difference, energy;
 };
 Allowed allowed(const RandomYielding& random) {
-  if (random.straight) return {1e-6, 1e-9};  // steps of `adaptive`, of 1e-11, add up over thousands of them
-  // Contacts that are integrated, by steps of 1e-10; and others beside them that rest, which are not held at exactly
-  // zero by such steps, and are moved there where they let go.
-  return random.rests ? Allowed{1e-5, 1e-5} : Allowed{1e-6, 1e-7};
+  // Steps of `adaptive`, of 1e-11, add up over thousands of them; contacts that are integrated by `exact` have 1e-10.
+  return random.straight ? Allowed{1e-6, 1e-9} : Allowed{1e-6, 1e-8};
 }
 // A case that numbers moved by 1e-12 move by more than this is too sensitive to say more of it than that.
 constexpr double moved_by = 1e-12, amplifies = 1e4;
