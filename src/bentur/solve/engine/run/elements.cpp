@@ -46,7 +46,7 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std:
                                            const std::vector<double>& offsets) {
   std::vector<GuardMonitor::Watched> all;
   for (Index i = 0; i < std::ssize(laws); ++i) {
-    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({})});
+    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({}), i < system.switched});
   }
   return all;
 }

@@ -32,7 +32,8 @@ GuardMonitor::GuardMonitor(const std::vector<Watched>& elements, Index stride)
     sides_.push_back(sides);
     offsets_.push_back(element.offset);
     rows.push_back({element.relation, sides == Sides::lower ? -1.0 : 1.0,
-                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values});
+                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values,
+                    element.switched});
   }
   groups_ = relation_groups(rows);
   for (Index i = 0; i < std::ssize(elements); ++i) (void)enter(i, elements[i].first);

@@ -17,6 +17,7 @@ class GuardMonitor {
     const ModalSystem::Relation* relation = nullptr;
     double offset = 0;  ///< of δ [length]
     Branch first;
+    bool switched = false;  ///< the free response does without it
   };
   explicit GuardMonitor(const std::vector<Watched>& elements, Eigen::Index stride);
 
