@@ -143,6 +143,25 @@ TEST(ExactAndAdaptive, AgreeOnARowOfFourThatRestsAtTimes) {
   EXPECT_LE(difference(solve(problem), solve(problem, AdaptiveSolver{1e-12})), 1e-8);
 }
 
+TEST(ExactAndAdaptive, AgreeWhereAnIntegratedContactBeginsBesideOneThatRests) {
+  // A free building is pushed against one with a spring, on which it rests, and both meet a third one.
+  for (const std::string label : {"hertz", "jankowski"}) {
+    Problem problem;
+    problem.buildings = {oscillator(mass, 0), oscillator(mass, 2e7), oscillator(mass, 4e8)};
+    problem.points = {point(0, 0, 0, "restitution"), point(1, 0, 0.02, label)};
+    problem.motion = SampledMotion{0.5, {-4, -4, -4}};
+    problem.duration = 0.5;
+    SolveOptions options;
+    options.energy_audit = true;
+    const Response exact = solve(problem, ExactSolver{}, options), adaptive = solve(problem, AdaptiveSolver{1e-12});
+    EXPECT_LE(exact.energy->relative_residual(), 1e-9);
+    ASSERT_GE(exact.impacts.size(), 2u);
+    EXPECT_LT(exact.impacts[0].start, exact.impacts[1].start);
+    EXPECT_GT(exact.impacts[0].end, exact.impacts[1].start);
+    EXPECT_LE(difference(exact, adaptive), 1e-8) << label;
+  }
+}
+
 TEST(ExactAndAdaptive, AgreeOnADampingMatrixThatModesDoNotDiagonalise) {
   Problem problem = pair(stick(2, mass, 2e8), stick(2, mass, 0.6e8), {}, 2.0);
   MatrixXd c = 0.003 * problem.buildings[0].model.stiffness;

@@ -19,4 +19,46 @@ bool Building::can_yield() const {
   return std::any_of(storey_laws.begin(), storey_laws.end(), [](const auto& law) { return law != nullptr; });
 }
 
+Eigen::MatrixXd drift_rows(const StructuralModel& model) {
+  if (model.drifts.size() > 0) return model.drifts;
+  const Eigen::Index floors = model.floors();
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(floors, model.dofs());
+  for (Eigen::Index f = 0; f < floors; ++f) {
+    rows(f, f) = 1;
+    if (f > 0) rows(f, f - 1) = -1;
+  }
+  return rows;
+}
+
+Eigen::MatrixXd shear_rows(const StructuralModel& model) {
+  if (model.shears.size() > 0) return model.shears;
+  const Eigen::Index floors = model.floors();
+  Eigen::MatrixXd rows(floors, model.dofs());
+  for (Eigen::Index f = 0; f < floors; ++f) {
+    rows.row(f) = model.stiffness.middleRows(f, floors - f).colwise().sum();
+    for (Eigen::Index node = 0; node < model.nodes(); ++node) {  // those above the floor below
+      const double below = f > 0 ? model.elevations[f - 1] : model.elevations[0] - model.storey_heights[0];
+      if (model.node_elevations[node] > below) rows.row(f) += model.stiffness.row(floors + node);
+    }
+  }
+  return rows;
+}
+
+StructuralModel::RigidBody rigid_body(const StructuralModel& model) {
+  if (model.rigid_body.rocking.size() > 0) return model.rigid_body;
+  const double base = model.elevations.front() - model.storey_heights.front();
+  Eigen::VectorXd ones = Eigen::VectorXd::Zero(model.dofs());
+  Eigen::VectorXd heights = ones;
+  for (Eigen::Index f = 0; f < model.floors(); ++f) {
+    ones(f) = 1;
+    heights(f) = model.elevations[f] - base;
+  }
+  StructuralModel::RigidBody body;
+  body.rocking = model.mass * heights;
+  body.mass = ones.dot(model.mass * ones);
+  body.moment = ones.dot(body.rocking);
+  body.inertia = heights.dot(body.rocking);
+  return body;
+}
+
 }  // namespace bentur

@@ -25,6 +25,29 @@ struct StructuralModel {
   /// θ of a frame's joints, clockwise, as rows over the dofs [1/length, or 1 on a rotation that was kept]: of its
   /// leftmost and its rightmost column line, floors × dofs each; both empty where there are no joints.
   Eigen::MatrixXd left_joints, right_joints;
+  /// Rows over the dofs, floors × dofs: each storey's drift Δ_j [-] and its shear V_j [force/length]. Empty: x_j − x_{j−1},
+  /// and the sum of K over floors ≥ j.
+  Eigen::MatrixXd drifts = {}, shears = {};
+  /// How all of it moves as one rigid body with its base, by sways of 1 and by h, the heights above the base: feet of
+  /// columns included.
+  struct RigidBody {
+    double mass = 0;          ///< [mass]
+    double moment = 0;        ///< Σ m h [mass·length]
+    double inertia = 0;       ///< Σ m h² [mass·length²]
+    Eigen::VectorXd rocking;  ///< M h, dofs [mass·length]
+    double foot_mass = 0;     ///< lower halves of the lowest columns [mass]
+  };
+  RigidBody rigid_body = {};  ///< `rocking` empty: M r and M h of the floors are all there is
+  bool has_slab = false;      ///< the first floor is a slab on bearings: it has no storey height, its drift is a length
+  bool has_soil = false;      ///< the last two dofs are sway and rocking of the foundation
+  /// The forces at the ends of both pieces of a column that has a node between floors, as rows over the dofs, six a node:
+  /// shears below and above [force/length], moments at the bottom, at the node from below and from above, at the top
+  /// [force]. Nodes sway as the dofs after the floors'.
+  Eigen::MatrixXd column_forces = {};
+  std::vector<double> node_elevations = {};  ///< [length]
+  std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
+
+  [[nodiscard]] Eigen::Index nodes() const { return std::ssize(node_elevations); }
   [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };
@@ -52,6 +75,17 @@ struct Building {
     return storey_laws.empty() ? nullptr : storey_laws.at(storey).get();
   }
   [[nodiscard]] bool can_yield() const;
+  /// Moves with the ground (a moat wall): it has no modes.
+  [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
+
+  /// Gravity loads act (P-Δ), so that it may collapse.
+  bool has_gravity_loads = false;
 };
+
+/// Rows over the dofs: drifts of all storeys [-], shears of all storeys [force/length].
+[[nodiscard]] Eigen::MatrixXd drift_rows(const StructuralModel& model);
+[[nodiscard]] Eigen::MatrixXd shear_rows(const StructuralModel& model);
+/// The rigid body of a model, as it says or of M r and M h.
+[[nodiscard]] StructuralModel::RigidBody rigid_body(const StructuralModel& model);
 
 }  // namespace bentur

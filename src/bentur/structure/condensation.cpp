@@ -41,6 +41,11 @@ StructuralModel with_mass_and_load(const StructuralModel& model, const Eigen::Ma
     reduced.left_joints = model.left_joints * t;
     reduced.right_joints = model.right_joints * t;
   }
+  reduced.node_elevations = model.node_elevations;
+  reduced.node_masses = model.node_masses;
+  if (model.column_forces.size() > 0) reduced.column_forces = model.column_forces * t;
+  reduced.rigid_body = model.rigid_body;
+  if (model.rigid_body.rocking.size() > 0) reduced.rigid_body.rocking = t.transpose() * model.rigid_body.rocking;
   reduced.mass = symmetric_part(t.transpose() * model.mass * t);
   reduced.load = t.transpose() * model.load;
   return reduced;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -83,15 +84,42 @@ void check(const PlaneFrame& frame, double base_elevation) {
 
 }  // namespace
 
+namespace {
+
+constexpr double least_distance = 0.01;  // of a node from a joint, of the storey height
+
+/// One end of a piece of a column.
+struct ColumnEnd {
+  Eigen::Index sway, rotation;
+  double elevation;
+  Eigen::Index node;  // −1: a joint or the base
+};
+
+/// The shears and moments at the ends of the pieces below and above a node, as they are needed there.
+struct Piece {
+  ElementDofs dofs;
+  Eigen::Matrix4d stiffness;
+};
+
+void add_row(Eigen::MatrixXd& rows, Eigen::Index row, const Piece& piece, Eigen::Index force) {
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    if (piece.dofs[j] != fixed) rows(row, piece.dofs[j]) += piece.stiffness(force, j);
+  }
+}
+
+}  // namespace
+
 StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation) {
   check(frame, base_elevation);
   const Eigen::Index floors = std::ssize(frame.storey_heights);
   const Eigen::Index lines = std::ssize(frame.bay_widths) + 1;
-  const Eigen::Index dofs = floors + floors * lines;
+  const Eigen::Index nodes = std::ssize(frame.nodes);
+  const Eigen::Index sways = floors + nodes;
+  const Eigen::Index dofs = sways + floors * lines + nodes;
   // Floor −1 is the base.
   const auto sway = [&](Eigen::Index floor) { return floor < 0 ? fixed : floor; };
   const auto rotation = [&](Eigen::Index floor, Eigen::Index line) {
-    return floor < 0 ? fixed : floors + floor * lines + line;
+    return floor < 0 ? fixed : sways + floor * lines + line;
   };
   const bool consistent = frame.mass_matrix == MassMatrix::consistent;
 
@@ -99,31 +127,84 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   model.storey_heights = frame.storey_heights;
   model.elevations.resize(frame.storey_heights.size());
   std::partial_sum(frame.storey_heights.begin(), frame.storey_heights.end(), model.elevations.begin());
+  const std::vector<double> levels = model.elevations;  // above the base
   for (double& elevation : model.elevations) elevation += base_elevation;
   model.stiffness = Eigen::MatrixXd::Zero(dofs, dofs);
   model.mass = Eigen::MatrixXd::Zero(dofs, dofs);
   model.floor_masses.assign(frame.storey_heights.size(), 0.0);   // half of the columns that meet there, and `moving`
   std::vector<double> moving(frame.storey_heights.size(), 0.0);  // beams and floor_masses of each floor [mass]
   Eigen::VectorXd base_coupling = Eigen::VectorXd::Zero(dofs);   // m_g [mass]
+  StructuralModel::RigidBody& body = model.rigid_body;
+  model.node_masses.assign(frame.nodes.size(), 0.0);
+  for (const ColumnNode& node : frame.nodes) model.node_elevations.push_back(base_elevation + node.elevation);
+  if (nodes > 0) model.column_forces = Eigen::MatrixXd::Zero(6 * nodes, dofs);
 
+  // From bottom to top: the joint or the base, nodes in this column, the joint above.
+  const auto ends_of_column = [&](Eigen::Index floor, Eigen::Index line) {
+    std::vector<ColumnEnd> ends = {
+        {sway(floor - 1), rotation(floor - 1, line), floor > 0 ? levels[floor - 1] : 0.0, -1}};
+    const double height = frame.storey_heights[floor];
+    for (Eigen::Index n = 0; n < nodes; ++n) {
+      const ColumnNode& node = frame.nodes[n];
+      if (line != (node.left ? 0 : lines - 1)) continue;
+      const double above = node.elevation - ends.front().elevation;
+      if (above <= least_distance * height || above >= (1 - least_distance) * height) continue;
+      ends.push_back({floors + n, sways + floors * lines + n, node.elevation, n});
+    }
+    std::sort(ends.begin() + 1, ends.end(),
+              [](const ColumnEnd& a, const ColumnEnd& b) { return a.elevation < b.elevation; });
+    ends.push_back({sway(floor), rotation(floor, line), levels[floor], -1});
+    return ends;
+  };
+
+  std::vector<char> placed(frame.nodes.size(), 0);
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     const Section& column = frame.columns[floor];
     const double height = frame.storey_heights[floor];
-    const Eigen::Matrix4d column_stiffness = element_stiffness(frame.elastic_modulus * column.inertia, height);
-    const double mass = column.mass_of(height);
-    const Eigen::Matrix4d column_mass = element_mass(mass, height);
     for (Eigen::Index line = 0; line < lines; ++line) {
-      const ElementDofs ends = {sway(floor - 1), rotation(floor - 1, line), sway(floor), rotation(floor, line)};
-      add(model.stiffness, column_stiffness, ends);
-      if (consistent) {
-        add(model.mass, column_mass, ends);
-        if (floor == 0) {  // forces at the upper end for a unit acceleration of the lower one: column 1 of (2-50)
-          base_coupling(ends[2]) += column_mass(2, 0);
-          base_coupling(ends[3]) += column_mass(3, 0);
+      const std::vector<ColumnEnd> ends = ends_of_column(floor, line);
+      std::vector<Piece> pieces;
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const ColumnEnd& bottom = ends[i];
+        const ColumnEnd& top = ends[i + 1];
+        const double length = ends.size() == 2 ? height : top.elevation - bottom.elevation;
+        const double mass = ends.size() == 2 ? column.mass_of(height) : column.mass_of(height) * length / height;
+        const ElementDofs of = {bottom.sway, bottom.rotation, top.sway, top.rotation};
+        pieces.push_back({of, element_stiffness(frame.elastic_modulus * column.inertia, length)});
+        add(model.stiffness, pieces.back().stiffness, of);
+        const bool at_base = floor == 0 && i == 0;
+        const Eigen::Matrix4d inertia = element_mass(mass, length);
+        if (consistent) {
+          add(model.mass, inertia, of);
+          if (at_base) {  // forces at the upper end for a unit acceleration of the lower one: column 1 of (2-50)
+            base_coupling(of[2]) += inertia(2, 0);
+            base_coupling(of[3]) += inertia(3, 0);
+          }
+        }
+        if (at_base) {
+          body.mass += consistent ? inertia(0, 0) : mass / 2;
+          body.foot_mass += mass / 2;
+        }
+        for (const ColumnEnd* end : {&bottom, &top}) {
+          if (end->node >= 0) {
+            model.node_masses[end->node] += mass / 2;
+          } else if (end->sway != fixed) {
+            model.floor_masses[end->sway] += mass / 2;
+          }
         }
       }
-      model.floor_masses[floor] += mass / 2;
-      if (floor > 0) model.floor_masses[floor - 1] += mass / 2;
+      for (std::size_t i = 1; i + 1 < ends.size(); ++i) {
+        const Eigen::Index node = ends[i].node;
+        placed[node] = 1;
+        const Piece& below = pieces[i - 1];
+        const Piece& above = pieces[i];
+        add_row(model.column_forces, 6 * node, below, 2);
+        add_row(model.column_forces, 6 * node + 1, above, 0);
+        add_row(model.column_forces, 6 * node + 2, below, 1);
+        add_row(model.column_forces, 6 * node + 3, below, 3);
+        add_row(model.column_forces, 6 * node + 4, above, 1);
+        add_row(model.column_forces, 6 * node + 5, above, 3);
+      }
     }
     const Section& beam = frame.beams[floor];
     for (Eigen::Index bay = 0; bay + 1 < lines; ++bay) {
@@ -135,12 +216,24 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     }
     if (!frame.floor_masses.empty()) moving[floor] += frame.floor_masses[floor];
   }
+  for (Eigen::Index n = 0; n < nodes; ++n) {
+    if (placed[n] != 0) continue;
+    throw InvalidParameter(indexed("nodes", n), fmt::format("{}", frame.nodes[n].elevation),
+                           "must be between two floors, 1 % of the storey height or more from both: where it is nearer, "
+                           "the floor itself is what is struck");
+  }
   for (Eigen::Index i = 0; i < floors; ++i) {
     model.floor_masses[i] += moving[i];
     if (!(model.floor_masses[i] > 0)) {
       throw InvalidParameter(indexed("floor_masses", i), "0", "must be > 0 where columns and beams have no mass");
     }
     model.mass(i, i) += consistent ? moving[i] : model.floor_masses[i];
+  }
+  for (Eigen::Index n = 0; n < nodes; ++n) {
+    if (!(model.node_masses[n] > 0)) {
+      throw InvalidParameter("columns", "no mass", "must have mass where a node is struck");
+    }
+    if (!consistent) model.mass(floors + n, floors + n) += model.node_masses[n];
   }
 
   model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);
@@ -152,18 +245,28 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     throw InvalidParameter("elastic_modulus", fmt::format("{}", frame.elastic_modulus),
                            "must be one that numbers can hold together with these sections, lengths and masses");
   }
-  model.load = model.mass.leftCols(floors).rowwise().sum();  // M r
+  Eigen::VectorXd ones = Eigen::VectorXd::Zero(dofs);
+  ones.head(sways).setOnes();
+  Eigen::VectorXd heights = Eigen::VectorXd::Zero(dofs);
+  for (Eigen::Index f = 0; f < floors; ++f) heights(f) = levels[f];
+  for (Eigen::Index n = 0; n < nodes; ++n) heights(floors + n) = frame.nodes[n].elevation;
+  model.load = model.mass.leftCols(sways).rowwise().sum();  // M r
   if (frame.base_coupling) model.load += base_coupling;
+  body.rocking = model.mass * heights;
+  body.mass += ones.dot(model.mass.leftCols(sways).rowwise().sum()) + 2 * ones.dot(base_coupling);
+  body.moment = heights.dot(model.load);
+  body.inertia = heights.dot(body.rocking);
   return model;
 }
 
 StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation) {
   StructuralModel model = assemble_plane_frame(frame, base_elevation);
   const Eigen::Index floors = model.floors();
-  const Eigen::Index rotations = model.dofs() - floors;
+  const Eigen::Index sways = floors + model.nodes();
+  const Eigen::Index rotations = model.dofs() - sways;
   const bool massless = model.mass.bottomRightCorner(rotations, rotations).isZero(0);
-  if (massless || frame.condensation == Condensation::static_) return condense_statically(model, floors);
-  if (frame.condensation == Condensation::dynamic) return condense_dynamically(model, floors);
+  if (massless || frame.condensation == Condensation::static_) return condense_statically(model, sways);
+  if (frame.condensation == Condensation::dynamic) return condense_dynamically(model, sways);
   if (Eigen::LLT<Eigen::MatrixXd>(model.mass).info() != Eigen::Success) {
     throw InvalidParameter("condensation", "none", "needs a column or beam with mass at every floor");
   }

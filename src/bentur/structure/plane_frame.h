@@ -17,6 +17,13 @@ struct Section {
   [[nodiscard]] double mass_of(double length) const { return mass + line_mass * length; }
 };
 
+/// A node in an outer column between two floors, where a neighbour's floor may strike it: a sway and a rotation of that
+/// column alone.
+struct ColumnNode {
+  bool left = false;     ///< in the leftmost column line; else in the rightmost one
+  double elevation = 0;  ///< above the base [length]
+};
+
 enum class MassMatrix { consistent, lumped };
 enum class Condensation { static_, dynamic, none };
 
@@ -32,10 +39,12 @@ struct PlaneFrame {
   MassMatrix mass_matrix = MassMatrix::consistent;
   Condensation condensation = Condensation::static_;
   bool base_coupling = true;  ///< m_g (docs/theory/structure.md, Load); false: without, as the monograph's (2-1)
+  std::vector<ColumnNode> nodes = {};  ///< any order; their sways are dofs after the floors', in this order
 };
 
-/// Mass, stiffness and load of the frame with all joint rotations: dofs = floors + floors × (bays + 1), sways first,
-/// then rotations floor by floor, left to right. Element stiffness (2-48), consistent mass (2-50).
+/// Mass, stiffness and load of the frame with all rotations: dofs = floors + nodes + floors × (bays + 1) + nodes; sways of
+/// floors and nodes first, then rotations of joints floor by floor, left to right, then those of nodes. Element stiffness
+/// (2-48), consistent mass (2-50).
 /// `base_elevation` [length] is that of the base above the ground datum; nothing but `elevations` depends on it.
 /// @throws InvalidParameter when list lengths disagree or a value is outside its range.
 [[nodiscard]] StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation = 0.0);

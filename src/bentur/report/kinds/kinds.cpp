@@ -30,6 +30,12 @@ bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value
 bool has_energy(const RunResults& run) {
   return run.response.energy && run.response.energy->histories.input.size() > 0;
 }
+bool has_yielding(const RunResults& run) {
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  const bool any = std::any_of(buildings.begin(), buildings.end(),
+                               [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
+  return any && !run.response.histories.time.empty();
+}
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
@@ -43,6 +49,8 @@ const RunKind run_kinds[] = {
     {"amplification", "largest displacement with contact over that without, over the height", always,
      amplification_figure},
     {"modes", "mode shapes of each building", always, modes_figure},
+    {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
+     storey_loop_figure},
     {"energy", "where the energy is", has_energy, energy_figure},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},

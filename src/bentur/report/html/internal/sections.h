@@ -42,6 +42,9 @@ constexpr std::size_t most_impacts = 1500;
 /// Contact totals per level and peaks per floor.
 [[nodiscard]] Html peaks_section(const Story& story);
 
+/// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
+[[nodiscard]] Html damage_section(const Story& story);
+
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
 [[nodiscard]] Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
 

@@ -32,6 +32,7 @@ namespace bentur {
 [[nodiscard]] Figure envelope_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure amplification_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure storey_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 

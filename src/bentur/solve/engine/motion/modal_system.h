@@ -26,13 +26,14 @@ struct ElementForces {
   std::vector<Eigen::Index> constant;   ///< elements with a constant force, which is in their force coordinate
   std::vector<Eigen::Index> resting;    ///< elements whose δ stays zero, whatever force it takes
   std::vector<Eigen::Index> nonlinear;  ///< elements with a force that no Linear describes
-  Eigen::VectorXd load;                 ///< what the constant ones do to every coordinate; empty: nothing
+  Eigen::VectorXd load;                 ///< what the constant ones do to every coordinate …
+  bool loaded = false;                  ///< … where they do anything
   double fading = 0;                    ///< fastest rate at which a surface comes back [1/s]
 
   [[nodiscard]] bool none() const {
     return pressing.empty() && constant.empty() && resting.empty() && nonlinear.empty();
   }
-  [[nodiscard]] const double* load_or_null() const { return load.size() > 0 ? load.data() : nullptr; }
+  [[nodiscard]] const double* load_or_null() const { return loaded ? load.data() : nullptr; }
 };
 
 /// All buildings side by side in modal coordinates. The coordinates of one building are its modes, then its ground

@@ -105,6 +105,8 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
       system_->push(i, impulse(i), dv);
       system_->push(i, moment(i), dq);
     }
+    const Eigen::VectorXd reactions = hold(start.forces.resting, dv);
+    (void)hold(start.forces.resting, dq);
     double change = system_->speed(dv) / size;
     for (const Eigen::Index i : start.forces.nonlinear) {  // and, at each, its closing speed
       const ModalSystem::Relation& relation = system_->elements[i].relation;
@@ -120,10 +122,28 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
     c.col(2) += 3.0 * dq - h * dv;
     c.col(3) += h * dv - 2.0 * dq;
     motion.evaluate(1.0, to);
+    for (Eigen::Index n = 0; n < std::ssize(start.forces.resting); ++n) {
+      Polynomial held = motion.resting_force(start.forces.resting[n]);
+      held[0] += reactions(n) / h;
+      motion.set_resting_force(start.forces.resting[n], held);
+    }
     first_guess_ = h;
     return true;
   }
   return false;
+}
+
+/// Takes from a change of velocities or positions what would move resting elements; returns their reactions, whose push
+/// does so.
+Eigen::VectorXd Stepper::hold(const std::vector<Eigen::Index>& resting, Eigen::VectorXd& change) const {
+  if (resting.empty()) return {};
+  Eigen::VectorXd missing(std::ssize(resting));
+  for (Eigen::Index n = 0; n < std::ssize(resting); ++n) {
+    missing(n) = system_->elements[resting[n]].relation.along(change);
+  }
+  Eigen::VectorXd reactions = system_->forces_for(resting, missing);
+  for (Eigen::Index n = 0; n < std::ssize(resting); ++n) system_->push(resting[n], reactions(n), change);
+  return reactions;
 }
 
 bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {

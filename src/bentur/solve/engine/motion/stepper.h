@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bentur/solve/engine/motion/runge_kutta/embedded_pair.h"
 #include "bentur/solve/engine/motion/runge_kutta/fixed_step.h"
 #include "bentur/solve/engine/motion/runge_kutta/step_control.h"
@@ -48,6 +50,7 @@ class Stepper {
   enum class Way { series, pair, fixed };
   [[nodiscard]] BuildingRange island(const ElementForces& forces) const;
   bool begin_contact(const Start& start, double longest, Expansion& motion, State& to);
+  Eigen::VectorXd hold(const std::vector<Eigen::Index>& resting, Eigen::VectorXd& change) const;
   [[nodiscard]] double longest_before_parting(const Start& start, double h) const;
   bool advance_by_pair(const Start& start, double longest, Expansion& motion, State& to);
   void expand_pair(const Start& start, double h, Expansion& motion, State& to);

@@ -46,7 +46,7 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std:
                                            const std::vector<double>& offsets) {
   std::vector<GuardMonitor::Watched> all;
   for (Index i = 0; i < std::ssize(laws); ++i) {
-    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({})});
+    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({}), i < system.switched});
   }
   return all;
 }
@@ -355,7 +355,7 @@ void Elements::gather(State& state) {
   forces_.constant.clear();
   forces_.resting.clear();
   forces_.nonlinear.clear();
-  forces_.load.resize(0);
+  forces_.loaded = false;
   forces_.fading = 0.0;
   may_fly_ = true;
   any_touching_ = false;
@@ -390,7 +390,8 @@ void Elements::gather(State& state) {
     state.v(element.force) = moved * linear.stiffness * speed(i, state);
   }
   for (const Index i : forces_.constant) {
-    if (forces_.load.size() == 0) forces_.load.setZero(system_->size);
+    if (!forces_.loaded) forces_.load.setZero(system_->size);
+    forces_.loaded = true;
     system_->push(i, forces_.linear[i].base, forces_.load);
   }
 }

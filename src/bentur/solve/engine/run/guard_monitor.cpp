@@ -6,7 +6,6 @@
 namespace bentur::engine {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 namespace {
 
@@ -33,7 +32,8 @@ GuardMonitor::GuardMonitor(const std::vector<Watched>& elements, Index stride)
     sides_.push_back(sides);
     offsets_.push_back(element.offset);
     rows.push_back({element.relation, sides == Sides::lower ? -1.0 : 1.0,
-                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values});
+                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values,
+                    element.switched});
   }
   groups_ = relation_groups(rows);
   for (Index i = 0; i < std::ssize(elements); ++i) (void)enter(i, elements[i].first);
@@ -73,9 +73,9 @@ bool GuardMonitor::enter(Index i, const Branch& branch) {
   group.rows.offset(i - group.first) = offset;
   limits_[i] = limit;
   stays_[i] = 0;
-  VectorXd limits = VectorXd::Zero(group.rows.size());
-  for (Index n = 0; n < group.count; ++n) limits(n) = limits_[group.first + n];
-  group.rows.limit(limits);
+  group_limits_.setZero(group.rows.size());
+  for (Index n = 0; n < group.count; ++n) group_limits_(n) = limits_[group.first + n];
+  group.rows.limit(group_limits_);
   return watched;
 }
 

@@ -17,6 +17,7 @@ class GuardMonitor {
     const ModalSystem::Relation* relation = nullptr;
     double offset = 0;  ///< of δ [length]
     Branch first;
+    bool switched = false;  ///< the free response does without it
   };
   explicit GuardMonitor(const std::vector<Watched>& elements, Eigen::Index stride);
 
@@ -43,6 +44,7 @@ class GuardMonitor {
   std::vector<double> offsets_;  ///< per element
   std::vector<double> limits_;   ///< per element: of its row; infinite where that is not watched
   std::vector<char> stays_;
+  Eigen::VectorXd group_limits_;  ///< scratch
   Eigen::Index stride_;
 };
 

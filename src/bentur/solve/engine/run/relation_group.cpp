@@ -19,7 +19,7 @@ std::vector<RelationGroup> relation_groups(const std::vector<Bounded>& relations
     const ModalSystem::Relation& one = *relations[i].relation;
     const ModalSystem::Relation& other = *relations[j].relation;
     return one.left_begin == other.left_begin && one.right_begin == other.right_begin &&
-           relations[i].of == relations[j].of;
+           relations[i].of == relations[j].of && relations[i].switched == relations[j].switched;
   };
   for (Index first = 0, end = 0; first < std::ssize(relations); first = end) {
     while (end < std::ssize(relations) && alike(first, end)) ++end;
@@ -27,7 +27,7 @@ std::vector<RelationGroup> relation_groups(const std::vector<Bounded>& relations
     const Index columns = of.right_size > 0 ? of.right_begin + of.right_size - of.left_begin : of.left_size;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(end - first, columns);
     for (Index i = first; i < end; ++i) {
-      const auto& [relation, sign, kind] = relations[i];
+      const auto& [relation, sign, kind, switched] = relations[i];
       matrix.row(i - first).head(relation->left_size) = sign * relation->left_row.transpose();
       matrix.row(i - first).tail(relation->right_size) += sign * relation->right_row.transpose();
     }

@@ -25,6 +25,7 @@ struct Bounded {
   const ModalSystem::Relation* relation = nullptr;
   double sign = 1;
   kernels::Peaks of = kernels::Peaks::of_values;
+  bool switched = false;  ///< of what the free response does without
 };
 
 /// Groups of those that follow one another and are of the same buildings and kind.

@@ -87,7 +87,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
   }
   flush_buffer();
   settle_peaks();
-  settle_watches();
+  for (SpanWatch& watch : watches_) settle(watch);
   return status();
 }
 
@@ -158,7 +158,7 @@ bool Run::cruise() {
     flush_buffer();
     if (settle_before(segment_)) {
       settle_peaks();
-      settle_watches();
+      for (SpanWatch* watch : {&watches_[0], &watches_[1]}) settle(*watch);  // a checkpoint has no need of the rest
       settled_before(segment_);
     }
   }
@@ -366,7 +366,7 @@ void Run::watch_step(double time, double cut) {
 }
 
 void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
-  if (system_.load_of(stretch.from.q.data(), replayed_forces_.load) == nullptr) replayed_forces_.load.resize(0);
+  replayed_forces_.loaded = system_.load_of(stretch.from.q.data(), replayed_forces_.load) != nullptr;
   replay_within(stretch, wanted, each);
 }
 
@@ -407,10 +407,6 @@ void Run::replay_within(const Stretch& stretch, const Wanted& wanted, const Each
 /// Looks into what bounds left unsettled, so that what is nearest so far is known.
 void Run::settle_peaks() {
   search_.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
-}
-
-void Run::settle_watches() {
-  for (SpanWatch& watch : watches_) settle(watch);
 }
 
 void Run::settle(SpanWatch& watch) {

@@ -139,7 +139,6 @@ class Run {
   [[nodiscard]] bool lasts(double length) const;
   void watch_step(double time, double cut);
   void settle_peaks();
-  void settle_watches();
   void settle(SpanWatch& watch);
   void bound_memory();
   void fail(const std::string& reason, double time);

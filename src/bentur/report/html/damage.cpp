@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/html/internal/sections.h"
+
+namespace bentur::html {
+namespace {
+
+using Yielding = BuildingPeaks::Yielding;
+
+constexpr double percent = 100;
+constexpr double darkest = 8;  // ductility of the darkest fill
+
+bool yields(const Story& story, Eigen::Index b) { return story.response.buildings[b].yielding.ductility.size() > 0; }
+
+/// What was done to one building, storey by storey from the top down.
+Html damage_table(const Story& story, Eigen::Index b) {
+  const BuildingPeaks& peaks = story.response.buildings[b];
+  const Eigen::Index storeys = peaks.yielding.ductility.size();
+  const auto column = [&](const Eigen::VectorXd& values, double factor) {
+    std::vector<std::string> cells;
+    for (Eigen::Index f = storeys; f-- > 0;) {
+      const bool known = f < values.size() && std::isfinite(values(f));
+      cells.push_back(known ? number(factor * values(f)) : "–");
+    }
+    return cells;
+  };
+  std::vector<std::string> names;
+  for (Eigen::Index f = storeys; f-- > 0;) names.push_back(std::to_string(f + 1));
+  const Words& say = story.say;
+  const std::string energy = story.c.units.force + "·" + story.c.units.length;
+  const Yielding& with = peaks.yielding;
+  const Yielding& without = peaks.yielding_no_contact;
+  HtmlTable table;
+  table.add(say("column.storey"), "", names);
+  table.add(say("column.ductility"), "", column(with.ductility, 1));
+  table.add(say("column.ductility_no_contact"), "", column(without.ductility, 1));
+  table.add(say("column.residual"), "%", column(with.residual_drift_ratio, percent));
+  table.add(say("column.residual_no_contact"), "%", column(without.residual_drift_ratio, percent));
+  table.add(say("column.hysteretic"), energy, column(with.hysteretic_energy, 1));
+  table.add(say("column.hysteretic_no_contact"), energy, column(without.hysteretic_energy, 1));
+  return table.markup();
+}
+
+/// White up to first yield, from there on the darker the more.
+std::string fill_of(double ductility) {
+  if (!(ductility > 1)) return "#fff";
+  const double share = std::min(1.0, std::log(ductility) / std::log(darkest));
+  const auto mix = [share](double light, double dark) { return std::lround(light + share * (dark - light)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(253, 127), mix(224, 39), mix(190, 4));
+}
+
+/// The building, each storey a box of two halves: without contact and with it.
+Html drawing(const Story& story, Eigen::Index b) {
+  constexpr double half = 34;    // width of a half
+  constexpr double height = 30;  // of a storey
+  constexpr double margin = 8;
+  const BuildingPeaks& peaks = story.response.buildings[b];
+  const Eigen::Index storeys = peaks.yielding.ductility.size();
+  const double top = margin;
+  std::string boxes;
+  for (Eigen::Index f = 0; f < storeys; ++f) {
+    const double y = top + height * static_cast<double>(storeys - 1 - f);
+    const auto box = [&](double x, double ductility) {
+      const std::string text = std::isfinite(ductility) ? fmt::format("{:.3g}", ductility) : "–";
+      const bool dark = ductility > 3;
+      boxes += fmt::format(
+          "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#444\" stroke-width=\".7\"/>"
+          "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
+          x, y, half, height, fill_of(ductility), x + 0.5 * half, y + 0.5 * height + 4, dark ? "#fff" : "#1c2024",
+          text);
+    };
+    const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
+    box(margin, f < without.size() ? without(f) : std::nan(""));
+    box(margin + half, peaks.yielding.ductility(f));
+  }
+  const double ground = top + height * static_cast<double>(storeys);
+  boxes += fmt::format("<line x1=\"0\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"#1c2024\" stroke-width=\"2\"/>",
+                       2 * (margin + half), ground, ground);
+  const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
+  const Html svg = element("svg", Html::markup(boxes), "viewBox=\"" + box + "\" role=\"img\"");
+  return element("figure",
+                 svg + element("figcaption", Html::text(story.problem.buildings[b].name)));
+}
+
+Html lead(const Story& story) {
+  int all = 0;
+  int yielded = 0;
+  int yielded_without = 0;
+  Eigen::Index worst_building = -1;
+  Eigen::Index worst = 0;
+  double most = 1;
+  for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
+    if (!yields(story, b)) continue;
+    const BuildingPeaks& peaks = story.response.buildings[b];
+    const Eigen::VectorXd& with = peaks.yielding.ductility;
+    const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
+    for (Eigen::Index f = 0; f < with.size(); ++f) {
+      if (std::isnan(with(f))) continue;
+      ++all;
+      yielded += with(f) > 1 ? 1 : 0;
+      yielded_without += f < without.size() && without(f) > 1 ? 1 : 0;
+      if (!(with(f) > most)) continue;
+      most = with(f);
+      worst_building = b;
+      worst = f;
+    }
+  }
+  const Words& say = story.say;
+  Html content = element("p", Html::text(say("damage.lead", {{"yielded", std::to_string(yielded)},
+                                                            {"all", std::to_string(all)},
+                                                            {"without", std::to_string(yielded_without)}})),
+                         "class=\"lead\"");
+  if (worst_building < 0) return content;
+  const BuildingPeaks& peaks = story.response.buildings[worst_building];
+  const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
+  content += element(
+      "p", Html::text(say("damage.worst",
+                          {{"building", story.problem.buildings[worst_building].name},
+                           {"storey", std::to_string(worst + 1)},
+                           {"with", number(most)},
+                           {"without", worst < without.size() ? number(without(worst)) : "–"},
+                           {"residual", number(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
+  return content;
+}
+
+}  // namespace
+
+Html damage_section(const Story& story) {
+  Html drawings;
+  Html tables;
+  for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
+    if (!yields(story, b)) continue;
+    drawings += drawing(story, b);
+    tables += element("h3", Html::text(story.problem.buildings[b].name)) + damage_table(story, b);
+  }
+  if (drawings.str().empty()) return {};
+  const Words& say = story.say;
+  return section("damage", say("heading.damage"),
+                 lead(story) + element("div", drawings, "class=\"damage\"") +
+                     element("p", Html::text(say("damage.drawing")), "class=\"note\"") + tables +
+                     element("p", Html::text(say("damage.note")), "class=\"note\""));
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_figures.h"
+
+namespace bentur {
+namespace {
+
+constexpr double percent = 100;
+
+/// The storey of a building that yields most, or the one below the elevation asked for; nothing where none can yield.
+std::optional<Eigen::Index> chosen_storey(const RunResults& run, Eigen::Index b, const FigureOptions& options) {
+  const Eigen::VectorXd& ductility = run.response.buildings[b].yielding.ductility;
+  std::optional<Eigen::Index> chosen;
+  for (Eigen::Index f = 0; f < ductility.size(); ++f) {
+    if (std::isnan(ductility(f))) continue;
+    const double elevation = run.problem.buildings[b].model.elevations[f];
+    const double tolerance = 1e-6 * std::max(1.0, std::abs(elevation));
+    if (options.elevation && std::abs(elevation - *options.elevation) > tolerance) continue;
+    if (!chosen || ductility(f) > ductility(*chosen)) chosen = f;
+  }
+  return chosen;
+}
+
+/// V over Δ/h of one storey, its yield drift marked.
+Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey) {
+  const Histories& histories = run.response.histories;
+  const BuildingPeaks& peaks = run.response.buildings[b];
+  Curve curve;
+  for (std::size_t n = 0; n < histories.time.size(); ++n) {
+    const auto sample = static_cast<Eigen::Index>(n);
+    curve.x.push_back(percent * histories.drift_ratio[b](storey, sample));
+    curve.y.push_back(histories.storey_shear[b](storey, sample));
+  }
+  const double yield = percent * peaks.drift_ratio(storey) / peaks.yielding.ductility(storey);
+  Panel panel{.title = fmt::format("{}, storey {}", run.problem.buildings[b].name, storey + 1),
+              .x = {.label = "Storey drift Δ/h [%]"},
+              .y = {.label = with_unit("Storey shear V", run.c.units.force)},
+              .height = 5,
+              .curves = {curve}};
+  if (peaks.yielding.ductility(storey) >= 1) {
+    panel.rules = {{.at = yield, .vertical = true, .line = Line::dotted},
+                   {.at = -yield, .vertical = true, .line = Line::dotted}};
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure storey_loop_figure(const RunResults& run, const FigureOptions& options) {
+  Figure figure{.title = "Storey shear over drift, the yield drift dotted", .width = options.width};
+  for (const Eigen::Index b : shown_buildings(run, options)) {
+    if (const auto storey = chosen_storey(run, b, options)) figure.panels.push_back(loop(run, b, *storey));
+  }
+  if (figure.panels.empty()) throw NoFigure("no storey that can yield is there");
+  return figure;
+}
+
+}  // namespace bentur
