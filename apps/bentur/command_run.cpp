@@ -32,6 +32,16 @@ struct RunArguments {
   bool force = false;
 };
 
+/// Columns behind the elevations [length] of their places.
+Table table_of(std::vector<TableColumn> columns, const RunView& run, const std::vector<double>& elevations) {
+  Table table;
+  table.add("Level", run.units.length, elevations);
+  for (TableColumn& column : columns) {
+    table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
+  }
+  return table;
+}
+
 /// Every quantity of contact points, links or floors that is for tables, behind the elevations of the places.
 Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places) {
   std::vector<double> elevations;
@@ -40,12 +50,16 @@ Table quantity_table(const RunView& run, Owner owner, const std::vector<Quantity
                          : owner == Owner::link ? run.problem.links[at.item].elevation
                                                 : run.problem.buildings[at.item].model.elevations[at.floor]);
   }
-  Table table;
-  table.add("Level", run.units.length, elevations);
-  for (TableColumn& column : table_columns(owner, run, places)) {
-    table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
-  }
-  return table;
+  return table_of(table_columns(owner, run, places), run, elevations);
+}
+
+/// What the storeys of a building do that yield, each by the floor above it; empty where none can.
+std::string yielding_table(const RunView& run, Eigen::Index building) {
+  const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
+  std::vector<TableColumn> columns = yielding_columns(run, floors_from_top(run.problem, building));
+  if (columns.empty()) return "";
+  return fmt::format("\nYielding of {}, storeys by the floor above them\n\n{}", run.problem.buildings[building].name,
+                     table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}).text());
 }
 
 /// The contact points of a gap from the top down.
@@ -199,6 +213,7 @@ std::string summary_text(const RunResults& run) {
     text += fmt::format("  Base shear {} of the weight; {}\n",
                         found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
                         proportions_text(building, found, run.c.units));
+    text += yielding_table(view, b);
   }
   const std::string unusual = remarks_text(run.remarks);
   text += "\n" + unusual + wrapped(model_text(some_building_yields(problem, run.response))) + "\n";
@@ -207,9 +222,9 @@ std::string summary_text(const RunResults& run) {
                         number(run.response.energy->peak_input), run.c.units.force, run.c.units.length,
                         run.response.energy->relative_residual());
   }
-  return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} contacts closed or opened\n",
-                            solver_name(run.c.analysis.solver), number(problem.duration),
-                            number(1e3 * run.response.wall_time), run.response.steps, run.response.events);
+  return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} events\n", solver_name(run.c.analysis.solver),
+                            number(problem.duration), number(1e3 * run.response.wall_time), run.response.steps,
+                            run.response.events);
 }
 
 /// The result files of a run in one folder.

@@ -442,20 +442,28 @@ TEST(HistoriesNetcdf, YieldingAndLinksAreReadBack) {
   EXPECT_EQ(read.response.links[1].energy_dissipated, 7);
 }
 
-TEST(Tables, ColumnsOfYieldingOnlyWhereABuildingCan) {
+TEST(Tables, YieldingHasATableOfItsOwnWhereABuildingCan) {
   Fixture f;
   f.add_yielding_and_links();
   const RunResults results = f.results();
   const RunView run = results.view();
-  const auto labels = [&](Owner owner, const std::vector<QuantityPlace>& places) {
+  const auto labels = [](const std::vector<TableColumn>& columns) {
     std::string list;
-    for (const TableColumn& column : table_columns(owner, run, places)) list += column.label + "; ";
+    for (const TableColumn& column : columns) list += column.label + "; ";
     return list;
   };
-  const std::string elastic = "Displacement; Without contact; Amplification; Drift; Acceleration; Storey shear; ";
-  EXPECT_EQ(labels(Owner::floor, floors_of(f.problem, 1)), elastic);
-  EXPECT_EQ(labels(Owner::floor, floors_of(f.problem, 0)), elastic + "Ductility; Residual drift; Energy by yielding; ");
-  EXPECT_EQ(labels(Owner::link, first_places(2)), "Peak push; Peak pull; Closing; Opening; Energy lost; ");
+  const std::string of_floors = "Displacement; Without contact; Amplification; Drift; Acceleration; Storey shear; ";
+  for (const Eigen::Index b : {0, 1}) {
+    EXPECT_EQ(labels(table_columns(Owner::floor, run, floors_of(f.problem, b))), of_floors);
+  }
+  EXPECT_EQ(labels(yielding_columns(run, floors_of(f.problem, 0))),
+            "Ductility; Residual drift; Energy by yielding; Ductility without contact; Residual drift without contact; "
+            "Energy by yielding without contact; ");
+  EXPECT_TRUE(yielding_columns(run, floors_of(f.problem, 1)).empty());
+  const TableColumn ductility = yielding_columns(run, floors_of(f.problem, 0)).front();
+  EXPECT_EQ(ductility.cells, (std::vector<std::string>{"2.500", "–"}));
+  EXPECT_EQ(labels(table_columns(Owner::link, run, first_places(2))),
+            "Peak push; Peak pull; Closing; Opening; Energy lost; ");
 }
 
 TEST(HistoriesNetcdf, TheSameHistoriesGiveTheSameBytes) {

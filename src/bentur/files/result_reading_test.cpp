@@ -75,6 +75,24 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
     EXPECT_EQ(results.response.points[i].peak_force, response.points[i].peak_force);
     EXPECT_EQ(results.response.points[i].peak_force_time, response.points[i].peak_force_time);
   }
+  ASSERT_EQ(results.problem.links.size(), problem.links.size());
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    EXPECT_EQ(results.problem.links[i].right_floor, problem.links[i].right_floor);
+    EXPECT_EQ(results.response.links[i].peak_tension, response.links[i].peak_tension);
+    EXPECT_EQ(results.response.links[i].energy_dissipated, response.links[i].energy_dissipated);
+  }
+  ASSERT_EQ(results.c.links.size(), c->links.size());
+  for (std::size_t k = 0; k < c->links.size(); ++k) {
+    EXPECT_EQ(results.c.links[k].law, c->links[k].law);
+    EXPECT_EQ(results.c.links[k].elevations, c->links[k].elevations);
+    for (const auto& [key, given] : c->links[k].numbers) EXPECT_EQ(results.c.links[k].number(key, 0), given.front());
+  }
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const auto &one = response.buildings[b].yielding, &two = results.response.buildings[b].yielding;
+    EXPECT_EQ(two.ductility, one.ductility);
+    EXPECT_EQ(two.residual_drift_ratio, one.residual_drift_ratio);
+    EXPECT_EQ(two.hysteretic_energy, one.hysteretic_energy);
+  }
   EXPECT_EQ(results.response.histories.time, response.histories.time);
   EXPECT_EQ(results.response.histories.opening, response.histories.opening);
   EXPECT_EQ(results.response.energy.has_value(), response.energy.has_value());
@@ -98,6 +116,9 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
     EXPECT_EQ(whole.problem.buildings[b].model.stiffness, problem.buildings[b].model.stiffness);
     EXPECT_EQ(whole.problem.buildings[b].modal_damping, problem.buildings[b].modal_damping);
   }
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    EXPECT_EQ(whole.problem.links[i].law->parameters(), problem.links[i].law->parameters());
+  }
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     EXPECT_EQ(whole.problem.points[i].law->parameters(), problem.points[i].law->parameters());
   }
@@ -105,7 +126,7 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
 
 INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,
                          testing::Values("m12-el-centro", "m12-harmonic", "row-of-three", "kelvin-voigt-pair",
-                                         "restitution-asked", "free-impact"),
+                                         "restitution-asked", "free-impact", "yielding-pair", "linked-pair"),
                          [](const auto& instance) {
                            std::string label = instance.param;
                            std::replace(label.begin(), label.end(), '-', '_');

@@ -96,9 +96,9 @@ std::deque<Quantity>& list() {
       {"ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at yield", {"Ductility", "Daktilitas"}, yielding(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio", floor, "1", "Δ_r/h", "storey drift left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, yielding(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
       {"hysteretic_energy", floor, "F L", "E_h", "energy that the storey has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, yielding(&BuildingPeaks::Yielding::hysteretic_energy)},
-      {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::ductility)},
-      {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, {}, 1, {}, false, true},
-      {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
+      {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {"Ductility without contact", "Daktilitas tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
+      {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {"Residual drift without contact", "Simpangan sisa tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
+      {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
       // Contact points.
       {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
       {"minimum_gap_no_contact", point, "L", "w⁰", "gap that the free response needs", {"Needed", "Diperlukan"}, &PointSummary::minimum_gap_no_contact},
@@ -126,7 +126,7 @@ std::deque<Quantity>& list() {
       {"energy_dissipated", link_, "F L", "E", "energy that the link dissipated", {"Energy lost", "Energi hilang"}, &LinkSummary::energy_dissipated},
       // The run.
       {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, ground_acceleration, "/excitation/pga"},
-      {"events", run, "1", "n_e", "contacts closed or opened", {}, events, "/solver/events"},
+      {"events", run, "1", "n_e", "events, such as contacts closed or opened, yielding begun or ended", {}, events, "/solver/events"},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, energy_residual, "/solver/energy_residual", {}, 1, {}, true},
       // Impacts, in the order of impacts.csv.
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, &Impact::start, {}, {}, 1, 4},
@@ -290,13 +290,14 @@ std::string unit_text(std::string_view form, const Units& units) {
   return form == "1" ? "" : unit_text(udunits(form, units));
 }
 
-std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
-                                       std::size_t language) {
+namespace {
+
+std::vector<TableColumn> columns_of(Owner owner, bool of_yielding, const RunView& r,
+                                    const std::vector<QuantityPlace>& places, std::size_t language) {
   std::vector<TableColumn> columns;
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (quantity->label[language].empty()) continue;
-    const auto told = [&](const QuantityPlace& at) { return is_told(*quantity, r, at.item); };
-    if (!places.empty() && std::none_of(places.begin(), places.end(), told)) continue;
+    if (quantity->label[language].empty() || is_of_yielding(*quantity) != of_yielding) continue;
+    if (!places.empty() && !is_told(*quantity, r, places.front().item)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
     std::vector<std::string> cells = column(values);
@@ -310,6 +311,18 @@ std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std:
                        unit.empty() ? unit_text(quantity->units, r.units) : std::string(unit), std::move(cells)});
   }
   return columns;
+}
+
+}  // namespace
+
+std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
+                                       std::size_t language) {
+  return columns_of(owner, false, r, places, language);
+}
+
+std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
+                                          std::size_t language) {
+  return columns_of(Owner::floor, true, r, floors, language);
 }
 
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {

@@ -105,11 +105,14 @@ struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
 };
-/// A column for each quantity of this owner that has a label and is told of the places, with a cell for each place.
+/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding.
 /// @param language 0 English, 1 Indonesian
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
                                                      const std::vector<QuantityPlace>& places,
                                                      std::size_t language = 0);
+/// The same of what the storeys of one building do that yield; none where it cannot.
+[[nodiscard]] std::vector<TableColumn> yielding_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
+                                                        std::size_t language = 0);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.

@@ -21,10 +21,13 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   return {between.points.rbegin(), between.points.rend()};
 }
 
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
+std::size_t table_language(const Words& say) {
   const auto& languages = report_languages();
-  const auto language = std::find(languages.begin(), languages.end(), story.say.language()) - languages.begin();
-  for (TableColumn& column : table_columns(owner, story.run, places, static_cast<std::size_t>(language))) {
+  return static_cast<std::size_t>(std::find(languages.begin(), languages.end(), say.language()) - languages.begin());
+}
+
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
+  for (TableColumn& column : table_columns(owner, story.run, places, table_language(story.say))) {
     table.add(column.label, column.unit, std::move(column.cells));
   }
 }
@@ -54,6 +57,18 @@ Html building_table(const Story& story, Eigen::Index b) {
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
   add_quantities(table, story, Owner::floor, floors_from_top(story.problem, b));
   return table.markup();
+}
+
+/// What its storeys do that yield; empty where none can.
+Html yielding_table(const Story& story, Eigen::Index b) {
+  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
+  std::vector<TableColumn> columns =
+      yielding_columns(story.run, floors_from_top(story.problem, b), table_language(story.say));
+  if (columns.empty()) return {};
+  HtmlTable table;
+  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
+  return element("p", Html::text(story.say("peaks.yielding"))) + table.markup();
 }
 
 /// Of one [[link]] table, from the top down.
@@ -137,7 +152,7 @@ Html peaks_section(const Story& story) {
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
-               proportions_text(story, b);
+               proportions_text(story, b) + yielding_table(story, b);
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(story.problem, story.response)) {

@@ -61,6 +61,9 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
 /// Every quantity of an owner that is for tables, at these places, behind the columns that say where they are.
 void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
+
+/// The number of the report's language in tables of quantities.
+[[nodiscard]] std::size_t table_language(const Words& say);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
 /// A heading and what belongs to it.

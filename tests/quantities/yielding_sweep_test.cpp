@@ -1,0 +1,54 @@
+// Storeys that yield and links in studies: what is kept of every run, and drawn.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bentur/files/netcdf.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/runner/sweep.h"
+#include "tests/support/yielding_case.h"
+
+namespace bentur {
+namespace {
+
+TEST(YieldingSweep, KeepsWhatYieldsAndTheLinksAndDrawsThem) {
+  const TemporaryFolder folder;
+  SweepOptions options;
+  options.output = folder.path() / "study.nc";
+  options.threads = 1;
+  Ranks alone;
+  Diagnostics diagnostics;
+  const auto report =
+      sweep(test::yielding_study(folder.path(), "link[1].yield_force", "5e3, 2e4, 4e4"), options, alone, diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
+  const NetcdfReader file(options.output);
+  EXPECT_EQ(file.find("ductility_1"), nullptr);
+  EXPECT_EQ(file.numbers("ductility_2").size(), 6U);  // runs × storeys
+  EXPECT_EQ(file.numbers("link_peak_tension").size(), 12U);
+  EXPECT_EQ(file.numbers("link_elevation"), (std::vector<double>{3, 6, 6, 6}));
+  EXPECT_EQ(file.texts("link_left"), std::vector<std::string>(4, "Elastic"));
+  EXPECT_EQ(file.at("link_energy_dissipated").units, "N m");
+  EXPECT_EQ(file.at("varied").units, "N");
+  for (const char* name : {"ductility_2", "hysteretic_energy_2", "ductility_no_contact_2", "link_peak_compression",
+                           "link_peak_opening", "link_energy_dissipated"}) {
+    for (const double value : file.numbers(name)) EXPECT_GE(value, -1e-9) << name;  // round-off of some N·m
+  }
+  const std::vector<double> ductility = file.numbers("ductility_2");
+  EXPECT_GT(*std::max_element(ductility.begin(), ductility.end()), 1);
+  for (const char* kind : {"ductility", "residual_drift_ratio", "hysteretic_energy_no_contact", "link_peak_tension",
+                           "link_energy_dissipated"}) {
+    const Figure figure = make_figure(file, kind);
+    ASSERT_EQ(figure.panels.size(), 1U) << kind;  // of one building
+    ASSERT_FALSE(figure.panels[0].curves.empty()) << kind;
+    for (const Curve& curve : figure.panels[0].curves) {
+      for (const double y : curve.y) EXPECT_GE(y, -1e-9) << kind;  // the sizes of residual drifts
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bentur
