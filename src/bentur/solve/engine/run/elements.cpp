@@ -405,7 +405,7 @@ void Elements::gather(State& state) {
 
 void Elements::change(const Event& event, double time, State& state) {
   const Index i = event.element;
-  ++events_;
+  if (two_bodies(i)) ++events_;
   jumps_.clear();
   began_ = false;
   if (law(i).restitution()) {
