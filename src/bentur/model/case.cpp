@@ -236,20 +236,27 @@ std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size
   input.words = contact.words;
   const double m1 = left.model.floor_masses.at(left_floor);
   const double m2 = right.model.floor_masses.at(right_floor);
-  input.effective_mass = m1 * m2 / (m1 + m2);
+  input.effective_mass = std::isinf(m1) ? m2 : std::isinf(m2) ? m1 : m1 * m2 / (m1 + m2);
   check_one_of(*entry, input);
   return entry->make(input);
 }
 
 StructuralModel structural_model(const BuildingSpec& spec) {
-  StructuralModel model;
-  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
-    model = plane_frame_model(*frame, spec.base_elevation);
-  } else if (const auto* stick = std::get_if<Stick>(&spec.structure)) {
-    model = stick_model(*stick, spec.base_elevation);
-  } else {
-    model = matrices_model(std::get<MatricesSpec>(spec.structure), spec.base_elevation);
-  }
+  const double base = spec.base_elevation;
+  struct Make {
+    double base;
+    StructuralModel operator()(const PlaneFrame& frame) const { return plane_frame_model(frame, base); }
+    StructuralModel operator()(const Stick& stick) const { return stick_model(stick, base); }
+    StructuralModel operator()(const MatricesSpec& matrices) const { return matrices_model(matrices, base); }
+    StructuralModel operator()(const ModalBuilding& modal) const { return modal_model(modal, base).model; }
+    StructuralModel operator()(const GenericBuilding& generic) const { return generic_model(generic, base); }
+    StructuralModel operator()(const RigidSpec& rigid) const {
+      std::vector<double> elevations = rigid.elevations;
+      for (double& elevation : elevations) elevation += base;
+      return rigid_building("", elevations).model;
+    }
+  };
+  StructuralModel model = std::visit(Make{base}, spec.structure);
   if (spec.calibrate_period) {
     calibrate_period(model, *spec.calibrate_period);
   }
@@ -258,13 +265,58 @@ StructuralModel structural_model(const BuildingSpec& spec) {
 
 Building make_building(const BuildingSpec& spec) { return make_building(spec, structural_model(spec)); }
 
+namespace {
+
+Support support_of(const BuildingSpec& spec, const StructuralModel& model) {
+  Support support;
+  if (!spec.gravity_loads.empty()) {
+    support.gravity = GravityLoads{spec.gravity_loads};
+  } else if (spec.p_delta) {
+    GravityLoads gravity;
+    for (const double mass : model.floor_masses) gravity.loads.push_back(mass * spec.gravity);
+    support.gravity = gravity;
+  }
+  if (spec.isolation) {
+    const Isolation& bearings = spec.isolation->bearings;
+    support.isolation = bearings;
+    if (spec.isolation->pendulum) {
+      const double weight = spec.gravity * mass_above_bearings(model, bearings.mass);
+      support.isolation = isolation_of(*spec.isolation->pendulum, bearings.mass, bearings.damping, weight);
+    }
+  }
+  if (spec.soil) {
+    const Soil& soil = spec.soil->soil;
+    support.soil = spec.soil->half_space ? soil_of(*spec.soil->half_space, soil.mass, soil.inertia) : soil;
+  }
+  return support;
+}
+
+std::vector<std::shared_ptr<const HystereticLaw>> laws_of_storeys(const BuildingSpec& spec,
+                                                                  const StructuralModel& model) {
+  if (const auto* stick = std::get_if<Stick>(&spec.structure)) return storey_laws(*stick, model);
+  if (const auto* generic = std::get_if<GenericBuilding>(&spec.structure)) {
+    return storey_laws(*generic, model, spec.gravity);
+  }
+  return {};
+}
+
+}  // namespace
+
 Building make_building(const BuildingSpec& spec, StructuralModel model) {
-  Building building = make_building(spec.name, std::move(model), spec.damping);
-  if (const auto* stick = std::get_if<Stick>(&spec.structure)) {
-    building.storey_laws = storey_laws(*stick, building.model);
+  if (std::holds_alternative<RigidSpec>(spec.structure)) return rigid_building(spec.name, model.elevations);
+  Building building;
+  if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
+    ModalModel known = modal_model(*modal, spec.base_elevation);
+    building = {spec.name, std::move(known.model), std::move(known.modes), {}};
+    building.modal_damping = modal_damping(spec.damping, building.modes);
+  } else {
+    const Support support = support_of(spec, model);
+    std::vector<std::shared_ptr<const HystereticLaw>> laws = laws_of_storeys(spec, model);
+    building = make_building(spec.name, std::move(model), spec.damping, support, std::move(laws));
   }
   if (spec.tangent_damping) {
-    const auto beta = stiffness_part(spec.damping, building.modes.omega(0));
+    const StructuralModel fixed = structural_model(spec);  // on whose first period damping depends
+    const auto beta = stiffness_part(spec.damping, modes(fixed.mass, fixed.stiffness).omega(0));
     if (!beta || *beta < 0) {
       throw InvalidParameter("damping_stiffness", "tangent",
                              "needs damping with a stiffness part that is not negative");
@@ -334,6 +386,7 @@ Problem make_problem(const Case& c, std::vector<Building> buildings) {
   problem.initial_displacement = initial_state(c.initial.displacements, problem.buildings);
   problem.initial_velocity = initial_state(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
+  problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);
   return problem;
 }

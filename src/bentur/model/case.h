@@ -21,8 +21,11 @@
 #include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
+#include "bentur/structure/generic.h"
+#include "bentur/structure/modal.h"
 #include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
+#include "bentur/structure/support.h"
 
 namespace bentur {
 
@@ -33,15 +36,37 @@ struct MatricesSpec {
   Eigen::MatrixXd stiffness;       ///< [force/length]
 };
 
+/// What moves with the ground: a moat wall.
+struct RigidSpec {
+  std::vector<double> elevations;  ///< [length] above the base, ascending
+};
+
+/// [building.isolation]: bearings, or friction pendulums, whose strength and stiffness follow from the weight above.
+struct IsolationSpec {
+  Isolation bearings;
+  std::optional<FrictionPendulum> pendulum;
+};
+
+/// [building.soil], as given.
+struct SoilSpec {
+  Soil soil;  ///< with a half-space only mass and inertia are meant
+  std::optional<HalfSpace> half_space;
+};
+
 struct BuildingSpec {
   std::string name;
-  std::variant<PlaneFrame, Stick, MatricesSpec> structure;
+  std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding> structure;
   Damping damping;
   /// The stiffness part of damping follows the stiffness of a storey that yields, Building::tangent_damping.
   bool tangent_damping = false;
   std::optional<double> calibrate_period;  ///< [s]
   double base_elevation = 0;               ///< of the base above the ground datum [length]
   std::optional<double> width;             ///< [length] for wave_velocity; a frame's is the sum of its bays
+  bool p_delta = false;                    ///< gravity loads are the floors' weights
+  std::vector<double> gravity_loads = {};  ///< [force] per floor; empty: none, or as p_delta says
+  double gravity = 0;                      ///< of the case [length/s²], for weights
+  std::optional<IsolationSpec> isolation = {};
+  std::optional<SoilSpec> soil = {};
 };
 
 /// Contact of one gap: a law of contact/laws.h and what the case says of it, key by key.
@@ -64,6 +89,12 @@ struct GapSpec {
   std::vector<double> elevations;  ///< [length] absolute, one per point, ascending; empty: floors are watched alone
   ContactSpec contact;
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
+  bool strikes_columns = false;                          ///< floors may strike columns between floors
+  /// Capacities of a struck column [force, force·length].
+  struct ColumnCapacity {
+    double shear = 0, moment = 0;
+  };
+  std::optional<ColumnCapacity> column_capacity = std::nullopt;
 };
 
 /// What was read from a record file, echoed to the user.
@@ -108,6 +139,7 @@ struct AnalysisSpec {
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;
   LimitsSpec limits = {};
+  double collapse_drift = 0.1;  ///< as Problem::collapse_drift [-]
 };
 
 /// The file a case was read from.
@@ -132,7 +164,7 @@ struct Case {
   std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
 };
 
-/// Mass, stiffness and load of one building, condensed and calibrated.
+/// Mass, stiffness and load of one building on a fixed base, condensed and calibrated.
 [[nodiscard]] StructuralModel structural_model(const BuildingSpec& spec);
 
 /// The building with its modes, damping and storeys that yield.

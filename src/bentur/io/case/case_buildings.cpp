@@ -10,14 +10,31 @@
 namespace bentur {
 namespace {
 
-void read_structure(const TomlView& view, double gravity, ReadBuilding& building) {
-  const auto kind = view.exactly_one({"frame", "stick", "matrices"});
-  if (const auto frame = view.find("frame")) read_frame(*frame, gravity, building);
+const std::vector<std::string>& structures() {
+  static const std::vector<std::string> all = {"frame", "stick", "matrices", "modal", "generic"};
+  return all;
+}
+
+void read_structure(const TomlView& view, const Units& units, ReadBuilding& building) {
+  const auto kind = view.exactly_one(structures());
+  if (const auto frame = view.find("frame")) read_frame(*frame, units.gravity, building);
   if (const auto stick = view.find("stick")) read_stick(*stick, building);
   if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
+  if (const auto modal = view.find("modal")) read_modal(*modal, building);
+  if (const auto generic = view.find("generic")) read_generic(*generic, units, building);
   if (!kind) {  // what was read does not say which floors are meant
     building.modes = 0;
     building.elevations.clear();
+  }
+}
+
+/// Its model, and where that has more floors than the structure, the slab's among them, all of it.
+void make(ReadBuilding& building) {
+  try {
+    building.model = structural_model(building.spec);
+    if (building.spec.isolation) building.model = make_building(building.spec, *building.model).model;
+  } catch (const std::exception&) {
+    building.model.reset();  // said already, or said once everything else is right
   }
 }
 
@@ -42,11 +59,30 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     }
   }
   const TomlView view = entry.renamed(building.path);
-  (void)view.is_table_of({"name", "damping", "damping_stiffness", "calibrate_period", "base_elevation", "width",
-                          "frame", "stick", "matrices"});
+  std::vector<std::string> keys = {"name",  "damping",    "damping_stiffness", "calibrate_period", "base_elevation",
+                                   "width", "rigid",      "elevations",        "p_delta",          "gravity_loads",
+                                   "soil",  "isolation"};
+  keys.insert(keys.end(), structures().begin(), structures().end());
+  (void)view.is_table_of(keys);
+  if (view.flag("rigid", Need::optional).value_or(false)) {
+    std::erase_if(keys, [](const std::string& key) {
+      return key == "name" || key == "rigid" || key == "elevations" || key == "base_elevation";
+    });
+    view.refuse(keys, "is not for a rigid building, which moves with the ground");
+    building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
+    read_rigid(view, building);
+    for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
+    make(building);
+    return building;
+  }
+  view.refuse({"elevations"}, "of a building are those of its floors: it goes with rigid = true");
   building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
   building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
-  read_structure(view, units.gravity, building);
+  read_structure(view, units, building);
+  read_support(view, units.gravity, building);
+  if (building.spec.isolation && !building.elevations.empty()) {
+    building.elevations.insert(building.elevations.begin(), 0.0);  // the slab
+  }
   if (const auto width = view.find("width")) {
     if (building.is_frame) {
       width->error("is not for a frame, whose width is the sum of its bay_widths");
@@ -55,12 +91,6 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     }
   }
   for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
-  try {
-    building.model = structural_model(building.spec);
-  } catch (const std::exception&) {
-    building.model.reset();  // said already, or said once everything else is right
-  }
-
   const auto matrices = view.find("matrices");
   const auto matrix_damping = matrices ? matrices->find("damping") : std::nullopt;
   const auto damping = view.find("damping");
@@ -74,6 +104,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
   } else if (!matrix_damping) {
     view.error_missing("damping");
   }
+  make(building);
   read_damping_stiffness(view, building);
   return building;
 }

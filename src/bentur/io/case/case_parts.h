@@ -43,6 +43,16 @@ void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
 
+/// case_known.cpp: [building.modal], [building.generic], and what rigid = true goes with, into `building`.
+void read_modal(const TomlView& modal, ReadBuilding& building);
+void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
+void read_rigid(const TomlView& table, ReadBuilding& building);
+
+/// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
+void read_support(const TomlView& table, double gravity, ReadBuilding& building);
+void read_isolation(const TomlView& isolation, ReadBuilding& building);
+void read_soil(const TomlView& soil, ReadBuilding& building);
+
 /// case_gaps.cpp
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 

@@ -107,7 +107,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits"})) {
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits",
+                          "collapse_drift"})) {
     return analysis;
   }
   if (const auto duration = view->find("duration")) {
@@ -117,6 +118,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   }
   analysis.solver = read_solver(*view);
   if (const auto limits = view->find("limits")) analysis.limits = read_limits(*limits);
+  analysis.collapse_drift =
+      view->number("collapse_drift", Rule::positive, Need::optional).value_or(analysis.collapse_drift);
   analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
   analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
@@ -133,8 +136,9 @@ void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuildin
     if (buildings[b].made) continue;
     try {
       const BuildingSpec& spec = buildings[b].spec;
-      buildings[b].made = std::make_shared<const Building>(buildings[b].model ? make_building(spec, *buildings[b].model)
-                                                                              : make_building(spec));
+      const bool whole = buildings[b].model && !spec.isolation;
+      buildings[b].made = std::make_shared<const Building>(whole ? make_building(spec, *buildings[b].model)
+                                                                 : make_building(spec));
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }
@@ -166,6 +170,7 @@ void check_times(const TomlView& root, const std::vector<TomlView>& views, const
   const double shortest = c.analysis.duration * shortest_time;
   for (std::size_t b = 0; b < views.size(); ++b) {
     const Building& building = *read.buildings[b].made;
+    if (building.is_rigid()) continue;
     const double fastest = building.modes.omega.maxCoeff();
     const double damping = building.modal_damping.norm();
     if (fastest * shortest <= 1 && damping * shortest <= 1) continue;

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <functional>
+
+#include "bentur/io/case/case_parts.h"
+
+namespace bentur {
+namespace {
+
+constexpr std::int64_t most_storeys = 1000;
+
+/// One number for all storeys, or one each.
+std::vector<double> per_storey(const TomlView& view, const std::string& key, std::size_t storeys) {
+  const auto value = view.get(key);
+  if (!value) return {};
+  std::vector<double> values = value->as_number_or_numbers(Rule::positive, {storeys, "one per storey"});
+  if (values.size() == 1) values.assign(storeys, values.front());
+  return values;
+}
+
+/// α of a word, as [MirandaTaghavi2005] tells of such systems.
+double ratio_of(const std::string& system) {
+  if (system == "wall") return 1;
+  return system == "dual" ? 4 : 12;
+}
+
+}  // namespace
+
+void read_modal(const TomlView& view, ReadBuilding& building) {
+  if (!view.is_table_of({"elevations", "masses", "periods", "shapes"})) return;
+  ModalBuilding modal;
+  const auto elevations = view.get("elevations");
+  if (elevations) modal.elevations = elevations->as_numbers(Rule::positive);
+  const std::size_t floors = modal.elevations.size();
+  const bool ascends = std::adjacent_find(modal.elevations.begin(), modal.elevations.end(), std::greater_equal<>()) ==
+                       modal.elevations.end();
+  if (!ascends) elevations->error("must ascend");
+  modal.masses = view.numbers("masses", Rule::positive, {floors, "one per floor"});
+  const auto periods = view.get("periods");
+  if (periods) modal.periods = periods->as_numbers(Rule::positive);
+  if (periods && floors > 0 && modal.periods.size() > floors) {
+    periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
+  }
+  if (const auto shapes = view.get("shapes");
+      shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
+    for (const TomlView& shape : shapes->items()) {
+      modal.shapes.push_back(shape.as_numbers(Rule::finite, {floors, "one per floor"}));
+    }
+  }
+  building.modes = modal.periods.size();
+  if (ascends) building.elevations = modal.elevations;
+  building.spec.structure = std::move(modal);
+}
+
+void read_generic(const TomlView& view, const Units& units, ReadBuilding& building) {
+  if (!view.is_table_of({"storeys", "storey_height", "floor_mass", "period", "period_formula", "stiffness_ratio",
+                         "system", "yield_base_shear", "hardening"})) {
+    return;
+  }
+  building.spec.gravity = units.gravity;
+  GenericBuilding generic;
+  const auto storeys = static_cast<std::size_t>(view.whole("storeys", 1, most_storeys).value_or(0));
+  if (storeys == 0) return;
+  generic.storey_heights = per_storey(view, "storey_height", storeys);
+  generic.floor_masses = per_storey(view, "floor_mass", storeys);
+  if (const auto kind = view.exactly_one({"period", "period_formula"})) {
+    if (*kind == "period") {
+      generic.period = view.number("period", Rule::positive).value_or(0);
+    } else if (const auto formula = view.find("period_formula");
+               formula->is_table_of({"coefficient", "exponent"})) {
+      const double coefficient = formula->number("coefficient", Rule::positive).value_or(0);
+      const double exponent = formula->number("exponent", Rule::positive).value_or(0);
+      generic.period_formula = {{coefficient, exponent, 1 / metres(units)}};
+    }
+  }
+  if (const auto kind = view.exactly_one({"stiffness_ratio", "system"})) {
+    if (*kind == "stiffness_ratio") {
+      generic.stiffness_ratio = view.number("stiffness_ratio", Rule::not_negative).value_or(0);
+    } else if (const auto system = view.word("system", {"wall", "dual", "frame"})) {
+      generic.stiffness_ratio = ratio_of(*system);
+    }
+  }
+  generic.yield_base_shear = view.number("yield_base_shear", Rule::positive, Need::optional);
+  generic.hardening = view.number("hardening", Rule::ratio, Need::optional).value_or(0);
+  if (!generic.yield_base_shear) view.refuse({"hardening"}, "goes with yield_base_shear");
+  building.modes = storeys;
+  building.elevations = floor_elevations(generic.storey_heights);
+  building.spec.structure = std::move(generic);
+}
+
+void read_rigid(const TomlView& view, ReadBuilding& building) {
+  RigidSpec rigid;
+  const auto elevations = view.get("elevations");
+  if (elevations) rigid.elevations = elevations->as_numbers(Rule::finite);
+  if (std::adjacent_find(rigid.elevations.begin(), rigid.elevations.end(), std::greater_equal<>()) !=
+      rigid.elevations.end()) {
+    elevations->error("must ascend");
+  } else {
+    building.elevations = rigid.elevations;
+  }
+  building.spec.structure = std::move(rigid);
+}
+
+}  // namespace bentur
