@@ -47,6 +47,7 @@ double KinematicHardening::stored_energy(const LawState& state, double deformati
 }
 
 double KinematicHardening::residual(const LawState& state, double deformation) const noexcept {
+  if (state.branch == elastic) return state.memory[0];
   return deformation - force(state, deformation, 0) / stiffness_;
 }
 

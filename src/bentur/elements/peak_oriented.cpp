@@ -134,6 +134,7 @@ double PeakOriented::stored_energy(const LawState& state, double deformation) co
 }
 
 double PeakOriented::residual(const LawState& state, double deformation) const noexcept {
+  if (state.branch == origin) return 0;
   const double v = force(state, deformation, 0);
   return deformation - v / stiffness_back(state, deformation, v);
 }

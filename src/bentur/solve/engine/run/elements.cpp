@@ -281,6 +281,7 @@ double Elements::damping_power(const State& state) const {
 
 double Elements::energy_lost(Index i, const State& state) const {
   const Account& account = accounts_[i];
+  if (account.work == 0.0 && account.entered == 0.0) return account.damped;  // always on the line it began on
   const double delta = deformation(i, state);
   const double work = account.work + potential(branches_[i], delta) - potential(branches_[i], account.entered);
   return work + account.damped - law(i).stored_energy(states_[i], delta);
