@@ -99,6 +99,9 @@ class Law {
   /// A solver then changes the velocities itself; branch 1 of such a law is resting contact: δ stays zero and the
   /// force is what it takes, until it would have to pull.
   [[nodiscard]] virtual std::optional<double> restitution() const noexcept { return std::nullopt; }
+
+  /// Whether nothing can go on once branch 0 has ended.
+  [[nodiscard]] virtual bool is_limit() const noexcept { return false; }
 };
 
 /// A law that yields: of a storey, a bearing or a link. It begins on a line of its initial stiffness.

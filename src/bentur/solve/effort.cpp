@@ -63,6 +63,7 @@ Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system)
   Effort::Fastest fastest;
   raise(fastest, system.nu, {.by = By::motion});
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    if (problem.buildings[b].is_rigid()) continue;
     Eigen::Index mode = 0;
     const double omega = problem.buildings[b].modes.omega.maxCoeff(&mode);
     raise(fastest, omega, {.by = By::mode, .building = b, .mode = mode});

@@ -17,20 +17,17 @@ void require(bool ok, const std::string& parameter, const Value& value, const st
 /// A time of which the whole analysis has so many has no phase left in a double [-].
 constexpr double most_times = 1e15;
 
-/// The law of a storey takes its part of K over: all of what works against its drift.
+/// The law of a storey takes over all of what works against its drift.
 void check_storey_stiffness(const Building& building, const std::string& name) {
-  const Eigen::MatrixXd& stiffness = building.model.stiffness;
+  const Eigen::MatrixXd shears = shear_rows(building.model);
+  const Eigen::MatrixXd drifts = drift_rows(building.model);
   for (Eigen::Index f = 0; f < building.model.floors(); ++f) {
     const HystereticLaw* law = building.storey_law(f);
     if (law == nullptr) continue;
-    // Rows of floors from f on sum up to what holds them from below: K x of a unit drift.
-    const Eigen::VectorXd below = stiffness.bottomRows(building.model.floors() - f).colwise().sum();
-    Eigen::VectorXd drift = Eigen::VectorXd::Zero(building.model.floors());
-    drift(f) = 1.0;
-    if (f > 0) drift(f - 1) = -1.0;
     constexpr double round_off = 1e-9;
     const double k = law->initial_stiffness();
-    require((below - k * drift).cwiseAbs().maxCoeff() <= round_off * k, fmt::format("{}.storey_laws[{}]", name, f), k,
+    require((shears.row(f) - k * drifts.row(f)).cwiseAbs().maxCoeff() <= round_off * k * drifts.row(f).cwiseAbs().maxCoeff(),
+            fmt::format("{}.storey_laws[{}]", name, f), k,
             "must have the stiffness that K has in this storey, and K no other there");
   }
 }
@@ -58,8 +55,8 @@ void check_building(const Building& building, Eigen::Index b, double duration) {
   require(std::isfinite(building.tangent_damping) && building.tangent_damping >= 0.0, name + ".tangent_damping",
           building.tangent_damping, "must be finite and ≥ 0");
   if (building.can_yield()) {
-    require(building.model.dofs() == building.model.floors() && building.modes.omega.size() == building.model.floors(),
-            name + ".storey_laws", building.name, "must be those of a building with one sway a floor and all its modes");
+    require(building.modes.omega.size() == building.model.dofs(), name + ".storey_laws", building.name,
+            "must be those of a building with all its modes");
     require((building.modes.omega.array() > 0.0).all(), name + ".modes.omega", building.name,
             "must be > 0 where storeys yield");
     check_storey_stiffness(building, name);
@@ -73,7 +70,10 @@ void check_point(const Problem& problem, const ContactPoint& point, std::size_t 
   const Eigen::Index last = std::ssize(problem.buildings) - 1;
   require(point.left >= 0 && point.left < last, name + ".left", point.left, "must have a building to its right");
   const Eigen::Index left = point.left;
-  const auto floors = [&](Eigen::Index b) { return problem.buildings[b].model.floors(); };
+  // Nodes in columns come after the floors.
+  const auto floors = [&](Eigen::Index b) {
+    return problem.buildings[b].model.floors() + problem.buildings[b].model.nodes();
+  };
   require(point.left_floor >= 0 && point.left_floor < floors(left), name + ".left_floor", point.left_floor,
           "must be a floor of the left building");
   require(point.right_floor >= 0 && point.right_floor < floors(left + 1), name + ".right_floor", point.right_floor,
@@ -199,6 +199,8 @@ void validate(const Problem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   require(std::isfinite(problem.duration) && problem.duration > 0.0, "duration", problem.duration,
           "must be finite and > 0");
+  require(std::isfinite(problem.collapse_drift) && problem.collapse_drift > 0.0, "collapse_drift",
+          problem.collapse_drift, "must be finite and > 0");
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b)
     check_building(problem.buildings[b], b, problem.duration);
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_point(problem, problem.points[i], i);

@@ -60,6 +60,8 @@ struct Problem {
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per building, dofs [length, rad]; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< per building, dofs [length/s, rad/s]; empty: at rest
   double duration = 0;                                ///< [s] > 0
+  /// Drift ratio [-] > 0 at which a storey of a building with gravity loads has collapsed, which ends the run.
+  double collapse_drift = 0.1;
 };
 
 /// What lies between building `left` and building `left` + 1: indices into Problem::points and Problem::watched, from

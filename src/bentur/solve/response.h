@@ -33,7 +33,7 @@ struct Impact {
 struct BuildingPeaks {
   Eigen::VectorXd displacement;             ///< max |x| relative to the own base [length]
   Eigen::VectorXd displacement_no_contact;  ///< the same with contact switched off
-  Eigen::VectorXd drift_ratio;              ///< max relative floor displacement over storey height [-]
+  Eigen::VectorXd drift_ratio;              ///< max |Δ| over storey height [-]; NaN of a slab and of rigid buildings
   Eigen::VectorXd acceleration;             ///< max |ẍ + a_g| [length/s²]
   Eigen::VectorXd storey_shear;             ///< max |Σ_{floors ≥ j} (K x)| [force], of storeys that yield max |V|
   /// What yielding does. Of all storeys where one of the building can yield, else empty: NaN, 0, 0 of one that cannot.
@@ -42,6 +42,10 @@ struct BuildingPeaks {
     Eigen::VectorXd residual_drift_ratio;  ///< (Δ − V/k_u)/h at the end [-], signed
     Eigen::VectorXd hysteretic_energy;    ///< ∫V dΔ less what could still be given back, at the end [force·length]
   };
+  /// max of each of StructuralModel::column_forces [force, force·length]; empty where there are none.
+  Eigen::VectorXd column_forces = {};
+  /// max |u| [length] and max |θ| [rad] of the foundation; empty where the building stands on none.
+  Eigen::VectorXd foundation = {};
   Yielding yielding = {};
   Yielding yielding_no_contact = {};  ///< the same with contact switched off
 };
@@ -113,7 +117,14 @@ struct EnergyAudit {
   EnergyHistories histories;  ///< empty unless histories are kept
 };
 
-enum class Status { done, stopped, failed };
+/// What ends a run before its time.
+struct Collapse {
+  Eigen::Index building = 0;
+  Eigen::Index storey = 0;  ///< from 0
+  double time = 0;          ///< [s]
+};
+
+enum class Status { done, stopped, failed, collapsed };
 
 struct Response {
   Status status = Status::done;
@@ -121,6 +132,8 @@ struct Response {
   long steps = 0;        ///< intervals over which the solution was advanced (with contact)
   long events = 0;       ///< contacts closed or opened
   double wall_time = 0;  ///< of the solution alone [s]
+  std::optional<Collapse> collapse;             ///< where the status says so; all else is up to that time
+  std::optional<Collapse> collapse_no_contact;  ///< of the response with contact switched off
   std::vector<BuildingPeaks> buildings;
   std::vector<PointSummary> points;
   std::vector<WatchedSummary> watched;  ///< as Problem::watched

@@ -29,15 +29,18 @@ void validate(const Solver& solver) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) require_positive("step", fixed->step);
 }
 
-/// How large the displacements are whose difference a point's opening is: of both floors in the free response and of
-/// the ground.
+/// How large the displacements are whose difference a point's opening is: of both floors in the free response (of a node
+/// in a column, of the largest floor's) and of the ground.
 std::vector<double> largest_displacements(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
                                           const Run& run) {
+  const auto largest = [&](Eigen::Index b, Eigen::Index floor) {
+    const Eigen::VectorXd& displacement = peaks[b].displacement_no_contact;
+    return floor < displacement.size() ? displacement(floor) : displacement.maxCoeff();
+  };
   std::vector<double> result;
   for (const ContactPoint& point : problem.points) {
     const Eigen::Index left = point.left;
-    result.push_back(peaks[left].displacement_no_contact(point.left_floor) +
-                     peaks[left + 1].displacement_no_contact(point.right_floor) +
+    result.push_back(largest(left, point.left_floor) + largest(left + 1, point.right_floor) +
                      run.largest_ground_displacement(left) + run.largest_ground_displacement(left + 1));
   }
   return result;
@@ -71,12 +74,26 @@ void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& sys
     for (Eigen::Index f = 0; f < floors; ++f) {
       const HystereticLaw* law = building.storey_law(f);
       if (law == nullptr) continue;
-      const double height = building.model.storey_heights[f];
+      const double of_storey = building.model.storey_heights[f];
+      const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
       yielding.ductility(f) = buildings[b].drift_ratio(f) * height / law->yield_deformation();
-      yielding.residual_drift_ratio(f) = run.elements().residual(element, run.state()) / height;
+      const double residual = run.elements().residual(element, run.state()) / height;
+      yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
       yielding.hysteretic_energy(f) = run.elements().energy_lost(element, run.state());
       ++element;
     }
+  }
+}
+
+/// Slabs have no storey, and nothing holds or strains what moves with the ground.
+void leave_out_what_is_not_there(const Problem& problem, std::vector<BuildingPeaks>& buildings) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (building.model.has_slab) buildings[b].drift_ratio(0) = nothing;
+    if (!building.is_rigid()) continue;
+    buildings[b].drift_ratio.setConstant(nothing);
+    buildings[b].storey_shear.setConstant(nothing);
   }
 }
 
@@ -129,6 +146,7 @@ void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
   if (status == Status::stopped) response.message = "stopped on request";
   if (status == Status::failed) response.message = run.trouble();
+  if (status == Status::done) response.message.clear();
 }
 
 }  // namespace
@@ -203,6 +221,8 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   }
   engine::summarise_yielding(parts->problem, run, parts->system, &BuildingPeaks::yielding, response.buildings);
   for (BuildingPeaks& peaks : response.buildings) peaks.yielding_no_contact = peaks.yielding;
+  engine::leave_out_what_is_not_there(parts->problem, response.buildings);
+  response.collapse = response.collapse_no_contact = run.collapse();
   response.links.resize(parts->problem.links.size());
   engine::summarise_links(run, parts->system, response.links);
   parts->nearest = run.floors().nearest();
@@ -222,7 +242,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   require_same_but_gaps(parts_->problem, problem);
   const auto began = std::chrono::steady_clock::now();
   Response response = parts_->response;
-  if (response.status != Status::done) return response;
+  if (response.status != Status::done && response.status != Status::collapsed) return response;
   engine::Elements::Scales scales{parts_->largest_displacement, parts_->largest_speed};
   for (std::size_t i = 0; i < problem.points.size(); ++i) scales.displacement[i] += problem.points[i].width;
   // Of approximate solvers the state alone is not all there is to go on with.
@@ -243,7 +263,8 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   }
   const Status status = run.to_end(options.progress);
   engine::report_end(response, status, run);
-  run.elements().finish(problem.duration);
+  response.collapse = run.collapse();
+  run.elements().finish(run.collapse() ? run.collapse()->time : problem.duration);
   for (std::size_t b = 0; b < response.buildings.size(); ++b) run.watch().report(b, response.buildings[b]);
   response.impacts = std::move(run.elements().impacts());
   response.events = run.elements().events();
@@ -251,6 +272,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   engine::summarise(response.impacts, response.points);
   engine::summarise_watched(problem, run.floors().nearest(), parts_->watched_scale, response.watched);
   engine::summarise_yielding(problem, run, parts_->system, &BuildingPeaks::yielding, response.buildings);
+  engine::leave_out_what_is_not_there(problem, response.buildings);
   engine::summarise_links(run, parts_->system, response.links);
   run.sampler().finish();
   response.histories = std::move(run.sampler().histories());

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -47,10 +48,11 @@ bool is_positive_definite(const MatrixXd& matrix) {
   const MatrixXd shears = shear_rows(model);
   Index weakest = 0;
   double least = 0;
-  for (Index j = 0; j < model.floors(); ++j) {
+  for (Index j = 0; j < softening.size(); ++j) {
+    const Index storey = model.floors() - softening.size() + j;  // above a slab
     VectorXd unit = VectorXd::Zero(model.dofs());
-    for (Index f = j; f < model.floors(); ++f) unit(f) = 1;
-    const double share = shears.row(j).dot(unit) / softening(j);
+    unit.segment(storey, model.floors() - storey).setOnes();
+    const double share = shears.row(storey).dot(unit) / softening(j);
     if (j == 0 || share < least) {
       least = share;
       weakest = j;
@@ -296,8 +298,9 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
       if (j == 0 && whole.has_soil) drifts(j, whole.dofs() - 2) = -1;
     }
     const MatrixXd geometric = geometric_stiffness(structure.softening, drifts);
-    whole.stiffness -= geometric;
-    if (!is_positive_definite(whole.stiffness)) refuse_loads(whole, structure.softening, geometric);
+    const MatrixXd softened = whole.stiffness - geometric;
+    if (!is_positive_definite(softened)) refuse_loads(whole, structure.softening, geometric);
+    whole.stiffness = softened;
   }
   Building building;
   building.name = std::move(name);

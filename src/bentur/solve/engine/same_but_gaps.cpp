@@ -46,7 +46,8 @@ bool alike(const Building& a, const Building& b) {
   return alike(a.model.mass, b.model.mass) && alike(a.model.stiffness, b.model.stiffness) &&
          alike(a.model.load, b.model.load) && a.model.storey_heights == b.model.storey_heights &&
          alike(a.modes.omega, b.modes.omega) && alike(a.modes.shapes, b.modes.shapes) &&
-         alike(a.modal_damping, b.modal_damping) && alike_storeys(a, b);
+         alike(a.modal_damping, b.modal_damping) && alike(a.model.drifts, b.model.drifts) &&
+         alike(a.model.shears, b.model.shears) && a.has_gravity_loads == b.has_gravity_loads && alike_storeys(a, b);
 }
 
 bool alike(const ContactPoint& a, const ContactPoint& b) {
@@ -109,6 +110,8 @@ void require_same_but_gaps(const Problem& problem, const Problem& other) {
   require_same(alike(problem.motion, other.motion), "motion", "another one");
   require_same(problem.kinematics == other.kinematics, "kinematics",
                other.kinematics == Kinematics::absolute ? "absolute" : "relative");
+  require_same(problem.collapse_drift == other.collapse_drift, "collapse_drift",
+               fmt::format("{}", other.collapse_drift));
   require_same(problem.duration == other.duration, "duration", fmt::format("{}", other.duration));
 }
 

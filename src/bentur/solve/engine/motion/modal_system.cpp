@@ -13,24 +13,26 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Rows of displacement, drift ratio and storey shear over the coordinates of a building (docs/theory/exact-solver.md):
-/// modes, ground, and the forces of storeys that yield.
+/// Rows over the coordinates of a building (docs/theory/exact-solver.md): displacements, drift ratios (of a slab's, the
+/// drift), storey shears; then its forces in columns with nodes, and sway and rocking of its foundation. Columns: modes,
+/// ground, and the forces of storeys that yield.
 MatrixXd output_rows(const Building& building, Index size) {
   const StructuralModel& model = building.model;
   const Index floors = model.floors();
-  const MatrixXd shapes = building.modes.shapes.topRows(floors);
-  const MatrixXd forces = (model.stiffness * building.modes.shapes).topRows(floors);
-  MatrixXd rows = MatrixXd::Zero(3 * floors, size);
-  Index force = shapes.cols() + 1;
+  const Index modes = building.modes.omega.size();
+  const Index columns = model.column_forces.rows();
+  MatrixXd rows = MatrixXd::Zero(3 * floors + columns + (model.has_soil ? 2 : 0), size);
+  const auto of_dofs = [&](const MatrixXd& of) { return MatrixXd(of * building.modes.shapes); };
+  rows.block(0, 0, floors, modes) = building.modes.shapes.topRows(floors);
+  rows.block(floors, 0, floors, modes) = of_dofs(drift_rows(model));
+  rows.block(2 * floors, 0, floors, modes) = of_dofs(shear_rows(model));
+  Index force = modes + 1;
   for (Index f = 0; f < floors; ++f) {
-    const Index modes = shapes.cols();
-    rows.row(f).head(modes) = shapes.row(f);
-    rows.row(floors + f).head(modes) = shapes.row(f);
-    if (f > 0) rows.row(floors + f).head(modes) -= shapes.row(f - 1);
-    rows.row(floors + f) /= model.storey_heights[f];
-    rows.row(2 * floors + f).head(modes) = forces.bottomRows(floors - f).colwise().sum();
+    if (model.storey_heights[f] > 0.0) rows.row(floors + f) /= model.storey_heights[f];
     if (building.storey_law(f) != nullptr) rows(2 * floors + f, force++) = 1.0;
   }
+  if (columns > 0) rows.block(3 * floors, 0, columns, modes) = of_dofs(model.column_forces);
+  if (model.has_soil) rows.block(3 * floors + columns, 0, 2, modes) = building.modes.shapes.bottomRows(2);
   return rows;
 }
 
@@ -48,20 +50,21 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   for (const auto& law : building.storey_laws) block.size += law ? 1 : 0;
   block.padded_size = padded(block.size);
   block.floors = building.model.floors();
+  block.has_foundation = building.model.has_soil;
   block.outputs = output_rows(building, block.size);
   block.acceleration = block.outputs.topRows(block.floors);
   block.acceleration.col(modes).setOnes();
 
   MatrixXd off_diagonal = building.modal_damping;
   off_diagonal.diagonal().setZero();
-  double damping_norm = building.modal_damping.diagonal().cwiseAbs().maxCoeff();
+  double damping_norm = modes > 0 ? building.modal_damping.diagonal().cwiseAbs().maxCoeff() : 0.0;
   if (!off_diagonal.isZero(0.0)) {
     block.damping = MatrixXd::Zero(block.size, block.size);
     block.damping->topLeftCorner(modes, modes) = building.modal_damping;
     damping_norm = building.modal_damping.norm();
   }
   block.half_damping = 0.5 * damping_norm;
-  block.omega_max = building.modes.omega.maxCoeff();
+  block.omega_max = modes > 0 ? building.modes.omega.maxCoeff() : 0.0;
   return block;
 }
 
@@ -94,15 +97,14 @@ void let_push(const std::vector<ModalSystem::Block>& blocks, ModalSystem::Relati
   if (relation.right_size > 0) relation.right_push(blocks[relation.right].modes) = 0.0;
 }
 
-/// x_j − x_{j−1} of one building.
+/// The drift of one storey.
 ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, const Building& of, Index storey) {
   ModalSystem::Relation relation;
   relation.left = relation.right = building;
   relation.left_begin = relation.right_begin = block.begin;
   relation.left_size = block.padded_size;
   relation.left_row = VectorXd::Zero(block.padded_size);
-  relation.left_row.head(block.modes) = of.modes.shapes.row(storey);
-  if (storey > 0) relation.left_row.head(block.modes) -= of.modes.shapes.row(storey - 1);
+  relation.left_row.head(block.modes) = of.modes.shapes.transpose() * drift_rows(of.model).row(storey).transpose();
   return relation;
 }
 
@@ -155,6 +157,15 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     opening.left_row *= -1.0;
     opening.right_row *= -1.0;
     spans.push_back(std::move(opening));
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (!building.has_gravity_loads) continue;
+    for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
+      const auto at = static_cast<Index>(b);
+      elements.push_back({drift(blocks[b], at, building, f)});
+      limits.push_back({at, f});
+    }
   }
   storeys = std::ssize(elements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {

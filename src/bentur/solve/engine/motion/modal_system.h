@@ -49,7 +49,8 @@ struct ModalSystem {
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
-    Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
+    bool has_foundation = false;             ///< the last two outputs are its sway and rocking
+    Eigen::MatrixXd outputs;                 ///< rows × size: displacement, drift ratio, storey shear of floors, and more
     Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
     Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
@@ -86,6 +87,11 @@ struct ModalSystem {
     Eigen::Index force = -1;     ///< its force coordinate; −1: it has none
   };
 
+  /// Of which storey an element watches the drift.
+  struct DriftLimit {
+    Eigen::Index building = 0, storey = 0;
+  };
+
   explicit ModalSystem(const Problem& problem);
 
   Eigen::Index size = 0;
@@ -95,9 +101,11 @@ struct ModalSystem {
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
-  std::vector<Element> elements;  ///< contact points as Problem::points, links, then storeys that can yield
+  /// Contact points as Problem::points, links, drifts at which storeys collapse, then storeys that can yield.
+  std::vector<Element> elements;
   Eigen::Index switched = 0;      ///< the first ones, which the free response leaves out
-  Eigen::Index storeys = 0;       ///< where the storeys begin
+  std::vector<DriftLimit> limits;  ///< those after the links
+  Eigen::Index storeys = 0;        ///< where the storeys begin
   std::vector<Relation> watched;  ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
   /// δ of links, and then −δ: how far they close and open.
   std::vector<Relation> spans;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/elements/deformation_limit.h"
 #include "bentur/solve/engine/run/impulses.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
@@ -42,7 +43,7 @@ double potential(const Branch& branch, double deformation) {
   return (branch.base + 0.5 * branch.stiffness * deformation) * deformation;
 }
 
-std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std::vector<const Law*>& laws,
+std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std::vector<std::shared_ptr<const Law>>& laws,
                                            const std::vector<double>& offsets) {
   std::vector<GuardMonitor::Watched> all;
   for (Index i = 0; i < std::ssize(laws); ++i) {
@@ -53,13 +54,19 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std:
 
 }  // namespace
 
-std::vector<const Law*> laws_of(const Problem& problem) {
-  std::vector<const Law*> laws;
-  for (const ContactPoint& point : problem.points) laws.push_back(point.law.get());
-  for (const Link& link : problem.links) laws.push_back(link.law.get());
+std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem) {
+  std::vector<std::shared_ptr<const Law>> laws;
+  for (const ContactPoint& point : problem.points) laws.push_back(point.law);
+  for (const Link& link : problem.links) laws.push_back(link.law);
+  for (const Building& building : problem.buildings) {
+    if (!building.has_gravity_loads) continue;
+    for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
+      laws.push_back(std::make_shared<DeformationLimit>(problem.collapse_drift * building.model.storey_heights[f]));
+    }
+  }
   for (const Building& building : problem.buildings) {
     for (const auto& law : building.storey_laws) {
-      if (law) laws.push_back(law.get());
+      if (law) laws.push_back(law);
     }
   }
   return laws;
@@ -280,7 +287,7 @@ double Elements::energy_lost(Index i, const State& state) const {
 }
 
 double Elements::residual(Index i, const State& state) const {
-  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i]);
+  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
   return law == nullptr ? 0.0 : law->residual(states_[i], deformation(i, state));
 }
 
@@ -398,7 +405,7 @@ void Elements::gather(State& state) {
 
 void Elements::change(const Event& event, double time, State& state) {
   const Index i = event.element;
-  ++events_;
+  if (two_bodies(i)) ++events_;
   jumps_.clear();
   began_ = false;
   if (law(i).restitution()) {
@@ -411,6 +418,7 @@ void Elements::change(const Event& event, double time, State& state) {
   if (!two_bodies(i)) {
     take_work(i, delta);
     set(i, law(i).next(before, event.guard, time, delta, speed(i, state)), state);
+    if (law(i).is_limit()) limit_passed_ = i;
     return;
   }
   double start = time;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace bentur::engine {
 
 /// Laws and offsets of a problem's elements, in the order of ModalSystem::elements.
-[[nodiscard]] std::vector<const Law*> laws_of(const Problem& problem);
+[[nodiscard]] std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem);
 [[nodiscard]] std::vector<double> offsets_of(const Problem& problem);
 
 /// Where every element stands, when that changes next, and what it does to the buildings.
@@ -103,6 +104,8 @@ class Elements {
   void change(const Event& event, double time, State& state);
   /// Whether the last change found no impulses (E-1).
   [[nodiscard]] bool failed() const { return failed_; }
+  /// The element whose limit the last change has passed.
+  [[nodiscard]] std::optional<Eigen::Index> limit_passed() const { return limit_passed_; }
   /// Whether the last change began a contact.
   [[nodiscard]] bool began() const { return began_; }
   /// The jumps of the last change.
@@ -159,7 +162,7 @@ class Elements {
   void collide(Eigen::Index element, double time, State& state);
 
   const ModalSystem* system_;
-  std::vector<const Law*> laws_;
+  std::vector<std::shared_ptr<const Law>> laws_;
   std::vector<double> offsets_;       ///< of δ [length]
   Eigen::Index idle_;                 ///< the first elements, which do nothing
   std::vector<double> tolerances_;    ///< the band [length] per element
@@ -185,6 +188,7 @@ class Elements {
   std::vector<Jump> jumps_;
   double initial_work_ = 0;
   double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
+  std::optional<Eigen::Index> limit_passed_;
   bool began_ = false;
   bool failed_ = false;
   long events_ = 0;

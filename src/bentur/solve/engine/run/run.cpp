@@ -78,6 +78,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
+    if (collapse_) break;
     if (status() != Status::done) return status();
     bound_memory();
     if (progress && segment_ - reported >= segments_between_reports) {
@@ -91,7 +92,11 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
   return status();
 }
 
-Status Run::status() const { return !trouble_.empty() ? Status::failed : stopped_ ? Status::stopped : Status::done; }
+Status Run::status() const {
+  if (!trouble_.empty()) return Status::failed;
+  if (stopped_) return Status::stopped;
+  return collapse_ ? Status::collapsed : Status::done;
+}
 
 /// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
 bool Run::go_on(long steps) {
@@ -103,7 +108,7 @@ bool Run::go_on(long steps) {
   if (taken_ / steps_between_reports != before / steps_between_reports && *progress_ && !stopped_) {
     stopped_ = !(*progress_)(std::min(grid_.start(segment_) / problem_.duration, 1.0));
   }
-  return status() == Status::done;
+  return trouble_.empty() && !stopped_;
 }
 
 void Run::take_buffer(const StepBuffer& buffer) {
@@ -177,7 +182,7 @@ void Run::pass_flights(Eigen::Index first) {
 
 /// Part of a segment, after so many halvings.
 void Run::advance(const Flights& flights, std::size_t halvings, double start, double length) {
-  if (!go_on()) return;
+  if (collapse_ || !go_on()) return;
   if (elements_.may_fly() && fly(flights, halvings, start, length)) return;
   halve(flights, halvings, start, length);
 }
@@ -246,7 +251,7 @@ void Run::take_steps(double start, double length) {
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
     arrived(time, start + elapsed);
-    if (!trouble_.empty()) return;
+    if (!trouble_.empty() || collapse_) return;
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     if (event && ++cuts > limit) {
       fail(fmt::format("more than {} events within one step of the ground motion", limit), time);
@@ -329,6 +334,10 @@ void Run::arrived(double from, double time) {
   elements_.change(*event_, time, state_);
   if (elements_.failed()) return fail("no impulses part the points that collide", time);
   if (elements_.began()) stepper_.contact_begins();
+  if (const auto element = elements_.limit_passed()) {
+    const ModalSystem::DriftLimit& limit = system_.limits[*element - system_.switched - std::ssize(problem_.links)];
+    collapse_ = {limit.building, limit.storey, time};
+  }
   changed();
 }
 

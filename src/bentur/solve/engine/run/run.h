@@ -55,6 +55,8 @@ class Run {
   [[nodiscard]] const SpanWatch& links() const { return watches_[1]; }
   [[nodiscard]] const SpanWatch& idle() const { return watches_[2]; }
   [[nodiscard]] Elements& elements() { return elements_; }
+  /// What ended the run before its time.
+  [[nodiscard]] const std::optional<Collapse>& collapse() const { return collapse_; }
   [[nodiscard]] const State& state() const { return state_; }
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
@@ -171,6 +173,7 @@ class Run {
   long steps_ = 0;
   long taken_ = 0, most_steps_;  ///< steps, those gone over again included
   bool stopped_ = false;
+  std::optional<Collapse> collapse_;
   const std::function<bool(double)>* progress_ = nullptr;
   std::vector<Halving> halvings_;  ///< scratch
   State replayed_;                 ///< scratch
