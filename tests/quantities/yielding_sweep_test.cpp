@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/files/netcdf.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/runner/sweep.h"
+#include "bentur/solve/solver.h"
 #include "tests/support/yielding_case.h"
 
 namespace bentur {
@@ -47,6 +50,32 @@ TEST(YieldingSweep, KeepsWhatYieldsAndTheLinksAndDrawsThem) {
     for (const Curve& curve : figure.panels[0].curves) {
       for (const double y : curve.y) EXPECT_GE(y, -1e-9) << kind;  // the sizes of residual drifts
     }
+  }
+}
+
+// What yielding takes has a curve of its own, which ends at the sum over storeys.
+TEST(YieldingRun, EnergyFigureShowsWhatYieldingTakes) {
+  Diagnostics diagnostics;
+  for (const char* const name : {"yielding-pair", "kelvin-voigt-pair"}) {
+    Case c = read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/" + name + ".toml", diagnostics).value();
+    Problem problem = make_problem(c);
+    SolveOptions options;
+    options.output_step = 0.02;
+    options.energy_audit = true;
+    Response response = solve(problem, c.analysis.solver, options);
+    const Figure figure = make_figure(run_results(std::move(c), std::move(problem), response), "energy");
+    const auto& curves = figure.panels.at(0).curves;
+    const auto curve =
+        std::find_if(curves.begin(), curves.end(), [](const Curve& one) { return one.label == "yielding"; });
+    if (name != std::string("yielding-pair")) {
+      EXPECT_EQ(curve, curves.end()) << "nothing yields";
+      continue;
+    }
+    ASSERT_NE(curve, curves.end());
+    double sum = 0;
+    for (const BuildingPeaks& peaks : response.buildings) sum += peaks.yielding.hysteretic_energy.sum();
+    ASSERT_GT(sum, 0);
+    EXPECT_NEAR(curve->y.back() / sum, 1, 1e-9);  // two ways to the same integrals
   }
 }
 

@@ -11,8 +11,4 @@ inline const std::set<std::string> awaited_cases = {"friction-pendulum", "isolat
                                                     "p-delta",           "p-delta-collapse",  "slab-column",
                                                     "soil-pair",         "soil-p-delta-yield"};
 
-/// Reference cases that are read, but that no solver follows yet: storeys that yield and links.
-inline const std::set<std::string> unsolved_cases = {"link-cable", "link-damper", "yield-bilinear-pair",
-                                                     "yield-peak-oriented", "yield-with-contact-row"};
-
 }  // namespace bentur::test

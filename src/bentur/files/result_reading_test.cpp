@@ -96,6 +96,9 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   EXPECT_EQ(results.response.histories.time, response.histories.time);
   EXPECT_EQ(results.response.histories.opening, response.histories.opening);
   EXPECT_EQ(results.response.energy.has_value(), response.energy.has_value());
+  if (response.energy) {
+    EXPECT_EQ(results.response.energy->histories.hysteretic, response.energy->histories.hysteretic);
+  }
   // The same list of impacts writes the same file.
   EXPECT_EQ(impacts_csv(results.view()), impacts_csv(written.view()));
 

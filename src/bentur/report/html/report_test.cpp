@@ -120,6 +120,32 @@ TEST(Report, EveryRuleOfTheCaseIsShown) {
   }
 }
 
+TEST(Report, BuildingsThatYield) {
+  const Simulated pair = run(example("yielding-pair"));
+  const std::string page = plain(pair.page());
+  EXPECT_TRUE(has(page, "Storeys that yield"));
+  EXPECT_TRUE(has(page, "bilinear, kinematic hardening"));
+  EXPECT_TRUE(has(page, "stiffness-proportional, 5 % in mode 1"));
+  EXPECT_TRUE(has(page, "Yield force"));
+  EXPECT_TRUE(has(page, "Ductility without contact"));
+  EXPECT_TRUE(has(page, "storeys yield where the case says so"));
+  EXPECT_FALSE(has(page, "computed as linear elastic"));
+  EXPECT_TRUE(has(plain(pair.page("id")), "Daktilitas tanpa kontak"));
+  const std::string tangent =
+      replaced(example("yielding-pair"), "damping = { s", "damping_stiffness = \"tangent\"\ndamping = { s");
+  EXPECT_TRUE(has(plain(run(tangent).page()), "of the tangent stiffness where a storey yields"));
+  EXPECT_FALSE(has(plain(run(example("free-impact")).page()), "Ductility"));
+}
+
+TEST(Report, LinksOfTheCaseAndWhatTheyDid) {
+  const std::string page = plain(run(example("linked-pair")).page());
+  EXPECT_TRUE(has(page, "Links Tall – Low"));
+  EXPECT_TRUE(has(page, "spring and dashpot"));
+  EXPECT_TRUE(has(page, "Peak pull"));
+  EXPECT_TRUE(has(page, "Yield force"));
+  EXPECT_FALSE(has(plain(run(example("free-impact")).page()), "Links"));
+}
+
 TEST(Report, TheSameRunGivesTheSameBytes) {
   EXPECT_EQ(run(example("row-of-three")).page(), run(example("row-of-three")).page());
 }
