@@ -37,7 +37,7 @@ std::optional<CloseUp> close_up(const Problem& problem, const Response& response
   if (duration / options.output_step < 40) return std::nullopt;
 
   const Response dense = solve(shortened, solver, options);
-  if (dense.status != Status::done) return std::nullopt;
+  if (dense.status != Status::done && dense.status != Status::collapsed) return std::nullopt;
   const std::vector<double>& time = dense.histories.time;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (time[i] < from) continue;

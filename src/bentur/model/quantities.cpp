@@ -29,7 +29,7 @@ double base_shear_coefficient(const RunView& r, const QuantityPlace& at) {
   return proportions_of(r, at).base_shear_coefficient.value_or(none);
 }
 double first_period(const RunView& r, const QuantityPlace& at) {
-  const double omega = r.problem.buildings[at.item].modes.omega(0);
+  const double omega = r.problem.buildings[at.item].first_omega();
   return omega > 0 ? 2 * std::numbers::pi / omega : none;
 }
 double period_per_storey(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).period_per_storey; }

@@ -98,7 +98,7 @@ void check_frame(const std::string& name, const PlaneFrame& frame, const Units& 
 void check_buildings(const Case& c, const Problem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    const double omega = building.modes.omega(0);
+    const double omega = building.first_omega();
     if (omega > 0) {
       list.check("period_per_storey", building.name, proportions(building, c.units, nullptr).period_per_storey, "s",
                  period_range);
@@ -159,7 +159,7 @@ void check_motion(const Case& c, const Problem& problem, List& list) {
 void check_output(const Case& c, const Problem& problem, List& list) {
   double shortest = problem.duration;
   for (const Building& building : problem.buildings) {
-    if (building.modes.omega(0) > 0) shortest = std::min(shortest, 2 * std::numbers::pi / building.modes.omega(0));
+    if (building.first_omega() > 0) shortest = std::min(shortest, 2 * std::numbers::pi / building.first_omega());
   }
   list.most("output_step", "", c.analysis.output_step, "s", shortest / samples_per_period, shortest / usual_samples);
 }
@@ -184,7 +184,7 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   check_before(c, problem, list);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    if (!(building.modes.omega(0) > 0)) continue;  // a free body
+    if (!(building.first_omega() > 0)) continue;  // a free body
     if (building.can_yield()) continue;            // both say what the linear elastic model overlooks
     const BuildingPeaks& peaks = response.buildings.at(b);
     list.most("drift", building.name, 100 * peaks.drift_ratio.maxCoeff(), "%", most_drift, most_drift);
@@ -207,9 +207,10 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
 
 Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks) {
   Proportions result;
+  if (building.is_rigid()) return result;
   for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
   result.period_per_storey =
-      2 * std::numbers::pi / building.modes.omega(0) / static_cast<double>(building.model.elevations.size());
+      2 * std::numbers::pi / building.first_omega() / static_cast<double>(building.model.elevations.size());
   if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
   return result;
 }

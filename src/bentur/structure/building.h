@@ -77,6 +77,8 @@ struct Building {
   [[nodiscard]] bool can_yield() const;
   /// Moves with the ground (a moat wall): it has no modes.
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
+  /// ω₁ [rad/s]; 0 of a free body and of what has no modes.
+  [[nodiscard]] double first_omega() const { return is_rigid() ? 0.0 : modes.omega(0); }
 
   /// Gravity loads act (P-Δ), so that it may collapse.
   bool has_gravity_loads = false;

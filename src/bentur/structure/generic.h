@@ -12,7 +12,13 @@ namespace bentur {
 struct GenericBuilding {
   std::vector<double> storey_heights;  ///< [length] > 0, bottom to top
   std::vector<double> floor_masses;    ///< [mass] > 0
-  double period = 0;                   ///< T₁ [s] > 0
+  double period = 0;                        ///< T₁ [s] > 0; 0: as period_formula says
+  /// T₁ = coefficient · H^exponent of the height H in metres, and what a metre is in the unit of lengths.
+  struct PeriodFormula {
+    double coefficient = 0, exponent = 0;
+    double metre = 1;  ///< [length]
+  };
+  std::optional<PeriodFormula> period_formula = {};
   double stiffness_ratio = 0;          ///< α = H √(GA/EI) [-] ≥ 0: 0 pure bending, 30 and more pure shear
   /// Share of the weight that yields the base; its shear springs yield in proportion to their shear in the first mode.
   std::optional<double> yield_base_shear = {};

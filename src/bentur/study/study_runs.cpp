@@ -178,7 +178,7 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
       options.most_steps = static_cast<long>(workspace.group->read.c.analysis.limits.steps);
       const Response response = workspace.group->free.solve(workspace.problem, options);
       if (response.status == Status::stopped) break;
-      if (response.status == Status::done) {
+      if (response.status == Status::done || response.status == Status::collapsed) {
         result.values.resize(row_size(quantities_));
         fill_row(quantities_, {workspace.problem, response, facts_.units}, result.values);
       } else {

@@ -69,7 +69,7 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
                formula->is_table_of({"coefficient", "exponent"})) {
       const double coefficient = formula->number("coefficient", Rule::positive).value_or(0);
       const double exponent = formula->number("exponent", Rule::positive).value_or(0);
-      generic.period_formula = {{coefficient, exponent, 1 / metres(units)}};
+      generic.period_formula = {{coefficient, exponent, 1 / metres(units.length)}};
     }
   }
   if (const auto kind = view.exactly_one({"stiffness_ratio", "system"})) {

@@ -75,6 +75,31 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   }
 }
 
+/// Springs and dashpots of the soil, given and derived, and what the foundation did.
+Json soil_json(const SoilSpec& spec, const BuildingPeaks& peaks) {
+  const Soil soil = spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
+  Json json = {{"sway", {{"stiffness", soil.sway.stiffness}, {"damping", soil.sway.damping}}},
+               {"rocking", {{"stiffness", soil.rocking.stiffness}, {"damping", soil.rocking.damping}}},
+               {"foundation", {{"mass", soil.mass}, {"inertia", soil.inertia}}}};
+  if (const auto& half_space = spec.half_space) {
+    json["half_space"] = {{"shear_wave_velocity", half_space->shear_wave_velocity},
+                          {"density", half_space->density},
+                          {"poisson", half_space->poisson},
+                          {"radius", half_space->radius}};
+  }
+  if (peaks.foundation.size() == 2) {
+    json["peak_sway"] = peaks.foundation(0);
+    json["peak_rocking"] = peaks.foundation(1);
+  }
+  return json;
+}
+
+Json collapse_json(const RunView& run, const Collapse& collapse) {
+  return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
+          {"storey", collapse.storey + (run.problem.buildings[collapse.building].model.has_slab ? 0 : 1)},
+          {"time", collapse.time}};
+}
+
 Json building_json(const RunView& run, Eigen::Index b) {
   const Building& building = run.problem.buildings[b];
   Json json = {{"name", building.name},
@@ -193,7 +218,12 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   const RunView run = results.view();
   const Case& c = results.c;
   Json buildings = Json::array();
-  for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) buildings.push_back(building_json(run, b));
+  for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    buildings.push_back(building_json(run, b));
+    if (b < std::ssize(c.buildings) && c.buildings[b].soil) {
+      buildings.back()["soil"] = soil_json(*c.buildings[b].soil, run.response.buildings[b]);
+    }
+  }
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
@@ -209,12 +239,15 @@ std::string summary_json(const RunResults& results, std::string_view version) {
                {"units", units_json(c.units)},
                {"version", version},
                {"case", source_json(c.source)},
-               {"status", "completed"},
+               {"status", run.response.collapse ? "collapsed" : "completed"},
                {"solver", solver_json(c.analysis.solver, run.response)},
                {"excitation", excitation_json(c.excitation)},
                {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
                {"gaps", gaps}};
+  const Response& response = run.response;
+  if (response.collapse) json["collapse"] = collapse_json(run, *response.collapse);
+  if (response.collapse_no_contact) json["collapse_no_contact"] = collapse_json(run, *response.collapse_no_contact);
   if (!c.links.empty()) json["links"] = links_json(run, c);
   put_quantities(json, Owner::run, run);
   return dump(json);

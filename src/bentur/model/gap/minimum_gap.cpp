@@ -13,7 +13,8 @@ namespace bentur {
 namespace {
 
 SeparationInput separation_input(const Building& building, const BuildingPeaks& peaks, Eigen::Index floor) {
-  const double omega = building.modes.omega(0);
+  if (building.is_rigid()) return {.displacement = 0, .period = 1, .damping_ratio = 0};  // whatever its period
+  const double omega = building.first_omega();
   return {.displacement = peaks.displacement_no_contact(floor),
           .period = 2 * std::numbers::pi / omega,
           .damping_ratio = building.modal_damping(0, 0) / (2 * omega)};

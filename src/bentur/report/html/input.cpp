@@ -154,6 +154,66 @@ Html structure_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
          matrix_echo(say("column.stiffness"), units.force + "/" + units.length, spec.stiffness);
 }
 
+Html structure_echo(const RigidSpec& spec, const Story& story, Rows& rows) {
+  rows.emplace_back(story.say("input.structure"), story.say("input.rigid"));
+  rows.emplace_back(story.say("input.elevations"), list_text(spec.elevations) + " " + story.c.units.length);
+  return {};
+}
+
+Html structure_echo(const ModalBuilding& modal, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  rows.emplace_back(say("input.structure"),
+                    say("input.modal", {{"modes", std::to_string(modal.periods.size())}}));
+  HtmlTable table;
+  const std::size_t floors = modal.elevations.size();
+  table.add(say("column.elevation"), story.c.units.length, reversed(modal.elevations, floors));
+  table.add(say("column.mass"), mass_unit(story.c), reversed(modal.masses, floors));
+  return table.markup();
+}
+
+Html structure_echo(const GenericBuilding& generic, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  rows.emplace_back(say("input.structure"), say("input.generic", {{"ratio", number(generic.stiffness_ratio)}}));
+  const std::size_t storeys = generic.storey_heights.size();
+  HtmlTable table;
+  table.add(say("column.storey"), "", storey_numbers(storeys));
+  table.add(say("column.height"), story.c.units.length, reversed(generic.storey_heights, storeys));
+  table.add(say("column.mass"), mass_unit(story.c), reversed(generic.floor_masses, storeys));
+  return table.markup();
+}
+
+/// What the building stands on and bears.
+void support_echo(const BuildingSpec& spec, const Story& story, Rows& rows) {
+  const Words& say = story.say;
+  const Units& units = story.c.units;
+  const std::string spring = units.force + "/" + units.length;
+  if (spec.p_delta || !spec.gravity_loads.empty()) {
+    rows.emplace_back(say("input.gravity"), spec.gravity_loads.empty()
+                                                ? say("input.own_weight")
+                                                : list_text(spec.gravity_loads) + " " + units.force);
+  }
+  if (spec.isolation) {
+    const Isolation& bearings = spec.isolation->bearings;
+    rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(story.c)));
+    if (const auto& pendulum = spec.isolation->pendulum) {
+      rows.emplace_back(say("input.bearings"), say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
+                                                                     {"radius", quantity(pendulum->radius, units.length)}}));
+    } else {
+      rows.emplace_back(say("input.bearings"),
+                        say("input.bearing_law", {{"stiffness", quantity(bearings.stiffness, spring)},
+                                                  {"strength", quantity(bearings.characteristic_strength, units.force)}}));
+    }
+  }
+  if (!spec.soil) return;
+  const Soil soil = spec.soil->half_space ? soil_of(*spec.soil->half_space, spec.soil->soil.mass, spec.soil->soil.inertia)
+                                          : spec.soil->soil;
+  rows.emplace_back(say("input.sway"), quantity(soil.sway.stiffness, spring) + ", " +
+                                           quantity(soil.sway.damping, units.force + "·s/" + units.length));
+  rows.emplace_back(say("input.rocking"),
+                    quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
+                        quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
+}
+
 /// Of values mode by mode those that are shown.
 std::vector<double> first_modes(const Eigen::VectorXd& values) {
   return {values.begin(), values.begin() + std::min(values.size(), most_modes)};
@@ -191,6 +251,8 @@ Html building_echo(const Story& story, Eigen::Index b) {
   Rows rows;
   const Html table =
       std::visit([&](const auto& structure) { return structure_echo(structure, story, rows); }, spec.structure);
+  if (building.is_rigid()) return element("h3", building.name) + facts(rows) + table;
+  support_echo(spec, story, rows);
   const std::string damping = damping_text(spec.damping, say);
   rows.emplace_back(say("input.damping"),
                     spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);

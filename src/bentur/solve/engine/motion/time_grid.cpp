@@ -18,7 +18,7 @@ double grid_period(const Problem& problem, bool fine) {
   }
   double slowest = 0.0;
   for (const Building& building : problem.buildings) {
-    if (!building.is_rigid() && building.modes.omega(0) > 0.0) slowest = std::max(slowest, 2.0 * std::numbers::pi / building.modes.omega(0));
+    if (building.first_omega() > 0.0) slowest = std::max(slowest, 2.0 * std::numbers::pi / building.first_omega());
   }
   const double period = slowest > 0.0 ? slowest / segments_per_period : problem.duration / segments_per_period;
   return std::min(period, problem.duration);
