@@ -16,7 +16,6 @@ Expansion::Expansion(const ModalSystem& system, std::vector<double> offsets)
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       rise_(Eigen::VectorXd::Zero(system.size)),
       acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
-      curved_(Eigen::VectorXd::Zero(system.size)),
       resting_force_(system.elements.size()),
       deformations_(system.elements.size()),
       deformation_known_(system.elements.size(), 0) {}
@@ -46,30 +45,23 @@ void Expansion::fill_forces(const ElementForces& forces) {
 void Expansion::begin(Index first, Index count, double h, int degree) {
   first_ = first;
   count_ = count;
-  place_ = 0.0;
   h_ = h;
-  degree_ = degree;
+  degree_ = degree | 3;
 }
 
 void Expansion::set_resting_force(Index element, const Polynomial& force) { resting_force_[element] = force; }
 
-bool Expansion::find_rises() {
-  return std::isfinite(kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, 1.0, 1.0 / (h_ * h_),
-                                             rise_.data() + first_, acceleration_rise_.data() + first_));
+bool Expansion::find_end(State& state, Eigen::VectorXd& acceleration) {
+  return std::isfinite(
+      kernels::end_of_step(count_, c_.data() + first_, c_.rows(), degree_, h_,
+                           {state.q.data() + first_, state.v.data() + first_, acceleration.data() + first_},
+                           rise_.data() + first_, acceleration_rise_.data() + first_));
 }
 
-void Expansion::find_rises(double end, double* rise, double* acceleration_rise) const {
-  (void)kernels::leave_chords(count_, c_.data() + first_, c_.rows(), degree_, end, 1.0 / (h_ * h_), rise + first_,
-                              acceleration_rise + first_);
-}
-
-void Expansion::evaluate(double s, State& state) const {
-  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, state.q.data() + first_, state.v.data() + first_,
-                    curved_.data() + first_);
-  place_ = s;
-  const double rate = 1.0 / h_;
-  double* v = state.v.data() + first_;
-  for (Index j = 0; j < count_; ++j) v[j] *= rate;
+void Expansion::evaluate(double s, State& state, Eigen::VectorXd* acceleration) const {
+  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, h_,
+                    {state.q.data() + first_, state.v.data() + first_,
+                     acceleration == nullptr ? nullptr : acceleration->data() + first_});
 }
 
 const Polynomial& Expansion::deformation(Index i) const {

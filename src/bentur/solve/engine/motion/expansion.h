@@ -25,7 +25,8 @@ class Expansion {
   Expansion(const ModalSystem& system, std::vector<double> offsets);
 
   // For those who fill it.
-  /// Makes it one of `h` [s] and of the given degree, for `count` coordinates from `first` on.
+  /// Makes it one of `h` [s] and of the given degree or the next that makes the number of powers a multiple of four,
+  /// for `count` coordinates from `first` on. All these powers are to be filled.
   void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
   /// Coefficients: coordinates × powers of s.
   [[nodiscard]] Eigen::MatrixXd& coefficients();
@@ -35,9 +36,9 @@ class Expansion {
   void set_resting_force(Eigen::Index element, const Polynomial& force);
   /// Makes the force coordinates of pressing elements what their forces are.
   void fill_forces(const ElementForces& forces);
-  /// Works out how far coordinates leave their chords between s = 0 and 1 (T-5), of those that were filled. False where
-  /// that is not finite.
-  bool find_rises();
+  /// Works out the state and q̈ at the end, and how far coordinates leave their chords between s = 0 and 1 (T-5), of
+  /// those that were filled. False where that is not finite.
+  bool find_end(State& state, Eigen::VectorXd& acceleration);
 
   // For those who read it.
   [[nodiscard]] double h() const { return h_; }
@@ -46,18 +47,14 @@ class Expansion {
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, double end = 1.0) const {
     return {c_.data() + block.begin, c_.rows(), degree_, h_, end};
   }
-  /// Position and speed at s; only the coordinates that were filled are written.
-  void evaluate(double s, State& state) const;
-  /// Where that was last asked for, and d²q/ds² there.
-  [[nodiscard]] double place() const { return place_; }
-  [[nodiscard]] const Eigen::VectorXd& curved() const { return curved_; }
+  /// Position, speed and, where it is asked for, q̈ at s; only the coordinates that were filled are written.
+  void evaluate(double s, State& state, Eigen::VectorXd* acceleration = nullptr) const;
   [[nodiscard]] const Polynomial& deformation(Eigen::Index element) const;  ///< δ(s) of (T-1) [length]
   [[nodiscard]] const Polynomial& resting_force(Eigen::Index element) const { return resting_force_[element]; }
-  /// How far each coordinate, and its acceleration q̈, leaves its chord between s = 0 and 1 at most.
+  /// How far each coordinate, and its acceleration q̈, leaves its chord between s = 0 and 1 at most: find_end() has
+  /// found that. Between 0 and some s it is s² times as far at most.
   [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
-  /// The same between s = 0 and `end`, by all coordinates.
-  void find_rises(double end, double* rise, double* acceleration_rise) const;
 
  private:
   const ModalSystem* system_;
@@ -67,8 +64,6 @@ class Expansion {
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd rise_, acceleration_rise_;
-  mutable double place_ = 0;
-  mutable Eigen::VectorXd curved_;
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for
   mutable std::vector<char> deformation_known_;

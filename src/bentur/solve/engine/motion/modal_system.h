@@ -29,6 +29,7 @@ struct ElementForces {
   Eigen::VectorXd load;                 ///< what the constant ones do to every coordinate …
   bool loaded = false;                  ///< … where they do anything
   double fading = 0;                    ///< fastest rate at which a surface comes back [1/s]
+  double rate = 0;                      ///< growth bound of a power series under all of it [1/s], ModalSystem::rate()
 
   [[nodiscard]] bool none() const {
     return pressing.empty() && constant.empty() && resting.empty() && nonlinear.empty();
@@ -110,8 +111,8 @@ struct ModalSystem {
   /// δ of links, and then −δ: how far they close and open.
   std::vector<Relation> spans;
   Eigen::MatrixXd coupling;  ///< −push_i · row_j [1/mass], elements × elements
-  double nu = 0;               ///< ν of the ground motion [rad/s]
-  bool classical = true;       ///< every D is diagonal
+  double nu = 0;             ///< ν of the ground motion [rad/s]
+  bool classical = true;     ///< every D is diagonal
 
   Eigen::VectorXd initial_q, initial_v;
 

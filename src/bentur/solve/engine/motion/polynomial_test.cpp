@@ -99,7 +99,7 @@ TEST(RaiseToMaximum, FindsTheContinuousMaximum) {
     ASSERT_TRUE(raise_to_maximum(p, end, best, where));
     ASSERT_GE(where, 0.0);
     ASSERT_LE(where, end);
-    ASSERT_NEAR(value(p, where), best, 1e-15 * std::abs(best));
+    ASSERT_NEAR(value(p, where), best, round_off);
     for (int i = 0; i <= 200; ++i) ASSERT_LE(value(p, end * i / 200.0), best + round_off) << "case " << n;
     ASSERT_FALSE(raise_to_maximum(p, end, best, where));  // a second search finds nothing higher
   }
@@ -111,7 +111,7 @@ TEST(RaiseToLargest, IsTheLargerOfBothMaxima) {
     const Polynomial p = random_polynomial(random);
     double highest = 0.0, lowest = 0.0, where = 0.0, largest = 0.0;
     raise_to_maximum(p, 1.0, highest, where);
-    raise_to_maximum(-p, 1.0, lowest, where);
+    raise_to_maximum(p, 1.0, lowest, where, -1.0);
     raise_to_largest(p, 1.0, largest);
     ASSERT_NEAR(largest, std::max(highest, lowest), 1e-15 * largest) << "case " << n;
   }

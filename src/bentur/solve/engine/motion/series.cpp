@@ -1,6 +1,5 @@
 #include "bentur/solve/engine/motion/series.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -13,18 +12,19 @@ Series::Series(const ModalSystem& system, std::vector<double> offsets)
     : system_(&system), offsets_(std::move(offsets)), stiff_(system.size), damp_(system.size), force_(system.size) {}
 
 int needed_degree(double rate_times_h) {
-  // Longest products rate · h for which degrees 2, 3, … suffice, largest last; highest_degree serves series_reach.
+  // Longest products rate · h for which degrees 3, 7, … suffice, largest last; highest_degree serves series_reach.
   static const auto longest = [] {
-    std::array<double, highest_degree + 1> products{};
+    std::array<double, (highest_degree + 1) / 4> products{};
     const double remainder = std::pow(series_reach, highest_degree + 1) / std::tgamma(highest_degree + 2.0);
-    for (int n = 0; n <= highest_degree; ++n) {
-      products[n] = std::pow(remainder * std::tgamma(n + 2.0), 1.0 / (n + 1.0));
+    for (std::size_t n = 0; n < products.size(); ++n) {
+      const double terms = 4.0 * static_cast<double>(n + 1);
+      products[n] = std::pow(remainder * std::tgamma(terms + 1.0), 1.0 / terms);
     }
     return products;
   }();
-  constexpr int lowest = 6;  // the fourth derivatives have to be there
-  const auto found = std::lower_bound(longest.begin() + lowest, longest.end() - 1, rate_times_h);
-  return static_cast<int>(found - longest.begin());
+  int degree = 7;  // the fourth derivatives have to be there
+  while (degree < highest_degree && longest[degree / 4] < rate_times_h) degree += 4;
+  return degree;
 }
 
 kernels::GroundSeries Series::ground(std::size_t b, const GroundInput& input, double h) const {
@@ -84,7 +84,7 @@ void Series::hold(const std::vector<Index>& resting, int k) {
 
 void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
                     Expansion& motion) {
-  begin(0, system_->size, state, h, system_->rate(forces), motion);
+  begin(0, system_->size, state, h, forces.rate, motion);
   grounds_.clear();
   for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
   const double* load = scaled(forces.load_or_null(), 0, system_->size);
@@ -130,6 +130,7 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
   }
   for (std::size_t n = 0; n < forces.resting.size(); ++n) {
     resting_force_[n].degree = motion.degree() - 2;
+    resting_force_[n][motion.degree() - 1] = resting_force_[n][motion.degree()] = 0.0;
     motion.set_resting_force(forces.resting[n], resting_force_[n]);
   }
 }

@@ -9,9 +9,10 @@
 namespace bentur::engine {
 
 /// Longest step of a power series as rate · h: with `degree` terms the remainder is below round-off (polynomial.h).
-inline constexpr double series_reach = 2.4;
+inline constexpr double series_reach = 2.6;
 
-/// Degree that a step needs: the least n with (rate · h)^{n+1}/(n+1)! below that of the longest step.
+/// Degree that a step needs: the least n with (rate · h)^{n+1}/(n+1)! below that of the longest step, n + 1 a multiple
+/// of four.
 [[nodiscard]] int needed_degree(double rate_times_h);
 
 /// The solution of (T-1) over one step as a power series:
@@ -35,7 +36,8 @@ class Series {
   [[nodiscard]] kernels::GroundSeries ground(std::size_t block, const GroundInput& input, double h) const;
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
   [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
-  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces, Expansion& motion);
+  void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces,
+                           Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_pressing(Eigen::Index element, const ElementForces::Linear& force, int k);
   void hold(const std::vector<Eigen::Index>& resting, int k);

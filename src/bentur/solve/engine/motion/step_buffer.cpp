@@ -144,16 +144,13 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   steps_[last_] = {segment,   nullptr,         0,          taken.cut * motion.h(), offset, motion.h(),
                    taken.cut, motion.degree(), kept_count_};
   kept_count_ += count;
-  if (taken.cut < 1.0) {
-    motion.find_rises(taken.cut, rise_.col(last_).data(), acceleration_rise_.col(last_).data());
-  } else {
-    rise_.col(last_) = motion.rise();
-    acceleration_rise_.col(last_) = motion.acceleration_rise();
-  }
+  const double part = taken.cut * taken.cut;
+  rise_.col(last_) = part * motion.rise();
+  acceleration_rise_.col(last_) = part * motion.acceleration_rise();
   ++last_;
   q_.col(last_) = taken.to.q;
   v_.col(last_) = taken.to.v;
-  acceleration_.col(last_) = 1.0 / (motion.h() * motion.h()) * motion.curved();
+  acceleration_.col(last_) = taken.acceleration;
 }
 
 }  // namespace bentur::engine

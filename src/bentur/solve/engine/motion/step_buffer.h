@@ -70,9 +70,10 @@ class StepBuffer {
 
   /// A step of a power series.
   struct SeriesStep {
-    const Expansion& motion;  ///< last evaluated at `cut`
-    double cut;               ///< where it ends
+    const Expansion& motion;
+    double cut;  ///< where it ends
     const State &from, &to;
+    const Eigen::VectorXd& acceleration;     ///< q̈ at its end
     const std::vector<GroundInput>& inputs;  ///< at its start
   };
   void add(long segment, double offset, const SeriesStep& taken);

@@ -46,10 +46,9 @@ bool Stepper::advance(const Start& start, double longest, bool touching, Expansi
     return advance_by_pair(start, longest, motion, to);
   }
   way_ = Way::series;
-  double h = series_reach / system_->rate(start.forces);
+  double h = series_reach / start.forces.rate;
   if (h >= longest * (1.0 - remainder_slack)) h = longest;
   series_.expand(start.state, start.inputs, h, start.forces, motion);
-  motion.evaluate(1.0, to);
   return true;
 }
 
@@ -76,7 +75,7 @@ bool Stepper::begin_contact(const Start& start, double longest, Expansion& motio
   const double limit = std::sqrt(tolerance_of(solver_));
   const double size = system_->speed(start.state.v);
   const Eigen::Index elements = std::ssize(system_->elements);
-  longest = std::min(longest, series_reach / system_->rate(start.forces));
+  longest = std::min(longest, series_reach / start.forces.rate);
   double h = first_guess_;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (h >= longest) return false;
@@ -151,7 +150,7 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
   // Others advance by power series; and where damping sets the pace the interpolant is worse than the step.
   const auto damps = [&](Eigen::Index i) { return start.forces.linear[i].damping > 0.0; };
   const bool damped = std::any_of(start.forces.pressing.begin(), start.forces.pressing.end(), damps);
-  if (!all || damped) longest = std::min(longest, series_reach / system_->rate(start.forces));
+  if (!all || damped) longest = std::min(longest, series_reach / start.forces.rate);
   const bool first = fresh_;
   if (first) {
     fresh_ = false;
@@ -188,7 +187,7 @@ void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State
   if (!all) {
     there_ = to;
     series_.expand(start.state, start.inputs, h, start.forces, motion);
-    for (int k = motion.degree() + 1; k <= degree; ++k) motion.coefficients().col(k).setZero();
+    for (int k = motion.degree() + 1; k <= (degree | 3); ++k) motion.coefficients().col(k).setZero();
     degree = std::max(degree, motion.degree());
     motion.evaluate(1.0, to);
     const auto begin = system_->blocks[range_.first].begin;

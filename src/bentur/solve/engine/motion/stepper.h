@@ -28,7 +28,8 @@ class Stepper {
     const ForceFunction& force_at;
   };
 
-  /// Goes from `start` as far as is good, `longest` [s] at most. False when no step is short enough.
+  /// Goes from `start` as far as is good, `longest` [s] at most. False when no step is short enough. `to` is the state
+  /// at the end, but where the step is a power series: there motion has it.
   [[nodiscard]] bool advance(const Start& start, double longest, bool touching, Expansion& motion, State& to);
 
   /// Takes the same step again, but only `h` [s] of it. For solvers whose expansions are an approximation only.

@@ -27,7 +27,7 @@ std::optional<double> last_zero(const Polynomial& deformation, double end) {
   if (value(deformation, end) <= 0.0) return end;
   double largest = 0.0;
   double where = 0.0;
-  if (!raise_to_maximum(-deformation, end, largest, where)) return std::nullopt;
+  if (!raise_to_maximum(deformation, end, largest, where, -1.0)) return std::nullopt;
   return root(deformation, where, end);
 }
 
@@ -185,23 +185,26 @@ std::optional<Elements::Event> Elements::next_event(const Expansion& motion, con
   };
   for (Index i = idle_; i < count(); ++i) {
     if (resting(i)) {
-      Polynomial force = motion.resting_force(i);
+      const Polynomial& force = motion.resting_force(i);
       double size = 0.0;
       for (int k = 0; k <= force.degree; ++k) size += std::abs(force[k]);
-      force[0] += size * round_off_band;
-      take(i, 0, first_negative(force));
+      take(i, 0, first_negative(force, 1.0, size * round_off_band));
       continue;
     }
     if (monitor_.stays(i) || branches_[i].guard_count == 0) continue;
     const Polynomial& deformation = motion.deformation(i);
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];
-      Polynomial p = guarded(i, guard, deformation, motion.h(), time);
       const double slack = tolerance(i, guard, from);
-      p[0] += slack;
       const double known = start_slack_ * std::max(slack, std::abs(guard.deformation) * tolerances_[i]);
-      if (p[0] < 0.0 && p[0] >= -known) p[0] = 0.0;
-      const auto s = first_negative(p);
+      const auto search = [&](const Polynomial& p, double factor, double offset) {
+        const double start = factor * p[0];
+        const bool at_zero = start + offset < 0.0 && start + offset >= -known;
+        return first_negative(p, factor, at_zero ? -start : offset);
+      };
+      const bool of_deformation = guard.speed == 0.0 && guard.decaying == 0.0;
+      const auto s = of_deformation ? search(deformation, guard.deformation, guard.constant + slack)
+                                    : search(guarded(i, guard, deformation, motion.h(), time), 1.0, slack);
       if (awaits(i)) leaves_band_[i] = s ? 1 : 0;
       take(i, g, s);
     }
@@ -397,6 +400,7 @@ void Elements::gather(State& state) {
     state.q(element.force) = linear.base + moved * linear.stiffness * deformation(i, state);
     state.v(element.force) = moved * linear.stiffness * speed(i, state);
   }
+  forces_.rate = system_->rate(forces_);
   for (const Index i : forces_.constant) {
     if (!forces_.loaded) forces_.load.setZero(system_->size);
     forces_.loaded = true;

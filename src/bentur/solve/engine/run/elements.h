@@ -64,8 +64,7 @@ class Elements {
 
   /// How many of `count` flights after the last step of a buffer come before the first in which something may happen to
   /// the elements [first, end).
-  [[nodiscard]] Eigen::Index quiet(const StepBuffer& buffer, Eigen::Index count, Eigen::Index first,
-                                   Eigen::Index end) {
+  [[nodiscard]] Eigen::Index quiet(const StepBuffer& buffer, Eigen::Index count, Eigen::Index first, Eigen::Index end) {
     return monitor_.quiet(buffer, count, first, end);
   }
   /// Looks at an interval between two states, whose coordinates leave their chords by `rise` at most. What follows is

@@ -109,8 +109,8 @@ void EnergyAccount::look(const State& state, const Elements& elements, bool samp
   const double moving = kinetic(state);
   const double bent = strain(state);
   audit_.peak_input = std::max(audit_.peak_input, std::abs(sums_.input));
-  audit_.residual = std::max(audit_.residual,
-                             std::abs(sums_.input - moving - bent - sums_.damping - sums_.contact - sums_.others));
+  audit_.residual =
+      std::max(audit_.residual, std::abs(sums_.input - moving - bent - sums_.damping - sums_.contact - sums_.others));
   if (!sample) return;
   const double stored = elements.stored_in_contacts(state);
   const double others = elements.stored_in_others(state);

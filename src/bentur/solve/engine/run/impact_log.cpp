@@ -7,10 +7,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "bentur/solve/engine/run/link_stretch.h"
+
 namespace bentur::engine {
 namespace {
 
-using Gauss = boost::math::quadrature::gauss<double, 15>;  // exact to degree 29; a step spans less than 2.4/rate
+using Gauss = boost::math::quadrature::gauss<double, 15>;  // exact to degree 29; a step spans less than 2.6/rate
 
 using ShortGauss = boost::math::quadrature::gauss<double, 7>;  // on the steps of an embedded pair, which are shorter
 
@@ -35,26 +37,25 @@ void raise_peaks_of_spring(const ImpactLog::Stretch& at, const Branch& branch, I
 
 /// F = base + k δ + c δ̇: everything is a polynomial.
 void accumulate_linear(const ImpactLog::Stretch& at, const Branch& branch, Impact& impact) {
-  Polynomial force = at.penetration;
-  for (int k = 0; k <= force.degree; ++k) force[k] *= branch.stiffness;
-  force[0] += branch.base;
-  double where = 0.0;
   if (branch.damping == 0.0 && branch.stiffness > 0.0) {
     raise_peaks_of_spring(at, branch, impact);
   } else {
+    double where = 0.0;
     raise_to_maximum(at.penetration, at.end, impact.peak_penetration, where);
-    for (int k = 0; k < force.degree; ++k) force[k] += branch.damping * (k + 1.0) * at.penetration[k + 1] / at.h;
+    const Polynomial force = force_of({branch.base, branch.stiffness, branch.damping}, at.penetration, at.h);
     if (raise_to_maximum(force, at.end, impact.peak_force, where)) impact.peak_force_time = at.time + where * at.h;
     double pull = std::max(impact.peak_tension, at.force_band);
-    if (raise_to_maximum(-force, at.end, pull, where)) impact.peak_tension = pull;
+    if (raise_to_maximum(force, at.end, pull, where, -1.0)) impact.peak_tension = pull;
   }
-  impact.impulse += integral(force, at.end) * at.h;
+  const double start = at.penetration[0];
+  const double end = depth(at, at.end);
+  impact.impulse += (branch.base * at.end + branch.stiffness * integral(at.penetration, at.end)) * at.h +
+                    branch.damping * (end - start);
   // What goes in and is not stored: of the spring nothing, unless the law stores less than it takes.
-  const auto kept = [&](double s) {
-    const double d = depth(at, s);
+  const auto kept = [&](double d) {
     return 0.5 * branch.stiffness * d * d + branch.base * d - at.law.stored_energy(at.state, d);
   };
-  impact.energy_lost += kept(at.end) - kept(0.0);
+  impact.energy_lost += kept(end) - kept(start);
   if (branch.damping != 0.0) {
     const auto power = [&](double s) { return closing_speed(at, s) * closing_speed(at, s); };
     impact.energy_lost += branch.damping * at.h * Gauss::integrate(power, 0.0, at.end);

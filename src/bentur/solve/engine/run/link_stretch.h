@@ -5,6 +5,9 @@
 
 namespace bentur::engine {
 
+/// F = base + stiffness δ + damping δ̇ over an expanded step of `h` [s].
+[[nodiscard]] Polynomial force_of(const ElementForces::Linear& linear, const Polynomial& deformation, double h);
+
 /// What an element with a linear force does over [0, end] of an expanded step of `h` [s].
 struct LinkStretch {
   double damped = 0;        ///< that its dashpot takes in [force·length]

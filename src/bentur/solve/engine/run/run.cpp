@@ -37,7 +37,9 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales)
       plan_(setup.plan),
       largest_ground_(system_.blocks.size(), 0.0),
       most_steps_(setup.most_steps) {
-  next_ = state_;
+  next_ = expanded_ = replayed_ = state_;
+  end_acceleration_.setZero(system_.size);
+  replayed_forces_.rate = system_.rate({});
   std::vector<ModalSystem::Relation> idle_ones;
   for (Eigen::Index i = 0; i < idle; ++i) idle_ones.push_back(system_.elements[i].relation);
   watches_.emplace_back(system_, system_.watched, setup.grid);
@@ -227,7 +229,7 @@ void Run::take_steps(double start, double length) {
     const double whole = motion_.h();
     const double cut = look(time);
     const double h = motion_.h();
-    if (cut < 1.0 || (stepper_.is_series() && motion_.place() != cut)) motion_.evaluate(cut, next_);
+    if (cut < 1.0) motion_.evaluate(cut, next_, &end_acceleration_);
     end_inputs_ = inputs_;
     system_.advance(end_inputs_, cut * h);
     if (lasts(cut * h)) {
@@ -262,7 +264,7 @@ void Run::take_steps(double start, double length) {
 /// Takes the step again, but only `length` [s] of it.
 void Run::retake(double length) {
   stepper_.retake(here(), length, motion_, next_);
-  (void)motion_.find_rises();
+  (void)motion_.find_end(expanded_, end_acceleration_);
   elements_.look(state_, next_, motion_.rise());
 }
 
@@ -346,7 +348,7 @@ bool Run::step(double time, double longest) {
     fail("no step is short enough to follow the contact force", time);
     return false;
   }
-  if (!motion_.find_rises()) {
+  if (!motion_.find_end(stepper_.is_series() ? next_ : expanded_, end_acceleration_)) {
     fail(not_finite, time);
     return false;
   }
@@ -361,7 +363,7 @@ bool Run::lasts(double length) const { return length > instant * problem_.durati
 void Run::watch_step(double time, double cut) {
   if (stepper_.is_series()) {
     ensure_space();
-    buffer_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, inputs_});
+    buffer_.add(segment_, time - grid_.start(segment_), {motion_, cut, state_, next_, end_acceleration_, inputs_});
     return;
   }
   force_at_(state_, inputs_, forces_);
@@ -382,10 +384,8 @@ void Run::replay(const Stretch& stretch, const Wanted& wanted, const EachStep& e
 void Run::replay_within(const Stretch& stretch, const Wanted& wanted, const EachStep& each) {
   if (!go_on()) return;
   if (stretch.flights == nullptr || stretch.halvings + 1 >= stretch.flights->size()) {
-    replayed_.q.resize(system_.size);
-    replayed_.v.resize(system_.size);
     stepper_.series().expand(stretch.from, stretch.inputs, stretch.length, replayed_forces_, motion_);
-    motion_.evaluate(1.0, replayed_);
+    (void)motion_.find_end(replayed_, end_acceleration_);
     each(stretch.start, stretch.from, stretch.inputs, replayed_);
     return;
   }
@@ -425,7 +425,6 @@ void Run::settle(SpanWatch& watch) {
         {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
         [&](const Part& part) { return watch.may_go_further(part.from, part.to, part.rise); },
         [&](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
-          (void)motion_.find_rises();
           watch.take(motion_, 1.0, from, to, time);
         });
   }

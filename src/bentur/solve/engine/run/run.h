@@ -14,10 +14,10 @@
 
 namespace bentur::engine {
 
-/// What the free response and the response with contact have in common: the way along the time grid, and what happens to
-/// elements on it. A segment is one flight where its bound proves that nothing can happen in it; otherwise it is halved,
-/// and the parts that cannot be halved any more, or all of it where there are no flights, are taken by the solver's own
-/// steps, cut at events.
+/// What the free response and the response with contact have in common: the way along the time grid, and what happens
+/// to elements on it. A segment is one flight where its bound proves that nothing can happen in it; otherwise it is
+/// halved, and the parts that cannot be halved any more, or all of it where there are no flights, are taken by the
+/// solver's own steps, cut at events.
 class Run {
  public:
   /// What all runs of one problem share.
@@ -40,7 +40,7 @@ class Run {
     long segment = 0, steps = 0;
     State state;
     Elements::Memory elements;
-    Eigen::VectorXd peaks;                            ///< so far
+    Eigen::VectorXd peaks;                          ///< so far
     std::vector<SpanWatch::Nearest> floors, links;  ///< so far
   };
   /// Goes on from there, before to_end().
@@ -64,7 +64,8 @@ class Run {
   [[nodiscard]] double largest_ground_displacement(std::size_t block) const { return largest_ground_[block]; }
 
  protected:
-  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, nothing can have happened.
+  /// In how many of `count` flights from segment() on, which follow the last step of buffer_, nothing can have
+  /// happened.
   [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) {
     return elements_.quiet(buffer_, count, system_.switched, std::ssize(system_.elements));
   }
@@ -88,8 +89,8 @@ class Run {
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] Checkpoint checkpoint() const {
-    return {segment_, steps_, state_, elements_.memory(), search_.watch().peaks(), floors().nearest(),
-            links().nearest()};
+    return {segment_,           steps_,           state_, elements_.memory(), search_.watch().peaks(),
+            floors().nearest(), links().nearest()};
   }
 
   /// A stretch without events, by flights[halvings]; without flights it is no longer than one power series.
@@ -176,7 +177,7 @@ class Run {
   std::optional<Collapse> collapse_;
   const std::function<bool(double)>* progress_ = nullptr;
   std::vector<Halving> halvings_;  ///< scratch
-  State replayed_;                 ///< scratch
+  State expanded_, replayed_;      ///< scratch
   ElementForces replayed_forces_;  ///< scratch: constant ones
 };
 

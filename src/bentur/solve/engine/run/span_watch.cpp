@@ -45,7 +45,7 @@ void SpanWatch::note(const RelationGroup& group, Index n, double time) {
 
 /// Peaks may have been raised by the coordinates at two instants.
 void SpanWatch::note_ends(const RelationGroup& group, const double* start, const double* end, double start_time,
-                           double end_time) {
+                          double end_time) {
   for (Index n = 0; n < group.count; ++n) {
     if (!(group.rows.peak(n) > nearest_[group.first + n].reach)) continue;
     const ModalSystem::Relation& relation = relations_[group.first + n];

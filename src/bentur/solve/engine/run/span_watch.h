@@ -7,10 +7,10 @@
 
 namespace bentur::engine {
 
-/// How far the δ of some relations goes, and when: its largest value in the continuous response. Like peaks: an interval
-/// is looked into unless its ends and a proven bound of its curvature show that no δ can have gone further in it (T-4);
-/// flights that this leaves unsettled are kept, as most are settled by what follows. Nothing is done where there are no
-/// relations.
+/// How far the δ of some relations goes, and when: its largest value in the continuous response. Like peaks: an
+/// interval is looked into unless its ends and a proven bound of its curvature show that no δ can have gone further in
+/// it (T-4); flights that this leaves unsettled are kept, as most are settled by what follows. Nothing is done where
+/// there are no relations.
 class SpanWatch {
  public:
   SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::Relation>& relations, const TimeGrid& grid);

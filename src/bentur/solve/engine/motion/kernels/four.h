@@ -53,6 +53,13 @@ BENTUR_INLINE Four sums_of(Four a, Four b, Four c, Four d) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
+/// sum(a) + sum(b).
+BENTUR_INLINE double sum_of_both(Four a, Four b) {
+  // a0 + a1, b0 + b1, a2 + a3, b2 + b3
+  const Four pairs = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  return (pairs[0] + pairs[2]) + (pairs[1] + pairs[3]);
+}
+
 /// The largest entry of each of four.
 BENTUR_INLINE Four largest_of(Four a, Four b, Four c, Four d) {
   const Four ab = max(__builtin_shufflevector(a, b, 0, 4, 2, 6), __builtin_shufflevector(a, b, 1, 5, 3, 7));

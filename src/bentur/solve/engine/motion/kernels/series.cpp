@@ -5,19 +5,21 @@
 namespace bentur::engine::kernels {
 namespace {
 
-/// row · x, summed as ModalSystem::Relation::along does.
-BENTUR_INLINE double along(const Pressing& p, const double* x) {
-  return sum(product(p.right_size, p.right_row, x + p.right_begin)) +
-         sum(product(p.left_size, p.left_row, x + p.left_begin));
-}
-
-/// (T-2) for any number of buildings and points.
-BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven& of, std::span<GroundSeries> grounds,
+/// (T-2) for any number of buildings and elements.
+BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
                               int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
   const Index begin = grounds.front().begin;
   const Index end = grounds.back().begin + grounds.back().size;
-  for (const Pressing& p : pressing) p.deformation[0] = along(p, c) + p.offset;
+  // row · x, summed as ModalSystem::Relation::along does.
+  const auto along = [](const Pressing& p, const double* x) __attribute__((always_inline)) {
+    return sum_of_both(product(p.right_size, p.right_row, x + p.right_begin),
+                       product(p.left_size, p.left_row, x + p.left_begin));
+  };
+  for (const Pressing& p : pressing) {
+    p.deformation[0] = along(p, c) + p.offset;
+    p.deformation[1] = along(p, c + stride);
+  }
   for (int k = 0; k + 2 <= degree; ++k) {
     const Four scale = factor(power_factors.scale, k);
     const Four step = factor(power_factors.next, k);
@@ -30,86 +32,102 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven& 
     if (k < 2 || driven) {
       for (GroundSeries& ground : grounds) {
         const Four a = all(ground.next(k));
-        for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
-          store(c2 + j, load(of.gamma + j) * a - own(j));
+        for (Index j = ground.begin, last = j + ground.size; j < last; j += four) {
+          store(c2 + j, (load(of.gamma + j) * a - own(j)) * scale);
         }
       }
     } else {
-      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j));
+      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j) * scale);
     }
     if (k == 0 && of.load != nullptr) {
-      for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) + load(of.load + j));
+      for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) + load(of.load + j) * scale);
     }
     for (const Pressing& p : pressing) {
-      const double speed = along(p, c1);
-      p.deformation[k + 1] = speed;
-      double force = p.stiffness * p.deformation[k] + p.damping * step[0] * speed;
+      double force = p.stiffness * p.deformation[k] + p.damping * step[0] * p.deformation[k + 1];
       if (k == 0) force += p.base;
-      const auto push = [&](Index first, Index n, const double* by) __attribute__((always_inline)) {
-        for (Index j = 0; j < n; j += four) store(c2 + first + j, load(c2 + first + j) + all(force) * load(by + j));
+      const Four pushed = all(force * scale[0]);
+      const auto push = [&](Index first, Index size, const double* by) __attribute__((always_inline)) {
+        for (Index j = 0; j < size; j += four) store(c2 + first + j, load(c2 + first + j) + pushed * load(by + j));
       };
       push(p.left_begin, p.left_size, p.left_push);
       push(p.right_begin, p.right_size, p.right_push);
     }
-    for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) * scale);
+    for (const Pressing& p : pressing) p.deformation[k + 2] = along(p, c2);
   }
-  for (const Pressing& p : pressing) p.deformation[degree] = along(p, c + degree * stride);
 }
 
-/// The same for two buildings of four coordinates each and one point. All stays in registers, and where nothing damps
-/// the contact no power waits for the one before.
-BENTUR_INLINE void expand_two_of_four(const Pressing p, const Driven& of, std::span<GroundSeries> grounds, int degree,
-                                      Index stride, double* c) {
-  const Index l = p.left_begin;
-  const Index r = p.right_begin;
+// NOLINTBEGIN(modernize-avoid-c-arrays): registers
+/// The same for two buildings of four coordinates each, which stay in registers, and no more elements than this.
+constexpr std::size_t most_small = 6;
+BENTUR_INLINE void expand_small(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
+                                int degree, Index stride, double* to) {
+  struct Element {
+    Four row[2], push[2];
+    double stiffness, damping, base;
+    double* deformation;
+  };
+  const Index begin[2] = {grounds[0].begin, grounds[1].begin};
   const bool driven = grounds[0].nu_squared > 0.0;
-  struct Building {
-    Four stiff, damp, gamma, push, row, c0, c1;
+  Four c[2], next[2], stiff[2], damp[2];
+  for (int b = 0; b < 2; ++b) {
+    c[b] = load(to + begin[b]);
+    next[b] = load(to + stride + begin[b]);
+    stiff[b] = load(of.stiff + begin[b]);
+    damp[b] = load(of.damp + begin[b]);
+  }
+  Element elements[most_small];
+  const Element* const end = elements + pressing.size();
+  const auto along = [](const Element& e, const Four* x) __attribute__((always_inline)) {
+    return sum_of_both(e.row[1] * x[1], e.row[0] * x[0]);
   };
-  const auto building = [&](Index at, const double* push, const double* row) __attribute__((always_inline)) {
-    return Building{load(of.stiff + at), load(of.damp + at), load(of.gamma + at),      load(push),
-                    load(row),           load(c + at),       load(c + stride + at)};
-  };
-  Building left = building(l, p.left_push, p.left_row);
-  Building right = building(r, p.right_push, p.right_row);
-  const auto along_row = [&](Four of_left, Four of_right) __attribute__((always_inline)) {
-    return sum(right.row * of_right) + sum(left.row * of_left);
-  };
-  double deformation = along_row(left.c0, right.c0) + p.offset;
-  double next = along_row(left.c1, right.c1);
-  p.deformation[0] = deformation;
-  p.deformation[1] = next;
+  for (std::size_t n = 0; n < pressing.size(); ++n) {
+    const Pressing& p = pressing[n];
+    Element& e = elements[n];
+    const int left = p.left_begin == begin[0] ? 0 : 1;
+    const bool both = p.right_size > 0;
+    e.row[left] = load(p.left_row);
+    e.push[left] = load(p.left_push);
+    e.row[1 - left] = both ? load(p.right_row) : all(0.0);
+    e.push[1 - left] = both ? load(p.right_push) : all(0.0);
+    e.stiffness = p.stiffness;
+    e.damping = p.damping;
+    e.base = p.base;
+    e.deformation = p.deformation;
+    e.deformation[0] = along(e, c) + p.offset;
+    e.deformation[1] = along(e, next);
+  }
   for (int k = 0; k + 2 <= degree; ++k) {
-    const Four step = factor(power_factors.next, k);
     const Four scale = factor(power_factors.scale, k);
-    double force = p.stiffness * deformation;
-    if (p.damping != 0.0) force += p.damping * step[0] * next;
-    if (k == 0) force += p.base;
-    const auto advance = [&](Building & b, double a) __attribute__((always_inline)) {
-      const Four own = b.stiff * b.c0 + step * b.damp * b.c1;
-      b.c0 = b.c1;
-      b.c1 = ((b.gamma * all(a) - own) + all(force) * b.push) * scale;
-    };
-    const bool shaken = k < 2 || driven;
-    const double a_left = shaken ? grounds[0].next(k) : 0.0;
-    const double a_right = shaken ? grounds[1].next(k) : 0.0;
-    advance(left, a_left);
-    advance(right, a_right);
-    double* c2 = c + (k + 2) * stride;
-    store(c2 + l, left.c1);
-    store(c2 + r, right.c1);
-    deformation = next;
-    next = along_row(left.c1, right.c1);
-    p.deformation[k + 2] = next;
+    const Four step = factor(power_factors.next, k);
+    Four after[2];
+    for (int b = 0; b < 2; ++b) {
+      after[b] = stiff[b] * c[b] + step * damp[b] * next[b];
+      if (k < 2 || driven) {
+        after[b] = (load(of.gamma + begin[b]) * all(grounds[b].next(k)) - after[b]) * scale;
+      } else {
+        after[b] = -after[b] * scale;
+      }
+      if (k == 0 && of.load != nullptr) after[b] += load(of.load + begin[b]) * scale;
+    }
+    for (const Element* e = elements; e < end; ++e) {
+      double force = e->stiffness * e->deformation[k] + e->damping * step[0] * e->deformation[k + 1];
+      if (k == 0) force += e->base;
+      const Four pushed = all(force * scale[0]);
+      for (int b = 0; b < 2; ++b) after[b] += pushed * e->push[b];
+    }
+    for (const Element* e = elements; e < end; ++e) e->deformation[k + 2] = along(*e, after);
+    for (int b = 0; b < 2; ++b) {
+      store(to + (k + 2) * stride + begin[b], after[b]);
+      c[b] = next[b];
+      next[b] = after[b];
+    }
   }
 }
+// NOLINTEND(modernize-avoid-c-arrays)
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): registers. Several fours side by side, so that none waits for another.
-struct Evaluated {
-  double *q, *first, *second;
-};
-template <int groups>
-BENTUR_INLINE void evaluate_groups(const double* c, Index stride, int degree, double at, const Evaluated& to) {
+template <int groups, bool accelerated>
+BENTUR_INLINE void evaluate_groups(const double* c, Index stride, int degree, double at, double h, const Instant& to) {
   const Four s = all(at);
   Four x[groups] = {};
   Four y[groups] = {};
@@ -121,63 +139,79 @@ BENTUR_INLINE void evaluate_groups(const double* c, Index stride, int degree, do
       const Four term = load(c + k * stride + four * g);
       x[g] = x[g] * s + term;
       y[g] = y[g] * s + once * term;
-      z[g] = z[g] * s + twice * term;
+      if constexpr (accelerated) z[g] = z[g] * s + twice * term;
     }
   }
+  const Four rate = all(1.0 / h);
   for (int g = 0; g < groups; ++g) {
     const Four linear = load(c + stride + four * g);
     store(to.q + four * g, (x[g] * s + linear) * s + load(c + four * g));
-    store(to.first + four * g, y[g] * s + linear);
-    store(to.second + four * g, z[g]);
+    store(to.v + four * g, (y[g] * s + linear) * rate);
+    if constexpr (accelerated) store(to.acceleration + four * g, z[g] * (rate * rate));
   }
 }
 
-struct Chord {
-  double end, rate;
-};
+template <bool accelerated>
+BENTUR_INLINE void evaluate_all(Index n, const double* c, Index stride, int degree, double at, double h,
+                                const Instant& to) {
+  const auto from = [&](Index j) __attribute__((always_inline)) {
+    return Instant{to.q + j, to.v + j, accelerated ? to.acceleration + j : nullptr};
+  };
+  Index j = 0;
+  for (; j + 2 * four <= n; j += 2 * four) {
+    evaluate_groups<2, accelerated>(c + j, stride, degree, at, h, from(j));
+  }
+  if (j < n) evaluate_groups<1, accelerated>(c + j, stride, degree, at, h, from(j));
+}
+
 template <int groups>
-BENTUR_INLINE Four leave_chords_of(const double* c, Index stride, int degree, const Chord& chord, double* rise,
-                                   double* second_rise) {
+BENTUR_INLINE Four end_of_groups(const double* c, Index stride, int degree, double h, const Instant& to,
+                                 double* rise_to, double* second_rise_to) {
   Four x[groups] = {};
   Four y[groups] = {};
-  double power = 1.0;  // end^(k − 2)
-  for (int k = 2; k <= degree; ++k) {
-    const Four far = all(power_factors.rise[k] * power);
-    const Four second_far = all(power_factors.second_rise[k] * power);
+  Four z[groups] = {};
+  Four far[groups] = {};
+  Four second_far[groups] = {};
+  for (int k = degree; k >= 2; --k) {
+    const Four once = factor(power_factors.first, k);
+    const Four twice = factor(power_factors.second, k);
+    const Four rise = factor(power_factors.rise, k);
+    const Four second_rise = factor(power_factors.second_rise, k);
     for (int g = 0; g < groups; ++g) {
-      const Four term = abs(load(c + k * stride + four * g));
-      x[g] += far * term;
-      y[g] += second_far * term;
+      const Four term = load(c + k * stride + four * g);
+      x[g] += term;
+      y[g] += once * term;
+      z[g] += twice * term;
+      far[g] += rise * abs(term);
+      second_far[g] += second_rise * abs(term);
     }
-    power *= chord.end;
   }
+  const Four rate = all(1.0 / h);
+  const Four rate_squared = rate * rate;
   Four total = all(0.0);
   for (int g = 0; g < groups; ++g) {
-    x[g] *= all(chord.end * chord.end);
-    y[g] *= all(chord.rate);
-    store(rise + four * g, x[g]);
-    store(second_rise + four * g, y[g]);
-    total += x[g] + y[g];
+    const Four linear = load(c + stride + four * g);
+    second_far[g] *= rate_squared;
+    store(to.q + four * g, (x[g] + linear) + load(c + four * g));
+    store(to.v + four * g, (y[g] + linear) * rate);
+    store(to.acceleration + four * g, z[g] * rate_squared);
+    store(rise_to + four * g, far[g]);
+    store(second_rise_to + four * g, second_far[g]);
+    total += far[g] + second_far[g];
   }
   return total;
 }
 // NOLINTEND(modernize-avoid-c-arrays)
 
-/// Hands terms p_k s^k to p_{k+3} s^{k+3} on, for k = 0, 4, …
+/// Hands terms p_k s^k to p_{k+3} s^{k+3} on, for k = 0, 4, …; coefficients beyond the degree are zero.
 template <class Take>
 BENTUR_INLINE void in_fours(const double* p, int degree, double s, const Take& take) {
   const double square = s * s;
   Four powers{1.0, s, square, square * s};
   const Four next = all(square * square);
-  int k = 0;
-  for (; k + 4 <= degree + 1; k += 4) {
+  for (int k = 0; k <= degree; k += 4) {
     take(k, load(p + k) * powers);
     powers *= next;
-  }
-  if (k <= degree) {
-    Four rest = all(0.0);
-    for (int i = 0; k + i <= degree; ++i) rest[i] = p[k + i];
-    take(k, rest * powers);
   }
 }
 
@@ -199,21 +233,18 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 BENTUR_FOR_ALL_PROCESSORS
 void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
             Index stride, double* c) {
-  const bool two_of_four = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
-  if (pressing.size() == 1 && two_of_four && of.load == nullptr && pressing[0].right_size > 0) {
-    expand_two_of_four(pressing[0], of, grounds, degree, stride, c);
+  const bool small = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
+  if (small && pressing.size() <= most_small) {
+    expand_small(pressing, of, grounds, degree, stride, c);
   } else {
     expand_all(pressing, of, grounds, degree, stride, c);
   }
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void evaluate(Index n, const double* c, Index stride, int degree, double at, double* q, double* first, double* second) {
-  Index j = 0;
-  for (; j + 2 * four <= n; j += 2 * four) {
-    evaluate_groups<2>(c + j, stride, degree, at, {q + j, first + j, second + j});
-  }
-  if (j < n) evaluate_groups<1>(c + j, stride, degree, at, {q + j, first + j, second + j});
+void evaluate(Index n, const double* c, Index stride, int degree, double s, double h, const Instant& to) {
+  if (to.acceleration != nullptr) return evaluate_all<true>(n, c, stride, degree, s, h, to);
+  evaluate_all<false>(n, c, stride, degree, s, h, to);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -235,14 +266,17 @@ void bound(Index n, const double* c, Index stride, int degree, double end, doubl
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
-                    double* second_rise) {
+double end_of_step(Index n, const double* c, Index stride, int degree, double h, const Instant& to, double* rise,
+                   double* second_rise) {
   Four total = all(0.0);
+  const auto from = [&](Index j) __attribute__((always_inline)) {
+    return Instant{to.q + j, to.v + j, to.acceleration + j};
+  };
   Index j = 0;
   for (; j + 2 * four <= n; j += 2 * four) {
-    total += leave_chords_of<2>(c + j, stride, degree, {end, rate}, rise + j, second_rise + j);
+    total += end_of_groups<2>(c + j, stride, degree, h, from(j), rise + j, second_rise + j);
   }
-  if (j < n) total += leave_chords_of<1>(c + j, stride, degree, {end, rate}, rise + j, second_rise + j);
+  if (j < n) total += end_of_groups<1>(c + j, stride, degree, h, from(j), rise + j, second_rise + j);
   return sum(total);
 }
 
@@ -294,34 +328,33 @@ void row_series(const RowOf& right, const RowOf& left, Index stride, int degree,
     }
     return sums_of(total[0], total[1], total[2], total[3]);
   };
-  int k = 0;
-  for (; k + 4 <= degree + 1; k += 4) store(polynomial + k, sums(right, k) + sums(left, k));
-  for (; k <= degree; ++k) {
-    polynomial[k] = sum(product(right.size, right.row, right.c + k * stride)) +
-                    sum(product(left.size, left.row, left.c + k * stride));
-  }
+  for (int k = 0; k <= degree; k += 4) store(polynomial + k, sums(right, k) + sums(left, k));
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-Inspection inspect(const double* p, int degree, double mid, double b) {
-  Four end = all(0.0);
-  Four slope = all(0.0);
-  Four curvature = all(0.0);
-  Four second = all(0.0);
-  Four third = all(0.0);
+Splits splits(const double* p, int degree, double s) {
+  const auto split = [](double x) { return x > 0.0 ? Split{x, 0.0} : Split{0.0, -x}; };
+  if (s == 0.0) return {p[0], split(p[1]), split(2.0 * p[2])};
+  Four value = all(0.0);
+  Four rising = all(0.0);
+  Four falling = all(0.0);
+  Four convex = all(0.0);
+  Four concave = all(0.0);
   in_fours(
-      p, degree, mid, [&](int k, Four term) __attribute__((always_inline)) {
-        slope += load(power_factors.first.data() + k) * term;
-        curvature += load(power_factors.second.data() + k) * term;
+      p, degree, s, [&](int k, Four term) __attribute__((always_inline)) {
+        const Four above = max(term, all(0.0));
+        const Four below = above - term;
+        const Four once = load(power_factors.first.data() + k);
+        const Four twice = load(power_factors.second.data() + k);
+        value += term;
+        rising += once * above;
+        falling += once * below;
+        convex += twice * above;
+        concave += twice * below;
       });
-  in_fours(
-      p, degree, b, [&](int k, Four term) __attribute__((always_inline)) {
-        const Four most = abs(term);
-        end += term;
-        second += load(power_factors.second.data() + k) * most;
-        third += load(power_factors.third.data() + k) * most;
-      });
-  return {sum(end), sum(slope) / mid, sum(curvature) / (mid * mid), sum(second) / (b * b), sum(third) / (b * b * b)};
+  const double rate = 1.0 / s;
+  const Four sums = sums_of(rising, falling, convex, concave) * all(rate);
+  return {sum(value), {sums[0], sums[1]}, {sums[2] * rate, sums[3] * rate}};
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -329,14 +362,18 @@ Survey survey(const double* p, int degree, double end) {
   Four value = all(0.0);
   Four rise = all(0.0);
   Four second = all(0.0);
+  Four third = all(0.0);
   in_fours(
       p, degree, end, [&](int k, Four term) __attribute__((always_inline)) {
         const Four most = abs(term);
         value += term;
         rise += load(power_factors.rise.data() + k) * most;
         second += load(power_factors.second.data() + k) * most;
+        third += load(power_factors.third.data() + k) * most;
       });
-  return {sum(value), sum(rise), sum(second) / (end * end)};
+  const Four sums = sums_of(value, rise, second, third);
+  const double rate = 1.0 / end;
+  return {sums[0], sums[1], sums[2] * (rate * rate), sums[3] * (rate * rate * rate)};
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -351,7 +388,8 @@ Derivatives derivatives(const double* p, int degree, double s) {
         slope += load(power_factors.first.data() + k) * term;
         curvature += load(power_factors.second.data() + k) * term;
       });
-  return {sum(value), sum(slope) / s, sum(curvature) / (s * s)};
+  const Four sums = sums_of(value, slope, curvature, curvature);
+  return {sums[0], sums[1] / s, sums[2] / (s * s)};
 }
 
 BENTUR_FOR_ALL_PROCESSORS

@@ -47,18 +47,22 @@ struct Driven {
 void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
             Index stride, double* c);
 
-/// Position, dq/ds and d²q/ds² at s, of n coordinates whose coefficients begin at `c`.
-void evaluate(Index n, const double* c, Index stride, int degree, double s, double* q, double* first, double* second);
+/// Where q, q̇ and q̈ of n coordinates at one instant are written; no q̈ where that is null.
+struct Instant {
+  double *q, *v, *acceleration;
+};
+/// At s of a step of h, of coordinates whose coefficients begin at `c`.
+void evaluate(Index n, const double* c, Index stride, int degree, double s, double h, const Instant& to);
 
 /// `chord` times a bound of the second derivatives of n polynomials on [0, end], Σ k(k−1)|c_k| end^{k−2}, and
 /// `fourth_chord` times that of the fourth ones.
 void bound(Index n, const double* c, Index stride, int degree, double end, double chord, double fourth_chord,
            double* second, double* fourth);
 
-/// How far n polynomials, and `rate` times their second derivatives, leave the chords between 0 and `end` at most: a
-/// power s^k leaves its chord by max x − x^k of end^k (T-5). Returns a sum that is finite only where all of these are.
-double leave_chords(Index n, const double* c, Index stride, int degree, double end, double rate, double* rise,
-                    double* second_rise);
+/// The same at s = 1, and how far q and q̈ leave their chords between 0 and 1 at most: a power s^k leaves its chord by
+/// max x − x^k (T-5). Returns a sum that is finite only where all rises are.
+double end_of_step(Index n, const double* c, Index stride, int degree, double h, const Instant& to, double* rise,
+                   double* second_rise);
 
 /// Position and `rate` times d²q/ds² of n coordinates at s = 0, end/count, 2 end/count, … end, `n` apart.
 struct Places {
@@ -72,23 +76,29 @@ void accelerate(Index n, const double* omega_squared, const double* two_sigma, c
                 const double* q, const double* v, double* acceleration);
 
 /// The polynomial row · c of a relation, summed as ModalSystem::Relation::along does: two rows of a size each, and the
-/// coefficients of their coordinates.
+/// coefficients of their coordinates. Four powers at a time: `degree` + 1 is a multiple of four.
 struct RowOf {
   Index size;
   const double *row, *c;
 };
 void row_series(const RowOf& right, const RowOf& left, Index stride, int degree, double* polynomial);
 
-/// What tells how a polynomial p of s behaves on an interval that ends at b > 0 and has its middle at mid > 0: p(b),
-/// the first two derivatives at mid, and bounds of the second and third ones on [0, b].
-struct Inspection {
-  double end = 0, slope = 0, curvature = 0, second = 0, third = 0;
-};
-[[nodiscard]] Inspection inspect(const double* p, int degree, double mid, double b);
+// A polynomial p of s has zeros beyond its degree, up to a multiple of four coefficients.
 
-/// p(end), how far p leaves the chord between 0 and `end` at most (see leave_chords()), and a bound of |p''| there.
+/// Σ of what is positive in some derivative of p at s, and less Σ of what is negative. Both grow with s.
+struct Split {
+  double above = 0, below = 0;
+};
+/// p, p' and p'' at s.
+struct Splits {
+  double value = 0;
+  Split slope, curvature;
+};
+[[nodiscard]] Splits splits(const double* p, int degree, double s);
+
+/// p(end), how far p leaves the chord between 0 and `end` at most (T-5), and bounds of its second and third derivative.
 struct Survey {
-  double end = 0, rise = 0, second = 0;
+  double end = 0, rise = 0, second = 0, third = 0;
 };
 [[nodiscard]] Survey survey(const double* p, int degree, double end);
 

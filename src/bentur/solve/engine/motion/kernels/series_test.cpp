@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
+#include "bentur/solve/engine/motion/kernels/power_factors.h"
 #include "bentur/solve/engine/motion/kernels/rows.h"
 #include "tests/support/random_numbers.h"
 
@@ -20,7 +21,7 @@ using Numbers = std::vector<double>;
 
 TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   constexpr Index n = 8;
-  constexpr int degree = 26;
+  constexpr int degree = 27;
   const Numbers stiff = random_numbers(n, 1), damp = random_numbers(n, 2), gamma = random_numbers(n, 3);
   Numbers row = random_numbers(n, 4), push = random_numbers(n, 5);
   Numbers c = random_numbers(n * (degree + 1), 6), deformation(degree + 1);
@@ -45,7 +46,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
       double& to = expected[static_cast<std::size_t>((k + 2) * n + j)];
       const double own = stiff[at] * expected[static_cast<std::size_t>(k * n + j)] +
                          (k + 1.0) * damp[at] * expected[static_cast<std::size_t>((k + 1) * n + j)];
-      to = ((gamma[at] * input[j / 4] - own) + force * push[at]) * scale;
+      to = (gamma[at] * input[j / 4] - own) * scale + (force * scale) * push[at];
     }
   }
   EXPECT_EQ(c, expected);
@@ -60,7 +61,7 @@ TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {
   sample(n, c.data(), n, degree, {parts, 0.75, 3.0}, samples.data(), seconds.data());
   for (int i = 0; i <= parts; ++i) {
     const double s = i == parts ? 0.75 : 0.75 * i / parts;
-    evaluate(n, c.data(), n, degree, s, q.data(), first.data(), second.data());
+    evaluate(n, c.data(), n, degree, s, 1.0, {q.data(), first.data(), second.data()});
     for (Index j = 0; j < n; ++j) {
       double x = 0.0, y = 0.0, z = 0.0;
       for (int k = degree; k >= 0; --k) {
@@ -97,23 +98,36 @@ TEST(Kernels, BoundsSumAllTerms) {
   }
 }
 
+TEST(Kernels, TheEndOfAStepIsWhereItIsEvaluated) {
+  constexpr Index n = 12;
+  constexpr int degree = 15;
+  const Numbers c = random_numbers(n * (degree + 1), 8);
+  Numbers q(n), v(n), a(n), again_q(n), again_v(n), again_a(n), rise(n), second_rise(n);
+  end_of_step(n, c.data(), n, degree, 0.3, {q.data(), v.data(), a.data()}, rise.data(), second_rise.data());
+  evaluate(n, c.data(), n, degree, 1.0, 0.3, {again_q.data(), again_v.data(), again_a.data()});
+  EXPECT_EQ(q, again_q);
+  EXPECT_EQ(v, again_v);
+  EXPECT_EQ(a, again_a);
+}
+
 TEST(Kernels, PolynomialsStayWithinTheirRiseOfTheChord) {
   constexpr Index n = 4;
-  constexpr double end = 0.8, rate = 3.0;
-  const auto leave = [&](const Numbers& c, int degree, Numbers& rise, Numbers& second_rise) {
-    return leave_chords(n, c.data(), n, degree, end, rate, rise.data(), second_rise.data());
+  constexpr double h = 0.6;
+  constexpr double rate = 1.0 / (h * h);
+  Numbers q(n), v(n), a(n), rise(n), second_rise(n);
+  const auto leave = [&](const Numbers& c, int degree) {
+    return end_of_step(n, c.data(), n, degree, h, {q.data(), v.data(), a.data()}, rise.data(), second_rise.data());
   };
-  Numbers rise(n), second_rise(n);
   // A single power: the largest distance is reached, or the bound would be too wide.
-  for (int power = 2; power <= 26; ++power) {
-    Numbers c(n * 27, 0.0);
+  for (int power = 2; power <= 27; ++power) {
+    Numbers c(n * 28, 0.0);
     c[static_cast<std::size_t>(power * n)] = -2.0;
-    EXPECT_TRUE(std::isfinite(leave(c, 26, rise, second_rise)));
+    EXPECT_TRUE(std::isfinite(leave(c, 27)));
     double farthest = 0.0, second_farthest = 0.0;
     for (int i = 0; i <= 10000; ++i) {
-      const double s = end * i / 10000.0;
+      const double s = i / 10000.0;
       const auto from_chord = [&](double factor, int k) {
-        return std::abs(factor * (std::pow(s, k) - (k == 0 ? 1.0 : std::pow(end, k - 1) * s)));
+        return std::abs(factor * (std::pow(s, k) - (k == 0 ? 1.0 : s)));
       };
       farthest = std::max(farthest, from_chord(2.0, power));
       second_farthest = std::max(second_farthest, from_chord(2.0 * rate * power * (power - 1.0), power - 2));
@@ -123,32 +137,41 @@ TEST(Kernels, PolynomialsStayWithinTheirRiseOfTheChord) {
     EXPECT_LE(second_farthest, second_rise[0] * (1.0 + 1e-12) + (power < 4 ? 1e-9 : 0.0));
     EXPECT_NEAR(second_farthest, second_rise[0], 1e-6 * second_rise[0] + (power < 4 ? 1e-9 : 0.0));
   }
-  // Many: none is farther.
+  // Many: none is farther; and up to some s none is farther than by s² of that.
   constexpr int degree = 9;
   Numbers c = random_numbers(n * (degree + 1), 11);
-  EXPECT_TRUE(std::isfinite(leave(c, degree, rise, second_rise)));
-  for (std::size_t j = 0; j < n; ++j) {
-    const auto at = [&](double s) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k <= degree; ++k) sum += c[k * n + j] * std::pow(s, k);
-      return sum;
-    };
-    for (int i = 0; i <= 100; ++i) {
-      const double s = end * i / 100.0;
-      EXPECT_LE(std::abs(at(s) - at(0) - (at(end) - at(0)) * i / 100.0), rise[j]);
+  EXPECT_TRUE(std::isfinite(leave(c, degree)));
+  for (const double end : {1.0, 0.8, 0.1}) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const auto at = [&](double s, int derivative) {
+        double sum = 0.0;
+        for (int k = derivative; k <= degree; ++k) {
+          const double factor = derivative == 0 ? 1.0 : rate * k * (k - 1.0);
+          sum += factor * c[static_cast<std::size_t>(k) * n + j] * std::pow(s, k - derivative);
+        }
+        return sum;
+      };
+      for (int i = 0; i <= 100; ++i) {
+        const auto from_chord = [&](int derivative) {
+          const double start = at(0, derivative);
+          return std::abs(at(end * i / 100.0, derivative) - start - (at(end, derivative) - start) * i / 100.0);
+        };
+        EXPECT_LE(from_chord(0), end * end * rise[j] + 1e-14);
+        EXPECT_LE(from_chord(2), end * end * second_rise[j] + 1e-13 * second_rise[j]);
+      }
     }
   }
   c.back() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(std::isfinite(leave(c, degree, rise, second_rise)));
+  EXPECT_FALSE(std::isfinite(leave(c, degree)));
 }
 
 TEST(Kernels, RowsAreSummedAsTwoProducts) {
   constexpr Index stride = 16;
-  const Numbers right = random_numbers(4, 1), left = random_numbers(8, 2), c = random_numbers(stride * 27, 3);
-  for (const int degree : {6, 7, 8, 9, 26}) {
-    Numbers polynomial(27, 0.0);
+  const Numbers right = random_numbers(4, 1), left = random_numbers(8, 2), c = random_numbers(stride * 28, 3);
+  for (const int degree : {7, 11, 27}) {
+    Numbers polynomial(28, 0.0);
     row_series({4, right.data(), c.data() + 8}, {8, left.data(), c.data()}, stride, degree, polynomial.data());
-    for (int k = 0; k < 27; ++k) {
+    for (int k = 0; k < 28; ++k) {
       const double* x = c.data() + k * stride;
       EXPECT_EQ(polynomial[static_cast<std::size_t>(k)],
                 k <= degree ? dot(4, right.data(), x + 8) + dot(8, left.data(), x) : 0.0);
@@ -156,25 +179,37 @@ TEST(Kernels, RowsAreSummedAsTwoProducts) {
   }
 }
 
-TEST(Kernels, InspectionIsOfDerivativesInTheMiddleAndBoundsToTheEnd) {
-  for (const int degree : {6, 9, 12, 26}) {
-    const Numbers p = random_numbers(27, static_cast<unsigned>(degree));
-    for (const auto& [mid, b] : {std::pair(0.5, 1.0), std::pair(0.3, 0.4), std::pair(1e-7, 2e-7)}) {
-      const Inspection at = inspect(p.data(), degree, mid, b);
-      Inspection expected;
+TEST(Kernels, SplitsAndSurveysAreSumsOfTerms) {
+  for (const int degree : {6, 9, 12, 27}) {
+    Numbers p = random_numbers(28, static_cast<unsigned>(degree));
+    std::fill(p.begin() + degree + 1, p.end(), 0.0);
+    for (const double s : {1.0, 0.3, 1e-7, 0.0}) {
+      Splits expected;
+      Survey most;
       for (int k = 0; k <= degree; ++k) {
         const double c = p[static_cast<std::size_t>(k)];
-        expected.end += c * std::pow(b, k);
-        if (k >= 1) expected.slope += k * c * std::pow(mid, k - 1);
-        if (k >= 2) expected.curvature += k * (k - 1.0) * c * std::pow(mid, k - 2);
-        if (k >= 2) expected.second += k * (k - 1.0) * std::abs(c) * std::pow(b, k - 2);
-        if (k >= 3) expected.third += k * (k - 1.0) * (k - 2.0) * std::abs(c) * std::pow(b, k - 3);
+        expected.value += c * std::pow(s, k);
+        if (k >= 1) (c > 0 ? expected.slope.above : expected.slope.below) += k * std::abs(c) * std::pow(s, k - 1);
+        if (k < 2) continue;
+        const double second = k * (k - 1.0) * std::abs(c) * std::pow(s, k - 2);
+        (c > 0 ? expected.curvature.above : expected.curvature.below) += second;
+        most.second += second;
+        most.rise += std::abs(c) * std::pow(s, k) * power_factors.rise[static_cast<std::size_t>(k)];
+        if (k > 2) most.third += k * (k - 1.0) * (k - 2.0) * std::abs(c) * std::pow(s, k - 3);
       }
-      EXPECT_NEAR(at.end, expected.end, 1e-13);
-      EXPECT_NEAR(at.slope, expected.slope, 1e-12);
-      EXPECT_NEAR(at.curvature, expected.curvature, 1e-11);
-      EXPECT_NEAR(at.second, expected.second, 1e-13 * expected.second);
-      EXPECT_NEAR(at.third, expected.third, 1e-13 * expected.third);
+      const auto expect_same = [](double x, double y) { EXPECT_NEAR(x, y, 1e-13 * std::abs(y)); };
+      const Splits at = splits(p.data(), degree, s);
+      EXPECT_NEAR(at.value, expected.value, 1e-13);
+      expect_same(at.slope.above, expected.slope.above);
+      expect_same(at.slope.below, expected.slope.below);
+      expect_same(at.curvature.above, expected.curvature.above);
+      expect_same(at.curvature.below, expected.curvature.below);
+      if (s == 0.0) continue;
+      const Survey all = survey(p.data(), degree, s);
+      EXPECT_NEAR(all.end, expected.value, 1e-13);
+      expect_same(all.rise, most.rise);
+      expect_same(all.second, most.second);
+      expect_same(all.third, most.third);
     }
   }
 }
