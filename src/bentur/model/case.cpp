@@ -39,13 +39,36 @@ StructuralModel matrices_model(const MatricesSpec& spec, double base_elevation) 
   return model;
 }
 
-/// The two floors that meet at an elevation.
+/// The node in the column of a building that faces the gap, at an elevation; nothing where there is none.
+std::optional<int> node_at(double elevation, const SpecAndModel& building, bool left_of_gap) {
+  const auto* frame = std::get_if<PlaneFrame>(&building.spec.structure);
+  if (frame == nullptr) return std::nullopt;
+  constexpr double round_off = 1e-9;
+  for (std::size_t n = 0; n < frame->nodes.size(); ++n) {
+    const double at = building.spec.base_elevation + frame->nodes[n].elevation;
+    const bool faces = frame->nodes[n].left != left_of_gap;
+    if (faces && std::abs(at - elevation) <= round_off * (1 + std::abs(elevation))) {
+      return static_cast<int>(building.model.floors()) + static_cast<int>(n);
+    }
+  }
+  return std::nullopt;
+}
+
+int nearest_floor(double elevation, const StructuralModel& model) {
+  const std::vector<double>& all = model.elevations;
+  const auto nearer = [&](double a, double b) { return std::abs(a - elevation) < std::abs(b - elevation); };
+  return static_cast<int>(std::min_element(all.begin(), all.end(), nearer) - all.begin());
+}
+
+/// The two floors that meet at an elevation, or a floor and the node in a column that it strikes.
 LevelPair floors_at(double elevation, const GapSpec& gap, const SpecAndModel& left, const SpecAndModel& right) {
   const FloorLevels a = levels_of(left.model);
   const FloorLevels b = levels_of(right.model);
   const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
   const LevelPair* const found = pair_at(elevation, pairs, a, b);
   if (found == nullptr) {
+    if (const auto node = node_at(elevation, left, true)) return {*node, nearest_floor(elevation, right.model), elevation};
+    if (const auto node = node_at(elevation, right, false)) return {nearest_floor(elevation, left.model), *node, elevation};
     throw InvalidParameter("elevations", std::to_string(elevation),
                            "\"" + left.spec.name + "\" and \"" + right.spec.name + "\" have no floors there that meet");
   }
@@ -57,6 +80,9 @@ double beam_end_stiffness(const BuildingSpec& spec, std::size_t floor, bool left
   const auto* frame = std::get_if<PlaneFrame>(&spec.structure);
   if (frame == nullptr) {
     throw InvalidParameter("stiffness", "axial", "needs a frame; \"" + spec.name + "\" is none");
+  }
+  if (floor >= frame->beams.size()) {
+    throw InvalidParameter("stiffness", "axial", "is of floor beams: where a column is struck a number is needed");
   }
   const double bay = left_of_gap ? frame->bay_widths.back() : frame->bay_widths.front();
   return half_beam_stiffness(frame->elastic_modulus, frame->beams.at(floor).area, bay);
@@ -95,6 +121,10 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
     point.left_floor = floors.left_floor;
     point.right_floor = floors.right_floor;
     const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
+    if (spec.column_capacity) {
+      point.column_shear_capacity = spec.column_capacity->shear;
+      point.column_moment_capacity = spec.column_capacity->moment;
+    }
     point.elevation = at_level ? spec.elevations[i] : floors.elevation;
     point.width = spec.widths[i];
     point.law = make_contact_law(spec, i, left, right);
@@ -234,8 +264,12 @@ std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size
                                                   beam_end_stiffness(right.spec, right_floor, false));
   }
   input.words = contact.words;
-  const double m1 = left.model.floor_masses.at(left_floor);
-  const double m2 = right.model.floor_masses.at(right_floor);
+  const auto mass_at = [](const StructuralModel& model, std::size_t at) {
+    const std::size_t count = model.floor_masses.size();
+    return at < count ? model.floor_masses[at] : model.node_masses.at(at - count);
+  };
+  const double m1 = mass_at(left.model, left_floor);
+  const double m2 = mass_at(right.model, right_floor);
   input.effective_mass = std::isinf(m1) ? m2 : std::isinf(m2) ? m1 : m1 * m2 / (m1 + m2);
   check_one_of(*entry, input);
   return entry->make(input);

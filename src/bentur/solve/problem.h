@@ -17,11 +17,13 @@ namespace bentur {
 /// Opening g = width + x_right − x_left (T-1).
 struct ContactPoint {
   Eigen::Index left = 0;         ///< index of the left building
-  Eigen::Index left_floor = 0;   ///< index of its floor (0 the lowest)
+  Eigen::Index left_floor = 0;   ///< index of its floor (0 the lowest), or, after the floors, of a node in its column
   Eigen::Index right_floor = 0;  ///< the same of the right building
   double elevation = 0;          ///< [length]
   double width = 0;              ///< w [length] ≥ 0
   std::shared_ptr<const ContactLaw> law;
+  double column_shear_capacity = 0;   ///< of a struck column [force]; 0: not given
+  double column_moment_capacity = 0;  ///< of a struck column [force·length]; 0: not given
 };
 
 /// A floor that faces its neighbour where no contact is modelled: nothing acts there, but how near it comes is watched.

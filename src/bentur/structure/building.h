@@ -48,6 +48,13 @@ struct StructuralModel {
   std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(node_elevations); }
+  /// Of a floor itself, of a node (counted after the floors) the floor above it.
+  [[nodiscard]] Eigen::Index floor_at_or_above(Eigen::Index floor_or_node) const {
+    if (floor_or_node < floors()) return floor_or_node;
+    Eigen::Index floor = 0;
+    while (floor + 1 < floors() && elevations[floor] < node_elevations[floor_or_node - floors()]) ++floor;
+    return floor;
+  }
   [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };

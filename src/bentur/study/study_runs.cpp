@@ -71,6 +71,7 @@ struct StudyRuns::Workspace {
   Problem problem;
   TomlValue root;
   Case c;
+  std::vector<ReadBuilding> buildings;
 };
 
 StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo)
@@ -143,6 +144,7 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
     if (!widths_only_) {
       workspace.root = workspace.group->root;
       workspace.c = workspace.group->read.c;
+      workspace.buildings = workspace.group->read.buildings;
     }
   }
   const std::vector<Choice> chosen = choices(run);
@@ -157,7 +159,7 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
   put_choices(study_, chosen, workspace.root);
   Diagnostics found;
   const std::string name = study_.case_file.string();
-  workspace.c.gaps = read_gaps(TomlView(workspace.root, "", name, found), workspace.group->read.buildings);
+  workspace.c.gaps = read_gaps(TomlView(workspace.root, "", name, found), workspace.buildings);
   if (!found.ok()) throw NotACase(first_message(found));
   workspace.problem.points = contact_points(workspace.c, workspace.problem.buildings);
   workspace.problem.watched = watched_floors(workspace.c, workspace.problem.buildings, workspace.problem.points);

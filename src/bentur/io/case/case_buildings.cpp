@@ -28,16 +28,6 @@ void read_structure(const TomlView& view, const Units& units, ReadBuilding& buil
   }
 }
 
-/// Its model, and where that has more floors than the structure, the slab's among them, all of it.
-void make(ReadBuilding& building) {
-  try {
-    building.model = structural_model(building.spec);
-    if (building.spec.isolation) building.model = make_building(building.spec, *building.model).model;
-  } catch (const std::exception&) {
-    building.model.reset();  // said already, or said once everything else is right
-  }
-}
-
 ReadBuilding read_building(const TomlView& entry, const Units& units, const std::vector<ReadBuilding>& before) {
   ReadBuilding building;
   building.path = entry.path();
@@ -110,6 +100,15 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
 }
 
 }  // namespace
+
+void make(ReadBuilding& building) {
+  try {
+    building.model = structural_model(building.spec);
+    if (building.spec.isolation) building.model = make_building(building.spec, *building.model).model;
+  } catch (const std::exception&) {
+    building.model.reset();  // said already, or said once everything else is right
+  }
+}
 
 std::vector<double> floor_elevations(const std::vector<double>& storey_heights) {
   std::vector<double> elevations(storey_heights.size());

@@ -56,8 +56,8 @@ bool models_no_contact(const TomlView& elevations) {
 }
 
 /// The contact points' elevations [length]; empty when they are not known, or there are to be none.
-std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
-                                    std::optional<double> tolerance) {
+std::vector<double> read_elevations(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
+                                    std::optional<double> tolerance, bool strikes_columns) {
   const auto given = gap.find("elevations");
   const FloorLevels a = floor_levels(left);
   const FloorLevels b = floor_levels(right);
@@ -76,6 +76,7 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
   }
   if (left.elevations.empty() || right.elevations.empty() || (given && wanted.empty())) return {};
   const std::vector<LevelPair> pairs = level_floors(a, b, tolerance);
+  if (strikes_columns) return given ? read_struck_columns(*given, wanted, pairs, left, right) : std::vector<double>();
   if (pairs.empty()) {
     gap.error(no_common_elevation(left, right));
     return {};
@@ -232,10 +233,27 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
   }
 }
 
-GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
+/// Whether floors strike columns in this gap, and what these columns bear.
+void read_columns(const TomlView& gap, GapSpec& spec) {
+  spec.strikes_columns = gap.flag("strikes_columns", Need::optional).value_or(false);
+  if (!spec.strikes_columns) {
+    gap.refuse({"column_capacity"}, "goes with strikes_columns = true");
+    return;
+  }
+  if (!gap.has("elevations")) gap.error_missing("elevations", "strikes_columns = true needs to know where");
+  const auto capacity = gap.find("column_capacity");
+  if (!capacity || !capacity->is_table_of({"shear", "moment"})) return;
+  spec.column_capacity = GapSpec::ColumnCapacity{capacity->number("shear", Rule::positive).value_or(0),
+                                                 capacity->number("moment", Rule::positive).value_or(0)};
+}
+
+GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
-  if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact"})) return spec;
+  if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact", "strikes_columns",
+                        "column_capacity"})) {
+    return spec;
+  }
   const auto given_sides = read_between(gap, buildings, "the neighbours, left and right");
   if (given_sides && (&buildings[given_sides->first] != &left || &buildings[given_sides->second] != &right)) {
     const auto name = [&](std::size_t b) { return in_quotes(buildings[b].spec.name); };
@@ -244,7 +262,8 @@ GapSpec read_gap(const TomlView& gap, const ReadBuilding& left, const ReadBuildi
                                            in_quotes(left.spec.name), in_quotes(right.spec.name)));
   }
   spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
-  spec.elevations = read_elevations(gap, left, right, spec.level_tolerance);
+  read_columns(gap, spec);
+  spec.elevations = read_elevations(gap, left, right, spec.level_tolerance, spec.strikes_columns);
   const std::size_t points = spec.elevations.size();
   const auto given = gap.find("elevations");
   const bool no_contact = given && models_no_contact(*given);
@@ -319,7 +338,7 @@ std::vector<double> named_elevations(const TomlView& list, const std::vector<dou
   return named.size() == wanted.size() ? named : std::vector<double>{};
 }
 
-std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings) {
   std::vector<GapSpec> gaps;
   const auto list = root.tables("gap", "one [[gap]] table between each pair of neighbours");
   if (!list) return gaps;

@@ -53,8 +53,17 @@ void read_support(const TomlView& table, double gravity, ReadBuilding& building)
 void read_isolation(const TomlView& isolation, ReadBuilding& building);
 void read_soil(const TomlView& soil, ReadBuilding& building);
 
-/// case_gaps.cpp
-[[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+/// case_gaps.cpp; columns that are struck between floors get nodes there.
+[[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);
+
+/// case_columns.cpp: elevations of contact points of a gap with strikes_columns, at floors that meet or where a floor of
+/// one building faces a column of the other, which gets a node there; empty (and an error) unless all are.
+[[nodiscard]] std::vector<double> read_struck_columns(const TomlView& elevations, const std::vector<double>& wanted,
+                                                      const std::vector<LevelPair>& pairs, ReadBuilding& left,
+                                                      ReadBuilding& right);
+
+/// case_buildings.cpp: the model of what has been read, its slab's floor among the others.
+void make(ReadBuilding& building);
 
 /// Of the names in `between` of a gap or a link the two buildings, as places in the row; nothing (and an error) unless
 /// they are names of the case. @param what of the two names, "the neighbours, left and right"

@@ -152,6 +152,9 @@ void check_overlaps(const TomlView& root, const ReadCase& read) {
   if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
   const std::vector<Building> made = read.made_buildings();
   for (const ContactPoint& point : contact_points(c, made)) {
+    if (point.left_floor >= made[point.left].model.floors() || point.right_floor >= made[point.left + 1].model.floors()) {
+      continue;  // a node starts where the floors around it take it
+    }
     const auto left = static_cast<std::size_t>(point.left);
     const double left_at = c.initial.displacements[left][static_cast<std::size_t>(point.left_floor)];
     const double right_at = c.initial.displacements[left + 1][static_cast<std::size_t>(point.right_floor)];

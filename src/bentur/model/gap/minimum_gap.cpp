@@ -57,9 +57,12 @@ std::vector<PointSeparation> separations(const Problem& problem, const Response&
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const ContactPoint& point = problem.points[i];
     const auto left = static_cast<std::size_t>(point.left);
-    const SeparationInput a = separation_input(problem.buildings[left], response.buildings[left], point.left_floor);
+    // Of a node in a column the rules look at the floor above.
+    const Eigen::Index left_floor = problem.buildings[left].model.floor_at_or_above(point.left_floor);
+    const Eigen::Index right_floor = problem.buildings[left + 1].model.floor_at_or_above(point.right_floor);
+    const SeparationInput a = separation_input(problem.buildings[left], response.buildings[left], left_floor);
     const SeparationInput b =
-        separation_input(problem.buildings[left + 1], response.buildings[left + 1], point.right_floor);
+        separation_input(problem.buildings[left + 1], response.buildings[left + 1], right_floor);
     result.push_back({.point = static_cast<int>(i),
                       .simulated = response.points[i].minimum_gap_no_contact,
                       .abs = separation_abs(a, b),
@@ -69,8 +72,8 @@ std::vector<PointSeparation> separations(const Problem& problem, const Response&
     if (code.rules.empty()) continue;
     const Building& left_building = problem.buildings[left];
     const Building& right_building = problem.buildings[left + 1];
-    const CodePair pair{.left = code_side(left_building, response.buildings[left], point.left_floor),
-                        .right = code_side(right_building, response.buildings[left + 1], point.right_floor),
+    const CodePair pair{.left = code_side(left_building, response.buildings[left], left_floor),
+                        .right = code_side(right_building, response.buildings[left + 1], right_floor),
                         .left_building = left,
                         .floors_aligned = code.floors_aligned ? code.floors_aligned->at(left)
                                                               : floors_aligned(left_building, right_building),

@@ -39,8 +39,10 @@ std::vector<PointSeparation> from_peaks(const Problem& problem, const Response& 
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const ContactPoint& point = problem.points[i];
     const auto left = static_cast<std::size_t>(point.left);
-    const SeparationInput a{.displacement = response.buildings.at(left).displacement_no_contact(point.left_floor)};
-    const SeparationInput b{.displacement = response.buildings.at(left + 1).displacement_no_contact(point.right_floor)};
+    const SeparationInput a{.displacement = response.buildings.at(left).displacement_no_contact(
+        problem.buildings[left].model.floor_at_or_above(point.left_floor))};
+    const SeparationInput b{.displacement = response.buildings.at(left + 1).displacement_no_contact(
+        problem.buildings[left + 1].model.floor_at_or_above(point.right_floor))};
     result.push_back({.point = static_cast<int>(i),
                       .simulated = response.points.at(i).minimum_gap_no_contact,
                       .abs = separation_abs(a, b),
