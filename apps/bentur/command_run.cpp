@@ -216,7 +216,7 @@ std::string summary_text(const RunResults& run) {
     text += yielding_table(view, b);
   }
   const std::string unusual = remarks_text(run.remarks);
-  text += "\n" + unusual + wrapped(model_text(some_building_yields(problem, run.response))) + "\n";
+  text += "\n" + unusual + wrapped(model_text(problem, some_building_yields(problem, run.response))) + "\n";
   if (run.response.energy) {
     text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
                         number(run.response.energy->peak_input), run.c.units.force, run.c.units.length,

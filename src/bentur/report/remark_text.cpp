@@ -1,5 +1,7 @@
 #include "bentur/report/remark_text.h"
 
+#include <fmt/format.h>
+
 #include "bentur/core/number_text.h"
 #include "bentur/report/html/internal/words.h"
 
@@ -55,8 +57,21 @@ std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::s
   return texts;
 }
 
-std::string model_text(bool yields, std::string_view language) {
-  return html::Words(language)(yields ? "remarks.model_yielding" : "remarks.model");
+std::string model_text(const Problem& problem, bool yields, std::string_view language) {
+  const html::Words say(language);
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
+  for (const Building& building : problem.buildings) {
+    if (building.is_rigid()) continue;
+    ++counted;
+    loaded += building.has_gravity_loads ? 1 : 0;
+    moved += building.model.has_soil || building.model.has_slab ? 1 : 0;
+  }
+  std::vector<std::string> left_out;
+  if (loaded < counted) left_out.push_back(say(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of"));
+  left_out.push_back(say("remarks.no_torsion"));
+  if (moved < counted) left_out.push_back(say(moved == 0 ? "remarks.no_soil" : "remarks.soil_of"));
+  return say(yields ? "remarks.model_yielding" : "remarks.model",
+             {{"left_out", fmt::format("{}", fmt::join(left_out, ", "))}});
 }
 
 }  // namespace bentur

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/model/remarks.h"
+#include "bentur/solve/problem.h"
 
 namespace bentur {
 
@@ -15,6 +16,6 @@ namespace bentur {
                                                     std::string_view language = "en");
 
 /// What the model leaves out. @param yields some_building_yields()
-[[nodiscard]] std::string model_text(bool yields, std::string_view language = "en");
+[[nodiscard]] std::string model_text(const Problem& problem, bool yields, std::string_view language = "en");
 
 }  // namespace bentur

@@ -43,9 +43,9 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
   }
   return fmt::format(
       "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
-      "meet "
-      "do so with level_tolerance (the nearest two are {} apart), or model no contact with elevations = []: floors are "
-      "then watched against the columns they face, for the gap they need",
+      "meet do so with level_tolerance (the nearest two are {} apart), let floors strike the columns of a frame with "
+      "elevations = [...] and strikes_columns = true, or model no contact with elevations = []: floors are then watched "
+      "against the columns they face, for the gap they need",
       in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
       fmt::join(right.elevations, ", "), number(apart));
 }

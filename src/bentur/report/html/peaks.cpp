@@ -130,7 +130,7 @@ Html remarks_section(const Story& story) {
   }
   if (!story.remarks.empty()) content = element("ul", content);
   content +=
-      element("p", Html::text(model_text(some_building_yields(story.problem, story.response), story.say.language())));
+      element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response), story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);
 }
 
