@@ -44,6 +44,8 @@ class Expansion {
   [[nodiscard]] double h() const { return h_; }
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
+  /// Gives its coefficients away, for others of that size: what is asked of it before begin() is no more than rises.
+  void give_coefficients(Eigen::MatrixXd& to) { c_.swap(to); }
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, double end = 1.0) const {
     return {c_.data() + block.begin, c_.rows(), degree_, h_, end};
   }

@@ -289,6 +289,19 @@ std::optional<double> first_negative(const Polynomial& p, double factor, double 
   return CrossingSearch({p, factor, offset}).search(start);
 }
 
+std::optional<double> last_zero(const Polynomial& p, double end) {
+  const Scaled f{p, 1.0, 0.0};
+  const kernels::Derivatives at = f.derivatives(end);
+  if (at.value <= 0.0) return end;
+  // So near that the slope is what it is at the end: an opening leaves its band there.
+  const double step = at.value / at.slope;
+  if (step > 0.0 && step <= end && f.survey(end).second * step * step <= epsilon * end * at.slope) return end - step;
+  double largest = 0.0;
+  double where = 0.0;
+  if (!raise_to_maximum(p, end, largest, where, -1.0)) return std::nullopt;
+  return root(p, where, end);
+}
+
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where, double factor) {
   return MaximumSearch<false>({p, factor, 0.0}, best, where).search(end);
 }

@@ -42,6 +42,10 @@ struct Polynomial {
 /// touch from above (p = 0, not negative) is no crossing.
 [[nodiscard]] std::optional<double> first_negative(const Polynomial& p, double factor = 1.0, double offset = 0.0);
 
+/// The last place in [0, end] where p, if it is positive at `end`, was zero; nothing where it is never zero or less but
+/// at the start. `end` where it is not positive there.
+[[nodiscard]] std::optional<double> last_zero(const Polynomial& p, double end);
+
 /// Raises `best` to the maximum of factor · p on [0, end] where that is larger, and sets `where` to its place; returns
 /// whether it did. The maximum is that of the continuous function: a root of p', found by the same proof.
 bool raise_to_maximum(const Polynomial& p, double end, double& best, double& where, double factor = 1.0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bentur::engine {
 namespace {
@@ -131,19 +132,17 @@ void StepBuffer::accept(long segment, double offset, const Flights& flights, std
 }
 
 void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
-  const Expansion& motion = taken.motion;
+  Expansion& motion = taken.motion;
   if (next_instant()) {
     q_.col(last_) = taken.from.q;
     v_.col(last_) = taken.from.v;
-    acceleration_.col(last_) = 2.0 / (motion.h() * motion.h()) * motion.coefficients().col(2);
+    acceleration_.col(last_) = 2.0 / (motion.h() * motion.h()) * std::as_const(motion).coefficients().col(2);
   }
   note_inputs(taken.inputs);
-  const Index count = system_->size * (motion.degree() + 1);
-  if (kept_count_ + count > kept_.size()) kept_.conservativeResize(2 * (kept_count_ + count));
-  std::copy_n(motion.coefficients().data(), count, kept_.data() + kept_count_);
   steps_[last_] = {segment,   nullptr,         0,          taken.cut * motion.h(), offset, motion.h(),
                    taken.cut, motion.degree(), kept_count_};
-  kept_count_ += count;
+  if (kept_count_ == kept_.size()) kept_.emplace_back(system_->size, highest_degree + 1);
+  motion.give_coefficients(kept_[kept_count_++]);
   const double part = taken.cut * taken.cut;
   rise_.col(last_) = part * motion.rise();
   acceleration_rise_.col(last_) = part * motion.acceleration_rise();

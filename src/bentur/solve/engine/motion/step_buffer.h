@@ -43,7 +43,7 @@ class StepBuffer {
     // Of a power series, and where its coefficients are kept:
     double h = 0, end = 0;
     int degree = 0;
-    Eigen::Index kept = 0;
+    std::size_t kept = 0;
   };
 
   StepBuffer(const ModalSystem& system, const FlightPlan& plan);
@@ -70,8 +70,8 @@ class StepBuffer {
 
   /// A step of a power series.
   struct SeriesStep {
-    const Expansion& motion;
-    double cut;  ///< where it ends
+    Expansion& motion;  ///< gives its coefficients away
+    double cut;         ///< where it ends
     const State &from, &to;
     const Eigen::VectorXd& acceleration;     ///< q̈ at its end
     const std::vector<GroundInput>& inputs;  ///< at its start
@@ -87,7 +87,7 @@ class StepBuffer {
   /// Of a power series.
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, Eigen::Index n) const {
     const Step& at = step(n);
-    return {kept_.data() + at.kept + block.begin, system_->size, at.degree, at.h, at.end};
+    return {kept_[at.kept].data() + block.begin, system_->size, at.degree, at.h, at.end};
   }
   // Columns of all coordinates, of instants and of steps; their stride is the `size` of the system.
   [[nodiscard]] const double* q(Eigen::Index n) const { return q_.col(n).data(); }
@@ -108,8 +108,8 @@ class StepBuffer {
   bool joined_ = false;
   std::vector<Step> steps_;
   std::vector<GroundInput> inputs_;
-  Eigen::VectorXd kept_;  ///< coefficients of power series
-  Eigen::Index kept_count_ = 0;
+  std::vector<Eigen::MatrixXd> kept_;  ///< coefficients of power series
+  std::size_t kept_count_ = 0;
   Eigen::MatrixXd q_, v_, acceleration_, rise_, acceleration_rise_;
   const double* load_ = nullptr;
   Eigen::VectorXd no_forces_, start_acceleration_;  ///< scratch

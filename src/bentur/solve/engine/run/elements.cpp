@@ -21,16 +21,6 @@ constexpr double least_slack = 4.0;   // tolerances: a guard that starts this fa
 constexpr double least_speed = 1e-9;  // of the speeds at a point: slower starts are told to no law that needs them
 constexpr int most_branches = 1000;   // that loading in one direction goes through
 
-/// The last place in [0, end] where δ, which is not negative at `end`, was zero; nothing where it is never zero or less
-/// but at the start.
-std::optional<double> last_zero(const Polynomial& deformation, double end) {
-  if (value(deformation, end) <= 0.0) return end;
-  double largest = 0.0;
-  double where = 0.0;
-  if (!raise_to_maximum(deformation, end, largest, where, -1.0)) return std::nullopt;
-  return root(deformation, where, end);
-}
-
 /// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
 bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
 
@@ -170,11 +160,10 @@ Polynomial Elements::guarded(Index i, const Guard& guard, const Polynomial& defo
   return p;
 }
 
-void Elements::gauge(const State& from, const State& to) {
+void Elements::gauge(const State& to) {
   for (Index i = idle_; i < count(); ++i) {
     if (monitor_.stays(i) && !resting(i)) continue;
-    const double size = std::abs(offsets_[i]) + std::max(relation(i).along_abs(from.q), relation(i).along_abs(to.q));
-    tolerances_[i] = std::max(tolerances_[i], round_off_band * size);
+    tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
   }
 }
 
@@ -396,9 +385,8 @@ void Elements::gather(State& state) {
     }
     may_fly_ = may_fly_ && constant && watched_[i] != 0;
     if (element.force < 0) continue;
-    const double moved = constant ? 0.0 : 1.0;
-    state.q(element.force) = linear.base + moved * linear.stiffness * deformation(i, state);
-    state.v(element.force) = moved * linear.stiffness * speed(i, state);
+    state.q(element.force) = linear.base + (constant ? 0.0 : linear.stiffness * deformation(i, state));
+    state.v(element.force) = constant ? 0.0 : linear.stiffness * speed(i, state);
   }
   forces_.rate = system_->rate(forces_);
   for (const Index i : forces_.constant) {

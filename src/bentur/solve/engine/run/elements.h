@@ -72,8 +72,8 @@ class Elements {
   void look(const State& from, const State& to, const Eigen::VectorXd& rise) {
     (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, count());
   }
-  /// Takes in how large the displacements are in it. To be called before events are looked for.
-  void gauge(const State& from, const State& to);
+  /// Takes in how large the displacements are at its end. To be called before events are looked for.
+  void gauge(const State& to);
   /// The first change in the expanded step, which began at `time` with the state `from`.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, double time);
 

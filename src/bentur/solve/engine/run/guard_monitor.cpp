@@ -36,6 +36,7 @@ GuardMonitor::GuardMonitor(const std::vector<Watched>& elements, Index stride)
                     element.switched});
   }
   groups_ = relation_groups(rows);
+  changed_.assign(groups_.size(), 1);
   for (Index i = 0; i < std::ssize(elements); ++i) (void)enter(i, elements[i].first);
 }
 
@@ -71,20 +72,29 @@ bool GuardMonitor::enter(Index i, const Branch& branch) {
   }
   RelationGroup& group = group_of(i);
   group.rows.offset(i - group.first) = offset;
+  changed_[&group - groups_.data()] = changed_[&group - groups_.data()] != 0 || limit != limits_[i] ? 1 : 0;
   limits_[i] = limit;
   stays_[i] = 0;
+  return watched;
+}
+
+void GuardMonitor::limit(std::size_t g) {
+  if (changed_[g] == 0) return;
+  changed_[g] = 0;
+  RelationGroup& group = groups_[g];
   group_limits_.setZero(group.rows.size());
   for (Index n = 0; n < group.count; ++n) group_limits_(n) = limits_[group.first + n];
   group.rows.limit(group_limits_);
-  return watched;
 }
 
 Index GuardMonitor::quiet(const StepBuffer& buffer, Index count, Index from, Index end) {
   const Index first = buffer.size();
   if (count == 1) return look(buffer.q(first), buffer.q(first + 1), buffer.rise(first), from, end) ? 1 : 0;
   const auto asked = [&](const RelationGroup& group) { return group.first >= from && group.first < end; };
-  for (RelationGroup& group : groups_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    RelationGroup& group = groups_[g];
     if (!asked(group)) continue;
+    limit(g);
     group.rows.compare(count, buffer.q(first) + group.begin, buffer.rise(first) + group.begin, stride_);
   }
   for (Index n = 0; n < count; ++n) {

@@ -38,12 +38,14 @@ class GuardMonitor {
   enum class Sides { none, upper, lower, both };
   [[nodiscard]] static Sides sides_of(const Branch& branch);
   [[nodiscard]] RelationGroup& group_of(Eigen::Index element);
+  void limit(std::size_t group);
 
   std::vector<RelationGroup> groups_;
   std::vector<Sides> sides_;     ///< per element, as its row has been made
   std::vector<double> offsets_;  ///< per element
   std::vector<double> limits_;   ///< per element: of its row; infinite where that is not watched
   std::vector<char> stays_;
+  std::vector<char> changed_;     ///< per group: whether its rows are still to be told of limits
   Eigen::VectorXd group_limits_;  ///< scratch
   Eigen::Index stride_;
 };

@@ -230,6 +230,7 @@ void Run::take_steps(double start, double length) {
     const double cut = look(time);
     const double h = motion_.h();
     if (cut < 1.0) motion_.evaluate(cut, next_, &end_acceleration_);
+    elements_.note_touches(motion_, time, cut, next_);
     end_inputs_ = inputs_;
     system_.advance(end_inputs_, cut * h);
     if (lasts(cut * h)) {
@@ -252,7 +253,7 @@ void Run::take_steps(double start, double length) {
     }
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
-    arrived(time, start + elapsed);
+    arrived(start + elapsed);
     if (!trouble_.empty() || collapse_) return;
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     if (event && ++cuts > limit) {
@@ -270,7 +271,7 @@ void Run::retake(double length) {
 
 /// The first event of the step, which ends there if it is no power series.
 void Run::find_event(double time) {
-  elements_.gauge(state_, next_);
+  elements_.gauge(next_);
   if (stepper_.is_fixed()) {
     find_event_by_bisection(time);
     return;
@@ -328,9 +329,8 @@ double Run::look(double time) {
   return cut;
 }
 
-/// At the end of a step that began at `from`.
-void Run::arrived(double from, double time) {
-  elements_.note_touches(motion_, from, event_ ? event_->s : 1.0, state_);
+/// At the end of a step.
+void Run::arrived(double time) {
   if (!event_) return;
   buffer_.break_off();
   elements_.change(*event_, time, state_);

@@ -137,7 +137,7 @@ class Run {
   void find_event(double time);
   void find_event_by_bisection(double time);
   void retake(double length);
-  void arrived(double from, double time);
+  void arrived(double time);
   /// Whether a state that lasts so long [s] is one of the motion's.
   [[nodiscard]] bool lasts(double length) const;
   void watch_step(double time, double cut);
