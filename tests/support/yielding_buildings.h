@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bentur/elements/kinematic_hardening.h"
@@ -91,7 +92,8 @@ inline Response solved(const Problem& problem, const Solver& solver, double outp
   Response response = solve(problem, solver, options);
   EXPECT_EQ(response.status, Status::done) << response.message;
   if (response.energy) {
-    EXPECT_LE(response.energy->relative_residual(), 1e-9);
+    // The integrals of a step that is an approximation are as good as the step, as in the reference cases.
+    EXPECT_LE(response.energy->relative_residual(), std::holds_alternative<ExactSolver>(solver) ? 1e-9 : 1e-8);
   }
   return response;
 }
