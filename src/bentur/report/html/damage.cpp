@@ -9,41 +9,10 @@
 namespace bentur::html {
 namespace {
 
-using Yielding = BuildingPeaks::Yielding;
-
 constexpr double percent = 100;
 constexpr double darkest = 8;  // ductility of the darkest fill
 
 bool yields(const Story& story, Eigen::Index b) { return story.response.buildings[b].yielding.ductility.size() > 0; }
-
-/// What was done to one building, storey by storey from the top down.
-Html damage_table(const Story& story, Eigen::Index b) {
-  const BuildingPeaks& peaks = story.response.buildings[b];
-  const Eigen::Index storeys = peaks.yielding.ductility.size();
-  const auto column = [&](const Eigen::VectorXd& values, double factor) {
-    std::vector<std::string> cells;
-    for (Eigen::Index f = storeys; f-- > 0;) {
-      const bool known = f < values.size() && std::isfinite(values(f));
-      cells.push_back(known ? number(factor * values(f)) : "–");
-    }
-    return cells;
-  };
-  std::vector<std::string> names;
-  for (Eigen::Index f = storeys; f-- > 0;) names.push_back(std::to_string(f + 1));
-  const Words& say = story.say;
-  const std::string energy = story.c.units.force + "·" + story.c.units.length;
-  const Yielding& with = peaks.yielding;
-  const Yielding& without = peaks.yielding_no_contact;
-  HtmlTable table;
-  table.add(say("column.storey"), "", names);
-  table.add(say("column.ductility"), "", column(with.ductility, 1));
-  table.add(say("column.ductility_no_contact"), "", column(without.ductility, 1));
-  table.add(say("column.residual"), "%", column(with.residual_drift_ratio, percent));
-  table.add(say("column.residual_no_contact"), "%", column(without.residual_drift_ratio, percent));
-  table.add(say("column.hysteretic"), energy, column(with.hysteretic_energy, 1));
-  table.add(say("column.hysteretic_no_contact"), energy, column(without.hysteretic_energy, 1));
-  return table.markup();
-}
 
 /// White up to first yield, from there on the darker the more.
 std::string fill_of(double ductility) {
@@ -131,18 +100,14 @@ Html lead(const Story& story) {
 
 Html damage_section(const Story& story) {
   Html drawings;
-  Html tables;
   for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
-    if (!yields(story, b)) continue;
-    drawings += drawing(story, b);
-    tables += element("h3", Html::text(story.problem.buildings[b].name)) + damage_table(story, b);
+    if (yields(story, b)) drawings += drawing(story, b);
   }
   if (drawings.str().empty()) return {};
   const Words& say = story.say;
   return section("damage", say("heading.damage"),
                  lead(story) + element("div", drawings, "class=\"damage\"") +
-                     element("p", Html::text(say("damage.drawing")), "class=\"note\"") + tables +
-                     element("p", Html::text(say("damage.note")), "class=\"note\""));
+                     element("p", Html::text(say("damage.drawing")), "class=\"note\""));
 }
 
 }  // namespace bentur::html
