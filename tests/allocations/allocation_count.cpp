@@ -4,8 +4,12 @@
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <numbers>
+#include <utility>
 
+#include "bentur/elements/kinematic_hardening.h"
+#include "bentur/elements/link_laws.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/small_buildings.h"
@@ -34,12 +38,13 @@ namespace bentur {
 namespace {
 
 struct Count {
-  long allocations = 0, steps = 0;
+  long allocations = 0, steps = 0, events = 0;
   std::size_t impacts = 0;
 };
 
 /// Two sticks of three floors [N, m, kg] under a harmonic motion that makes them collide at each period.
-Count run_of(const test::LawExample& law, const Solver& solver, double duration) {
+/// `yielding`: their storeys yield, and a cable and a dashpot link them.
+Count run_of(const test::LawExample& law, const Solver& solver, double duration, bool yielding = false) {
   const auto stick = [](double stiffness) {
     Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(3, 3) * 2e5;
     Eigen::MatrixXd k(3, 3);
@@ -52,13 +57,21 @@ Count run_of(const test::LawExample& law, const Solver& solver, double duration)
     points.back().law = law.make(1e5);
   }
   Problem problem = test::pair(stick(2e8), stick(8e7), points, duration);
+  if (yielding) {
+    for (const auto& [building, stiffness] : {std::pair(0, 2e8), std::pair(1, 8e7)}) {
+      problem.buildings[building].storey_laws.assign(
+          3, std::make_shared<KinematicHardening>(stiffness, 0.005 * stiffness, 0.1));
+    }
+    problem.links.push_back({0, 1, 1, 1, 0.0, std::make_shared<Cable>(1e6, 0.01)});
+    problem.links.push_back({0, 1, 2, 2, 0.0, std::make_shared<SpringDashpot>(0.0, 1e4)});
+  }
   problem.motion = HarmonicMotion{.period = 0.8, .displacement_amplitude = 0.05};
   const FreeResponse free(problem, solver);
   const long before = allocations;
   const Response response = free.solve(problem);
   const long after = allocations;
   EXPECT_EQ(response.status, Status::done) << response.message;
-  return {after - before, response.steps, response.impacts.size()};
+  return {after - before, response.steps, response.events, response.impacts.size()};
 }
 
 class TheLoop : public testing::TestWithParam<test::LawExample> {};
@@ -75,6 +88,20 @@ TEST_P(TheLoop, AllocatesNothing) {
     EXPECT_LE(twice.allocations, once.allocations + doublings + equations)
         << name(solver) << ": " << once.allocations << " allocations in " << once.steps << " steps with "
         << once.impacts << " impacts, " << twice.allocations << " in " << twice.steps << " with " << twice.impacts;
+  }
+}
+
+TEST(TheLoopWithYieldingAndLinks, AllocatesNothing) {
+  const test::LawExample linear = test::example_laws().front();
+  ASSERT_EQ(linear.law, "linear");
+  for (const Solver& solver : {Solver(ExactSolver{}), Solver(AdaptiveSolver{1e-6})}) {
+    const Count once = run_of(linear, solver, 8, true), twice = run_of(linear, solver, 16, true);
+    ASSERT_GE(once.impacts, 4U);
+    ASSERT_GE(twice.events, once.events + 40);
+    constexpr long doublings = 12;  // of lists that grow with the run
+    EXPECT_LE(twice.allocations, once.allocations + doublings)
+        << name(solver) << ": " << once.allocations << " allocations with " << once.events << " events, "
+        << twice.allocations << " with " << twice.events;
   }
 }
 

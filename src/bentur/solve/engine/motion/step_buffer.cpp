@@ -133,10 +133,14 @@ void StepBuffer::accept(long segment, double offset, const Flights& flights, std
 
 void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   Expansion& motion = taken.motion;
+  const auto note = [this](Eigen::MatrixXd& columns, const double* x, double factor = 1.0) {
+    double* to = columns.col(last_).data();
+    for (Index j = 0; j < system_->size; ++j) to[j] = factor * x[j];
+  };
   if (next_instant()) {
-    q_.col(last_) = taken.from.q;
-    v_.col(last_) = taken.from.v;
-    acceleration_.col(last_) = 2.0 / (motion.h() * motion.h()) * std::as_const(motion).coefficients().col(2);
+    note(q_, taken.from.q.data());
+    note(v_, taken.from.v.data());
+    note(acceleration_, std::as_const(motion).coefficients().col(2).data(), 2.0 / (motion.h() * motion.h()));
   }
   note_inputs(taken.inputs);
   steps_[last_] = {segment,   nullptr,         0,          taken.cut * motion.h(), offset, motion.h(),
@@ -144,12 +148,12 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   if (kept_count_ == kept_.size()) kept_.emplace_back(system_->size, highest_degree + 1);
   motion.give_coefficients(kept_[kept_count_++]);
   const double part = taken.cut * taken.cut;
-  rise_.col(last_) = part * motion.rise();
-  acceleration_rise_.col(last_) = part * motion.acceleration_rise();
+  note(rise_, motion.rise().data(), part);
+  note(acceleration_rise_, motion.acceleration_rise().data(), part);
   ++last_;
-  q_.col(last_) = taken.to.q;
-  v_.col(last_) = taken.to.v;
-  acceleration_.col(last_) = taken.acceleration;
+  note(q_, taken.to.q.data());
+  note(v_, taken.to.v.data());
+  note(acceleration_, taken.acceleration.data());
 }
 
 }  // namespace bentur::engine

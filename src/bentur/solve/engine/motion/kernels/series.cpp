@@ -62,18 +62,18 @@ constexpr std::size_t most_small = 6;
 BENTUR_INLINE void expand_small(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
                                 int degree, Index stride, double* to) {
   struct Element {
-    Four row[2], push[2];
-    double stiffness, damping, base;
+    Four row[2], push[2], stiffness, damping;
     double* deformation;
   };
   const Index begin[2] = {grounds[0].begin, grounds[1].begin};
   const bool driven = grounds[0].nu_squared > 0.0;
-  Four c[2], next[2], stiff[2], damp[2];
+  Four c[2], next[2], stiff[2], damp[2], base[2];
   for (int b = 0; b < 2; ++b) {
     c[b] = load(to + begin[b]);
     next[b] = load(to + stride + begin[b]);
     stiff[b] = load(of.stiff + begin[b]);
     damp[b] = load(of.damp + begin[b]);
+    base[b] = of.load != nullptr ? load(of.load + begin[b]) : all(0.0);
   }
   Element elements[most_small];
   const Element* const end = elements + pressing.size();
@@ -89,39 +89,39 @@ BENTUR_INLINE void expand_small(std::span<const Pressing> pressing, const Driven
     e.push[left] = load(p.left_push);
     e.row[1 - left] = both ? load(p.right_row) : all(0.0);
     e.push[1 - left] = both ? load(p.right_push) : all(0.0);
-    e.stiffness = p.stiffness;
-    e.damping = p.damping;
-    e.base = p.base;
+    e.stiffness = all(p.stiffness);
+    e.damping = all(p.damping);
     e.deformation = p.deformation;
     e.deformation[0] = along(e, c) + p.offset;
     e.deformation[1] = along(e, next);
+    for (int b = 0; b < 2; ++b) base[b] += all(p.base) * e.push[b];
   }
-  for (int k = 0; k + 2 <= degree; ++k) {
+  const auto advance = [&](int k, bool shaken) __attribute__((always_inline)) {
     const Four scale = factor(power_factors.scale, k);
     const Four step = factor(power_factors.next, k);
     Four after[2];
     for (int b = 0; b < 2; ++b) {
-      after[b] = stiff[b] * c[b] + step * damp[b] * next[b];
-      if (k < 2 || driven) {
-        after[b] = (load(of.gamma + begin[b]) * all(grounds[b].next(k)) - after[b]) * scale;
-      } else {
-        after[b] = -after[b] * scale;
-      }
-      if (k == 0 && of.load != nullptr) after[b] += load(of.load + begin[b]) * scale;
+      after[b] = -(stiff[b] * c[b] + step * damp[b] * next[b]);
+      if (shaken) after[b] += load(of.gamma + begin[b]) * all(grounds[b].next(k));
+      if (k == 0) after[b] += base[b];
     }
     for (const Element* e = elements; e < end; ++e) {
-      double force = e->stiffness * e->deformation[k] + e->damping * step[0] * e->deformation[k + 1];
-      if (k == 0) force += e->base;
-      const Four pushed = all(force * scale[0]);
-      for (int b = 0; b < 2; ++b) after[b] += pushed * e->push[b];
+      const Four force = e->stiffness * all(e->deformation[k]) + e->damping * step * all(e->deformation[k + 1]);
+      for (int b = 0; b < 2; ++b) after[b] += force * e->push[b];
     }
-    for (const Element* e = elements; e < end; ++e) e->deformation[k + 2] = along(*e, after);
     for (int b = 0; b < 2; ++b) {
+      after[b] *= scale;
       store(to + (k + 2) * stride + begin[b], after[b]);
       c[b] = next[b];
       next[b] = after[b];
     }
-  }
+    for (const Element* e = elements; e < end; ++e) e->deformation[k + 2] = along(*e, after);
+  };
+  advance(0, true);
+  advance(1, true);
+  int k = 2;
+  for (; driven && k + 2 <= degree; ++k) advance(k, true);
+  for (; k + 2 <= degree; ++k) advance(k, false);
 }
 // NOLINTEND(modernize-avoid-c-arrays)
 

@@ -38,15 +38,16 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   };
   for (int k = 0; k + 2 <= degree; ++k) {
     const double scale = 1.0 / ((k + 2.0) * (k + 1.0));
-    double force = 1.3 * deformation_at(k) + 0.4 * (k + 1.0) * deformation_at(k + 1);
-    if (k == 0) force += 0.1;
+    const double force = 1.3 * deformation_at(k) + 0.4 * (k + 1.0) * deformation_at(k + 1);
     const double input[] = {again[0].next(k), again[1].next(k)};
     for (Index j = 0; j < n; ++j) {
       const auto at = static_cast<std::size_t>(j);
       double& to = expected[static_cast<std::size_t>((k + 2) * n + j)];
       const double own = stiff[at] * expected[static_cast<std::size_t>(k * n + j)] +
                          (k + 1.0) * damp[at] * expected[static_cast<std::size_t>((k + 1) * n + j)];
-      to = (gamma[at] * input[j / 4] - own) * scale + (force * scale) * push[at];
+      to = gamma[at] * input[j / 4] - own;
+      if (k == 0) to += 0.1 * push[at];
+      to = (to + force * push[at]) * scale;
     }
   }
   EXPECT_EQ(c, expected);
