@@ -20,13 +20,18 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   std::string law;
   int yielding = 0;
-  for (const auto& one : building.storey_laws) {
+  for (std::size_t f = building.model.has_slab ? 1 : 0; f < building.storey_laws.size(); ++f) {
+    const auto& one = building.storey_laws[f];
     if (one == nullptr) continue;
     ++yielding;
     law = one->name();
   }
-  return fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
-                     count(building.storey_laws.size(), "storey", "storeys"), law,
+  const std::string bearings =
+      building.model.has_slab && building.storey_law(0) != nullptr ? building.name + ": its bearings yield\n" : "";
+  if (yielding == 0) return bearings;
+  return bearings +
+         fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
+                     count(building.storey_laws.size() - (building.model.has_slab ? 1 : 0), "storey", "storeys"), law,
                      spec.tangent_damping ? ", damping of the tangent stiffness" : "");
 }
 
@@ -39,6 +44,10 @@ void run(const std::string& file) {
   text += excitation_line(loaded.c) + "\n";
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
+    if (building.is_rigid()) {
+      text += building.name + ": moves with the ground\n";
+      continue;
+    }
     text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
                         count(building.model.elevations.size(), "floor", "floors"),
                         count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),

@@ -34,6 +34,7 @@ Table shape_table(const Building& building, const std::string& length) {
 }
 
 std::string modes_text(const Building& building, const Units& units) {
+  if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
   const ModalProperties properties = modal_properties(building.modes, building.model.load);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> number_cells, periods, fraction, cumulative;
@@ -75,6 +76,7 @@ void run(const ModesArguments& arguments) {
   Loaded loaded = load(arguments.file);
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {
+      if (building.modes.omega.size() < building.model.dofs()) continue;  // known by some modes alone, or by none
       building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
     }
   }

@@ -184,11 +184,32 @@ std::string law_text(const RunResults& run, const RunView& view) {
   return "\nContact laws, restitution asked and obtained\n\n" + table.text();
 }
 
+/// Whether a building collapses, in the run or without contact; empty where none does.
+std::string collapse_text(const RunResults& run) {
+  const Response& response = run.response;
+  const auto storey = [&](const Collapse& collapse) {
+    const Building& building = run.problem.buildings[collapse.building];
+    return fmt::format("storey {} of {}, t = {} s", collapse.storey + (building.model.has_slab ? 0 : 1), building.name,
+                       number(collapse.time));
+  };
+  if (response.collapse) {
+    return fmt::format(
+        "COLLAPSE: {}, drift beyond {} % of its height.\n  The run ends there: all numbers are up to then.\n  "
+        "Without contact {}.\n",
+        storey(*response.collapse), number(100 * run.problem.collapse_drift),
+        response.collapse_no_contact ? storey(*response.collapse_no_contact) + " collapses" : "nothing collapses");
+  }
+  if (!response.collapse_no_contact) return "";
+  return fmt::format("COLLAPSE WITHOUT CONTACT: {}.\n  What is told of the response without contact is up to then.\n",
+                     storey(*response.collapse_no_contact));
+}
+
 std::string summary_text(const RunResults& run) {
   const RunView view = run.view();
   const Problem& problem = run.problem;
   std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
   text += excitation_line(run.c) + "\n\n";
+  text += collapse_text(run);
   const std::vector<Gap> gaps = gaps_of(problem);
   for (const Gap& gap : gaps) text += verdict(run, gap.left);
   for (const Gap& gap : gaps) {
@@ -210,9 +231,17 @@ std::string summary_text(const RunResults& run) {
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
     text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
                         quantity_table(view, Owner::floor, floors_from_top(problem, b)).text());
+    if (building.is_rigid()) {
+      text += "  Moves with the ground\n";
+      continue;
+    }
     text += fmt::format("  Base shear {} of the weight; {}\n",
                         found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
                         proportions_text(building, found, run.c.units));
+    if (const Eigen::VectorXd& foundation = run.response.buildings[b].foundation; foundation.size() == 2) {
+      text += fmt::format("  Foundation: sway {} {}, rocking {} rad\n", number(foundation(0)), run.c.units.length,
+                          number(foundation(1)));
+    }
     text += yielding_table(view, b);
   }
   const std::string unusual = remarks_text(run.remarks);

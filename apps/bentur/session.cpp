@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -183,7 +184,8 @@ std::string remarks_text(const std::vector<Remark>& remarks) {
 }
 
 std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
-  const double period = found.period_per_storey * static_cast<double>(building.model.elevations.size());
+  if (building.is_rigid()) return "moves with the ground";
+  const double period = 2 * std::numbers::pi / building.first_omega();
   return fmt::format("weight {} {}, first period {} s, {} s per storey", number(found.weight), units.force,
                      number(period), number(found.period_per_storey));
 }

@@ -25,8 +25,8 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
-EXAMPLES = ["m12-el-centro", "free-impact", "kelvin-voigt-pair", "linked-pair", "m12-harmonic", "m12-runge-kutta",
-            "restitution-asked", "row-of-three", "two-frames-si", "yielding-pair"]
+EXAMPLES = ["m12-el-centro", "free-impact", "generic-neighbour", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
+            "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "two-frames-si", "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
 COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
 

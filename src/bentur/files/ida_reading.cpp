@@ -124,6 +124,11 @@ class Reader {
     for (std::size_t i = 0; i < sizes_.front(); ++i) {
       const std::vector<double> ends = file_.numbers("status", i);
       std::vector<bool> events(ends.size(), false);
+      // What collapses, and what no longer can be computed, is beyond any threshold.
+      if (file_.find("collapsed") != nullptr) {
+        const std::vector<double> collapsed = file_.numbers("collapsed", i);
+        for (std::size_t k = 0; k < collapsed.size(); ++k) events[k] = collapsed[k] > 0;
+      }
       for (const NetcdfVariable* variable : variables) {
         const std::vector<double> values = file_.numbers(variable->name, i);
         const std::size_t each = values.size() / ends.size();
@@ -133,9 +138,10 @@ class Reader {
         }
       }
       for (std::size_t k = 0; k < ends.size(); ++k) {
-        table.outcomes[place(i * ends.size() + k)] = ends[k] != 0 ? Outcome::failed
-                                                     : events[k]  ? Outcome::event
-                                                                  : Outcome::no_event;
+        constexpr double numbers_failed = 1, no_case = 2;
+        table.outcomes[place(i * ends.size() + k)] = ends[k] == no_case                       ? Outcome::failed
+                                                     : events[k] || ends[k] == numbers_failed ? Outcome::event
+                                                                                              : Outcome::no_event;
       }
     }
   }

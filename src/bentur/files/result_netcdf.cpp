@@ -71,6 +71,7 @@ void write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, co
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
   write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), number, " of the floors of " + owner);
   write_quantities(file, Owner::building, run, {}, {{b, 0}}, number, " of " + owner);
+  if (building.is_rigid()) return;  // a dimension of size zero would be an unlimited one
   const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
   const Dimension modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
   file.write("period" + number, {modes}, by_columns(periods), "s", "periods of " + owner);

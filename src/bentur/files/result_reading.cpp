@@ -92,7 +92,8 @@ void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<Qu
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
     const std::string name = file_name(*quantity) + suffix;
-    if (is_of_yielding(*quantity) && file.find(name) == nullptr) continue;  // nothing of the building can yield
+    const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity);
+    if (of_some && file.find(name) == nullptr) continue;  // nothing of the building can yield, or it is not on soil
     const std::vector<double> values = file.numbers(name);
     if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
     for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], places[i], response);
@@ -109,6 +110,12 @@ Building read_building(const NetcdfReader& file, const std::string& name, const 
     model.storey_heights.push_back(elevation - below);
     below = elevation;
   }
+  if (file.find("period" + number) == nullptr) {  // moves with the ground
+    building.modes.shapes = Eigen::MatrixXd::Zero(std::ssize(model.elevations), 0);
+    return building;
+  }
+  model.has_slab = model.storey_heights.front() == 0;
+  model.has_soil = file.find("peak_sway" + number) != nullptr;
   const std::vector<double> periods = file.numbers("period" + number);
   building.modes.omega = 2 * std::numbers::pi * vector(periods).cwiseInverse();
   building.modes.shapes = table(file, "shape" + number, model.elevations.size(), periods.size());
@@ -217,6 +224,19 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   if (json.at("buildings").size() != results.problem.buildings.size()) {
     fail(file, "is not of the same run as histories.nc");
   }
+  const auto collapse = [&](const char* key) -> std::optional<Collapse> {
+    if (!json.contains(key)) return std::nullopt;
+    const UnorderedJson& told = json.at(key);
+    const std::vector<Building>& buildings = results.problem.buildings;
+    const auto named = std::find_if(buildings.begin(), buildings.end(),
+                                    [&](const Building& building) { return told.at("building") == building.name; });
+    if (named == buildings.end()) fail(file, "names a building that collapsed and is not there");
+    const Eigen::Index storey = told.at("storey");
+    return Collapse{named - buildings.begin(), storey - (named->model.has_slab ? 0 : 1), told.at("time")};
+  };
+  results.response.collapse = collapse("collapse");
+  results.response.collapse_no_contact = collapse("collapse_no_contact");
+  if (results.response.collapse) results.response.status = Status::collapsed;
   for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, file, results);
   std::size_t links = 0;
   for (const UnorderedJson& table : json.value("links", UnorderedJson::array())) {
@@ -348,7 +368,7 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
 }  // namespace
 
 bool is_histories(const NetcdfReader& file) {
-  return file.find("displacement_1") != nullptr && file.find("shape_1") != nullptr &&
+  return file.find("displacement_1") != nullptr && file.find("base_elevation_1") != nullptr &&
          file.find("gap_needed") != nullptr;
 }
 
@@ -368,8 +388,14 @@ RunResults read_histories(const NetcdfReader& file) {
     const std::size_t floors = problem.buildings.back().model.elevations.size();
     response.buildings.emplace_back();
     take_quantities(file, Owner::floor, floors_of(problem, b), number, response);
-    response.histories.displacement.push_back(
-        table(file, "displacement" + number, floors, response.histories.time.size()));
+    take_quantities(file, Owner::building, {{b, 0}}, number, response);
+    Histories& histories = response.histories;
+    const auto history = [&](const char* quantity) {
+      return table(file, quantity + number, floors, histories.time.size());
+    };
+    histories.displacement.push_back(history("displacement"));
+    histories.drift_ratio.push_back(history("drift_ratio"));
+    histories.storey_shear.push_back(history("storey_shear"));
   }
   if (file.find("opening") != nullptr) read_points(file, results);  // else no contact is modelled
   if (file.find("link_left") != nullptr) read_links(file, results);

@@ -12,6 +12,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/temporary_folder.h"
+#include "tests/support/same_response.h"
 
 namespace bentur {
 namespace {
@@ -89,9 +90,16 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   }
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const auto &one = response.buildings[b].yielding, &two = results.response.buildings[b].yielding;
-    EXPECT_EQ(two.ductility, one.ductility);
-    EXPECT_EQ(two.residual_drift_ratio, one.residual_drift_ratio);
-    EXPECT_EQ(two.hysteretic_energy, one.hysteretic_energy);
+    test::expect_same_values(two.ductility, one.ductility);
+    test::expect_same_values(two.residual_drift_ratio, one.residual_drift_ratio);
+    test::expect_same_values(two.hysteretic_energy, one.hysteretic_energy);
+    EXPECT_EQ(results.response.buildings[b].foundation, response.buildings[b].foundation);
+    EXPECT_EQ(results.problem.buildings[b].model.has_slab, problem.buildings[b].model.has_slab);
+    EXPECT_EQ(results.problem.buildings[b].model.has_soil, problem.buildings[b].model.has_soil);
+    EXPECT_EQ(results.problem.buildings[b].is_rigid(), problem.buildings[b].is_rigid());
+    const Eigen::MatrixXd &shear = response.histories.storey_shear[b],
+                          &read = results.response.histories.storey_shear[b];
+    test::expect_same_values(read.reshaped(), shear.reshaped());
   }
   EXPECT_EQ(results.response.histories.time, response.histories.time);
   EXPECT_EQ(results.response.histories.opening, response.histories.opening);
@@ -129,7 +137,8 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
 
 INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,
                          testing::Values("m12-el-centro", "m12-harmonic", "row-of-three", "kelvin-voigt-pair",
-                                         "restitution-asked", "free-impact", "yielding-pair", "linked-pair"),
+                                         "restitution-asked", "free-impact", "yielding-pair", "linked-pair",
+                                         "isolated-moat", "generic-neighbour"),
                          [](const auto& instance) {
                            std::string label = instance.param;
                            std::replace(label.begin(), label.end(), '-', '_');

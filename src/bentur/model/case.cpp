@@ -182,19 +182,21 @@ void watch_gap(const GapSpec& spec, int gap, const std::vector<Building>& buildi
   }
 }
 
-/// All degrees of freedom from the floors' values; joint rotations θ = −K_ss⁻¹ K_sp x, free of moment.
+/// All degrees of freedom from the floors' values; joint rotations θ = −K_ss⁻¹ K_sp x, free of moment. A foundation on
+/// soil is where it was.
 Eigen::VectorXd from_floors(const StructuralModel& model, const std::vector<double>& values) {
   const Eigen::Index floors = model.floors();
-  const Eigen::Index rotations = model.dofs() - floors;
+  const Eigen::Index rotations = model.dofs() - floors - (model.has_soil ? 2 : 0);
   if (static_cast<Eigen::Index>(values.size()) != floors) {
     throw InvalidParameter("initial", std::to_string(values.size()) + " values", "must be one per floor");
   }
-  Eigen::VectorXd all(model.dofs());
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(model.dofs());
   all.head(floors) = Eigen::Map<const Eigen::VectorXd>(values.data(), floors);
   if (rotations > 0) {
-    all.tail(rotations) = -model.stiffness.bottomRightCorner(rotations, rotations)
-                               .ldlt()
-                               .solve(model.stiffness.bottomLeftCorner(rotations, floors) * all.head(floors));
+    all.segment(floors, rotations) =
+        -model.stiffness.block(floors, floors, rotations, rotations)
+             .ldlt()
+             .solve(model.stiffness.block(floors, 0, rotations, floors) * all.head(floors));
   }
   return all;
 }

@@ -29,7 +29,7 @@ PlaneFrame monograph_frame(double beam_depth, std::vector<double> bays = {100}) 
   return frame;
 }
 
-BuildingSpec spec_of(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
+BuildingSpec spec_of(std::string name, decltype(BuildingSpec::structure) structure) {
   BuildingSpec spec;
   spec.name = std::move(name);
   spec.structure = std::move(structure);

@@ -24,7 +24,10 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 Proportions proportions_of(const RunView& r, const QuantityPlace& at) {
   return proportions(r.problem.buildings[at.item], r.units, &r.response.buildings[at.item]);
 }
-double weight(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).weight; }
+bool is_wall(const RunView& r, const QuantityPlace& at) { return r.problem.buildings[at.item].is_rigid(); }
+double weight(const RunView& r, const QuantityPlace& at) {
+  return is_wall(r, at) ? none : proportions_of(r, at).weight;
+}
 double base_shear_coefficient(const RunView& r, const QuantityPlace& at) {
   return proportions_of(r, at).base_shear_coefficient.value_or(none);
 }
@@ -32,7 +35,9 @@ double first_period(const RunView& r, const QuantityPlace& at) {
   const double omega = r.problem.buildings[at.item].first_omega();
   return omega > 0 ? 2 * std::numbers::pi / omega : none;
 }
-double period_per_storey(const RunView& r, const QuantityPlace& at) { return proportions_of(r, at).period_per_storey; }
+double period_per_storey(const RunView& r, const QuantityPlace& at) {
+  return is_wall(r, at) ? none : proportions_of(r, at).period_per_storey;
+}
 double amplification(const RunView& r, const QuantityPlace& at) {
   const BuildingPeaks& peaks = r.response.buildings[at.item];
   const double without = peaks.displacement_no_contact(at.floor);
@@ -57,6 +62,7 @@ long floors_met(const RunView& r, const QuantityPlace& at) {
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
 long events(const RunView& r, const QuantityPlace&) { return r.response.events; }
+long collapsed(const RunView& r, const QuantityPlace&) { return r.response.collapse ? 1 : 0; }
 double energy_residual(const RunView& r, const QuantityPlace&) {
   return r.response.energy ? r.response.energy->relative_residual() : none;
 }
@@ -85,6 +91,9 @@ std::deque<Quantity>& list() {
       {"base_shear_coefficient", building, "1", "V₁/W", "largest shear of the lowest storey over the weight", {}, base_shear_coefficient},
       {"first_period", building, "s", "T₁", "first period", {}, first_period},
       {"period_per_storey", building, "s", "T₁/n", "first period over the number of floors", {}, period_per_storey},
+      // Of buildings on soil.
+      {"peak_sway", building, "L", "max |u|", "largest sway of the foundation relative to the free field", {}, FoundationSource{0}, "/soil/peak_sway"},
+      {"peak_rocking", building, "rad", "max |θ|", "largest rotation of the foundation", {}, FoundationSource{1}, "/soil/peak_rocking"},
       // Floors, and the storeys below them.
       {"peak_displacement", floor, "L", "max |x|", "largest displacement relative to the own base", {"Displacement", "Perpindahan"}, &BuildingPeaks::displacement},
       {"peak_displacement_no_contact", floor, "L", "max |x⁰|", "largest displacement with contact switched off", {"Without contact", "Tanpa kontak"}, &BuildingPeaks::displacement_no_contact},
@@ -127,6 +136,7 @@ std::deque<Quantity>& list() {
       // The run.
       {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, ground_acceleration, "/excitation/pga"},
       {"events", run, "1", "n_e", "events, such as contacts closed or opened, yielding begun or ended", {}, events, "/solver/events"},
+      {"collapsed", run, "1", "", "whether a storey collapsed, which ends the run", {}, collapsed},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, energy_residual, "/solver/energy_residual", {}, 1, {}, true},
       // Impacts, in the order of impacts.csv.
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, &Impact::start, {}, {}, 1, 4},
@@ -188,7 +198,10 @@ std::string file_name(const Quantity& quantity) {
 
 bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
 
+bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
+
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
+  if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
 }
@@ -200,6 +213,10 @@ double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace&
               [&](const YieldingSource& source) {
                 const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
                 return at.floor < values.size() ? values(at.floor) : none;
+              },
+              [&](const FoundationSource& source) {
+                const Eigen::VectorXd& values = response.buildings[at.item].foundation;
+                return source.entry < values.size() ? values(source.entry) : none;
               },
               [&](double LinkSummary::*member) {
                 return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
@@ -236,6 +253,11 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
                        Eigen::VectorXd& values = response.buildings.at(at.item).*source.of.*source.list;
                        if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
                        values(at.floor) = value;
+                     },
+                     [&](const FoundationSource& source) {
+                       Eigen::VectorXd& values = response.buildings.at(at.item).foundation;
+                       if (values.size() <= source.entry) values.conservativeResize(source.entry + 1);
+                       values(source.entry) = value;
                      },
                      [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
                      [&](std::optional<double> PointSummary::*member) {

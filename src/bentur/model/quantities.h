@@ -40,11 +40,17 @@ struct YieldingSource {
   Eigen::VectorXd BuildingPeaks::Yielding::*list;
 };
 
+/// What the foundation of a building on soil did: its sway (0) or its rocking (1).
+struct FoundationSource {
+  Eigen::Index entry = 0;
+};
+
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
 using QuantitySource =
-    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, double PointSummary::*, int PointSummary::*,
-                 std::optional<double> PointSummary::*, double Impact::*, bool Impact::*, double LinkSummary::*,
-                 double (*)(const RunView&, const QuantityPlace&), long (*)(const RunView&, const QuantityPlace&)>;
+    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, double PointSummary::*,
+                 int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
+                 double LinkSummary::*, double (*)(const RunView&, const QuantityPlace&),
+                 long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
 /// are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
@@ -78,6 +84,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] std::string file_name(const Quantity& quantity);
 /// Whether it is told only of buildings that have storeys that can yield.
 [[nodiscard]] bool is_of_yielding(const Quantity& quantity);
+/// Whether it is told only of buildings that stand on soil.
+[[nodiscard]] bool is_of_foundation(const Quantity& quantity);
 /// Whether it is told of item `item` of its owner.
 [[nodiscard]] bool is_told(const Quantity& quantity, const RunView& run, Eigen::Index item);
 

@@ -25,6 +25,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
     for (const Owner owner : {Owner::floor, Owner::building}) {
       for (const Quantity* quantity : quantities_of(owner)) {
         if (is_of_yielding(*quantity) && !building.can_yield()) continue;
+        if (is_of_foundation(*quantity) && !building.model.has_soil) continue;
         RowPart& part = add(*quantity, owner == Owner::floor ? building.model.floors() : 1);
         part.name += fmt::format("_{}", b + 1);
         part.long_name += fmt::format(", building \"{}\"", building.name);
@@ -50,7 +51,8 @@ std::size_t row_size(const std::vector<RowPart>& parts) {
 
 bool same_places(const Problem& a, const Problem& b) {
   const auto floors = [](const Building& x, const Building& y) {
-    return x.model.floors() == y.model.floors() && x.can_yield() == y.can_yield();
+    return x.model.floors() == y.model.floors() && x.can_yield() == y.can_yield() &&
+           x.model.has_soil == y.model.has_soil;
   };
   const auto left = [](const ContactPoint& x, const ContactPoint& y) { return x.left == y.left; };
   const auto sides = [](const Link& x, const Link& y) { return x.left == y.left && x.right == y.right; };

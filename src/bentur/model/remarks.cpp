@@ -99,13 +99,15 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     const double omega = building.first_omega();
-    if (omega > 0) {
+    if (building.is_rigid()) continue;
+    if (omega > 0 && !building.model.has_slab) {  // bearings are there to change both
       list.check("period_per_storey", building.name, proportions(building, c.units, nullptr).period_per_storey, "s",
                  period_range);
       list.check("damping", building.name, building.modal_damping(0, 0) / (2 * omega), "", damping_range);
     }
     if (b >= c.buildings.size()) continue;
     for (const double height : building.model.storey_heights) {
+      if (height == 0) continue;  // of a slab on bearings
       list.check("storey_height", building.name, height, list.length(), height_range, list.metre());
     }
     if (const auto* frame = std::get_if<PlaneFrame>(&c.buildings[b].structure)) {
@@ -185,9 +187,11 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     if (!(building.first_omega() > 0)) continue;  // a free body
-    if (building.can_yield()) continue;            // both say what the linear elastic model overlooks
+    if (building.can_yield()) continue;           // both say what the linear elastic model overlooks
     const BuildingPeaks& peaks = response.buildings.at(b);
-    list.most("drift", building.name, 100 * peaks.drift_ratio.maxCoeff(), "%", most_drift, most_drift);
+    double drift = 0;
+    for (const double ratio : peaks.drift_ratio) drift = std::fmax(drift, ratio);  // a slab has none
+    list.most("drift", building.name, 100 * drift, "%", most_drift, most_drift);
     const Proportions found = proportions(building, c.units, &peaks);
     list.most("base_shear", building.name, found.base_shear_coefficient.value_or(0), "", most_base_shear,
               most_base_shear);
@@ -209,8 +213,8 @@ Proportions proportions(const Building& building, const Units& units, const Buil
   Proportions result;
   if (building.is_rigid()) return result;
   for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
-  result.period_per_storey =
-      2 * std::numbers::pi / building.first_omega() / static_cast<double>(building.model.elevations.size());
+  const auto storeys = static_cast<double>(building.model.floors() - (building.model.has_slab ? 1 : 0));
+  result.period_per_storey = 2 * std::numbers::pi / building.first_omega() / storeys;
   if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
   return result;
 }

@@ -30,7 +30,7 @@ struct Remark {
 /// stands on the ground.
 struct Proportions {
   double weight = 0;                             ///< [force]; 0 where masses are not known
-  double period_per_storey = 0;                  ///< first period over the number of floors [s]
+  double period_per_storey = 0;                  ///< first period over the number of storeys [s]
   std::optional<double> base_shear_coefficient;  ///< peak shear of the first storey over the weight [-]
 };
 [[nodiscard]] Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks);

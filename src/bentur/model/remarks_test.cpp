@@ -11,7 +11,7 @@
 namespace bentur {
 namespace {
 
-BuildingSpec remarked_spec(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
+BuildingSpec remarked_spec(std::string name, decltype(BuildingSpec::structure) structure) {
   BuildingSpec spec;
   spec.name = std::move(name);
   spec.structure = std::move(structure);

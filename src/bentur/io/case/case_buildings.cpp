@@ -49,8 +49,8 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     }
   }
   const TomlView view = entry.renamed(building.path);
-  std::vector<std::string> keys = {"name",  "damping",    "damping_stiffness", "calibrate_period", "base_elevation",
-                                   "width", "rigid",      "elevations",        "p_delta",          "gravity_loads",
+  std::vector<std::string> keys = {"name",  "damping",  "damping_stiffness", "calibrate_period", "base_elevation",
+                                   "width", "rigid",    "elevations",        "p_delta",          "gravity_loads",
                                    "soil",  "isolation"};
   keys.insert(keys.end(), structures().begin(), structures().end());
   (void)view.is_table_of(keys);
@@ -65,10 +65,16 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
     make(building);
     return building;
   }
-  view.refuse({"elevations"}, "of a building are those of its floors: it goes with rigid = true");
+  view.refuse(
+      {"elevations"},
+      "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
   building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
   building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
   read_structure(view, units, building);
+  if (view.has("modal")) {
+    view.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
+                "needs the storeys of a building: one known by its modes stands as it is given");
+  }
   read_support(view, units.gravity, building);
   if (building.spec.isolation && !building.elevations.empty()) {
     building.elevations.insert(building.elevations.begin(), 0.0);  // the slab

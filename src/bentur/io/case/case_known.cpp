@@ -59,14 +59,14 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
   building.spec.gravity = units.gravity;
   GenericBuilding generic;
   const auto storeys = static_cast<std::size_t>(view.whole("storeys", 1, most_storeys).value_or(0));
-  if (storeys == 0) return;
-  generic.storey_heights = per_storey(view, "storey_height", storeys);
-  generic.floor_masses = per_storey(view, "floor_mass", storeys);
+  if (storeys > 0) {
+    generic.storey_heights = per_storey(view, "storey_height", storeys);
+    generic.floor_masses = per_storey(view, "floor_mass", storeys);
+  }
   if (const auto kind = view.exactly_one({"period", "period_formula"})) {
     if (*kind == "period") {
       generic.period = view.number("period", Rule::positive).value_or(0);
-    } else if (const auto formula = view.find("period_formula");
-               formula->is_table_of({"coefficient", "exponent"})) {
+    } else if (const auto formula = view.find("period_formula"); formula->is_table_of({"coefficient", "exponent"})) {
       const double coefficient = formula->number("coefficient", Rule::positive).value_or(0);
       const double exponent = formula->number("exponent", Rule::positive).value_or(0);
       generic.period_formula = {{coefficient, exponent, 1 / metres(units.length)}};
@@ -82,6 +82,7 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
   generic.yield_base_shear = view.number("yield_base_shear", Rule::positive, Need::optional);
   generic.hardening = view.number("hardening", Rule::ratio, Need::optional).value_or(0);
   if (!generic.yield_base_shear) view.refuse({"hardening"}, "goes with yield_base_shear");
+  if (storeys == 0) return;
   building.modes = storeys;
   building.elevations = floor_elevations(generic.storey_heights);
   building.spec.structure = std::move(generic);

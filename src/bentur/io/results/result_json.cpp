@@ -75,8 +75,8 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   }
 }
 
-/// Springs and dashpots of the soil, given and derived, and what the foundation did.
-Json soil_json(const SoilSpec& spec, const BuildingPeaks& peaks) {
+/// Springs and dashpots of the soil, given and derived.
+Json soil_json(const SoilSpec& spec) {
   const Soil soil = spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
   Json json = {{"sway", {{"stiffness", soil.sway.stiffness}, {"damping", soil.sway.damping}}},
                {"rocking", {{"stiffness", soil.rocking.stiffness}, {"damping", soil.rocking.damping}}},
@@ -87,10 +87,6 @@ Json soil_json(const SoilSpec& spec, const BuildingPeaks& peaks) {
                           {"poisson", half_space->poisson},
                           {"radius", half_space->radius}};
   }
-  if (peaks.foundation.size() == 2) {
-    json["peak_sway"] = peaks.foundation(0);
-    json["peak_rocking"] = peaks.foundation(1);
-  }
   return json;
 }
 
@@ -100,11 +96,12 @@ Json collapse_json(const RunView& run, const Collapse& collapse) {
           {"time", collapse.time}};
 }
 
-Json building_json(const RunView& run, Eigen::Index b) {
+Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   const Building& building = run.problem.buildings[b];
   Json json = {{"name", building.name},
                {"elevations", building.model.elevations},
                {"periods", list(modal_properties(building.modes, building.model.load).periods)}};
+  if (b < std::ssize(c.buildings) && c.buildings[b].soil) json["soil"] = soil_json(*c.buildings[b].soil);
   put_quantities(json, Owner::building, run, b);
   put_quantities(json, Owner::floor, run, b);
   return json;
@@ -243,10 +240,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   const Case& c = results.c;
   Json buildings = Json::array();
   for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    buildings.push_back(building_json(run, b));
-    if (b < std::ssize(c.buildings) && c.buildings[b].soil) {
-      buildings.back()["soil"] = soil_json(*c.buildings[b].soil, run.response.buildings[b]);
-    }
+    buildings.push_back(building_json(run, c, b));
   }
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
@@ -286,10 +280,11 @@ std::string modes_json(const std::vector<Building>& buildings, const Units& unit
       shapes.push_back(list(building.modes.shapes.col(mode)));
     }
     const Proportions found = proportions(building, units, nullptr);
+    const auto known = [&](double value) { return building.is_rigid() ? Json(nullptr) : Json(value); };
     all.push_back({{"name", building.name},
                    {"periods", list(properties.periods)},
-                   {"weight", found.weight},
-                   {"period_per_storey", found.period_per_storey},
+                   {"weight", known(found.weight)},
+                   {"period_per_storey", known(found.period_per_storey)},
                    {"participation", list(properties.participation)},
                    {"effective_mass_fraction", list(properties.effective_mass_fraction)},
                    {"shapes", shapes}});

@@ -36,7 +36,7 @@ PlaneFrame concrete_frame(const std::vector<double>& heights, double column_dept
   return frame;
 }
 
-BuildingSpec spec(std::string name, std::variant<PlaneFrame, Stick, MatricesSpec> structure) {
+BuildingSpec spec(std::string name, decltype(BuildingSpec::structure) structure) {
   BuildingSpec building;
   building.name = std::move(name);
   building.structure = std::move(structure);

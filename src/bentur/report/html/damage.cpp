@@ -14,6 +14,17 @@ constexpr double darkest = 8;  // ductility of the darkest fill
 
 bool yields(const Story& story, Eigen::Index b) { return story.response.buildings[b].yielding.ductility.size() > 0; }
 
+/// Of a slab: its bearings are there to yield, which is no damage.
+bool is_slab(const Story& story, Eigen::Index b, Eigen::Index storey) {
+  return storey == 0 && story.problem.buildings[b].model.has_slab;
+}
+
+/// "2"; the bearings below a slab have no number.
+std::string name_of(const Story& story, Eigen::Index b, Eigen::Index storey) {
+  if (is_slab(story, b, storey)) return story.say("word.bearings");
+  return std::to_string(storey + (story.problem.buildings[b].model.has_slab ? 0 : 1));
+}
+
 /// White up to first yield, from there on the darker the more.
 std::string fill_of(double ductility) {
   if (!(ductility > 1)) return "#fff";
@@ -35,12 +46,12 @@ Html drawing(const Story& story, Eigen::Index b) {
     const double y = top + height * static_cast<double>(storeys - 1 - f);
     const auto box = [&](double x, double ductility) {
       const std::string text = std::isfinite(ductility) ? fmt::format("{:.3g}", ductility) : "–";
-      const bool dark = ductility > 3;
+      const double damage = is_slab(story, b, f) ? 0 : ductility;
+      const bool dark = damage > 3;
       boxes += fmt::format(
           "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#444\" stroke-width=\".7\"/>"
           "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
-          x, y, half, height, fill_of(ductility), x + 0.5 * half, y + 0.5 * height + 4, dark ? "#fff" : "#1c2024",
-          text);
+          x, y, half, height, fill_of(damage), x + 0.5 * half, y + 0.5 * height + 4, dark ? "#fff" : "#1c2024", text);
     };
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
     box(margin, f < without.size() ? without(f) : std::nan(""));
@@ -51,8 +62,7 @@ Html drawing(const Story& story, Eigen::Index b) {
                        2 * (margin + half), ground, ground);
   const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
   const Html svg = element("svg", Html::markup(boxes), "viewBox=\"" + box + "\" role=\"img\"");
-  return element("figure",
-                 svg + element("figcaption", Html::text(story.problem.buildings[b].name)));
+  return element("figure", svg + element("figcaption", Html::text(story.problem.buildings[b].name)));
 }
 
 Html lead(const Story& story) {
@@ -68,7 +78,7 @@ Html lead(const Story& story) {
     const Eigen::VectorXd& with = peaks.yielding.ductility;
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
     for (Eigen::Index f = 0; f < with.size(); ++f) {
-      if (std::isnan(with(f))) continue;
+      if (std::isnan(with(f)) || is_slab(story, b, f)) continue;
       ++all;
       yielded += with(f) > 1 ? 1 : 0;
       yielded_without += f < without.size() && without(f) > 1 ? 1 : 0;
@@ -79,9 +89,11 @@ Html lead(const Story& story) {
     }
   }
   const Words& say = story.say;
-  Html content = element("p", Html::text(say("damage.lead", {{"yielded", std::to_string(yielded)},
-                                                            {"all", std::to_string(all)},
-                                                            {"without", std::to_string(yielded_without)}})),
+  if (all == 0) return {};
+  Html content = element("p",
+                         Html::text(say("damage.lead", {{"yielded", std::to_string(yielded)},
+                                                        {"all", std::to_string(all)},
+                                                        {"without", std::to_string(yielded_without)}})),
                          "class=\"lead\"");
   if (worst_building < 0) return content;
   const BuildingPeaks& peaks = story.response.buildings[worst_building];
@@ -89,7 +101,7 @@ Html lead(const Story& story) {
   content += element(
       "p", Html::text(say("damage.worst",
                           {{"building", story.problem.buildings[worst_building].name},
-                           {"storey", std::to_string(worst + 1)},
+                           {"storey", name_of(story, worst_building, worst)},
                            {"with", number(most)},
                            {"without", worst < without.size() ? number(without(worst)) : "–"},
                            {"residual", number(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));

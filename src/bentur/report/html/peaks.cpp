@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "bentur/core/number_text.h"
@@ -59,6 +60,14 @@ Html building_table(const Story& story, Eigen::Index b) {
   return table.markup();
 }
 
+/// What the foundation does; empty without soil.
+Html foundation_text(const Story& story, Eigen::Index b) {
+  const Eigen::VectorXd& peaks = story.response.buildings[b].foundation;
+  if (peaks.size() < 2) return {};
+  return element("p", Html::text(story.say("peaks.foundation", {{"sway", quantity(peaks(0), story.c.units.length)},
+                                                                {"rocking", quantity(peaks(1), "rad")}})));
+}
+
 /// What its storeys do that yield; empty where none can.
 Html yielding_table(const Story& story, Eigen::Index b) {
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
@@ -113,11 +122,11 @@ Html proportions_text(const Story& story, Eigen::Index b) {
   const Building& building = story.problem.buildings[b];
   const Proportions found = proportions(building, story.c.units, &story.response.buildings[b]);
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
-  const auto floors = static_cast<double>(building.model.elevations.size());
+  const double period = 2 * std::numbers::pi / building.first_omega();
   return element("p",
                  Html::text(story.say("peaks.proportions", {{"weight", quantity(found.weight, story.c.units.force)},
                                                             {"coefficient", number(*found.base_shear_coefficient)},
-                                                            {"period", quantity(found.period_per_storey * floors, "s")},
+                                                            {"period", quantity(period, "s")},
                                                             {"per_storey", quantity(found.period_per_storey, "s")}})));
 }
 
@@ -152,7 +161,7 @@ Html peaks_section(const Story& story) {
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
-               proportions_text(story, b) + yielding_table(story, b);
+               proportions_text(story, b) + foundation_text(story, b) + yielding_table(story, b);
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(story.problem, story.response)) {

@@ -47,6 +47,7 @@
     elevations: given.elevations,
     base: given.base,
     bays: given.bays,
+    rigid: given.rigid,
     width: given.bays.reduce((sum, bay) => sum + bay, 0),
     scale: given.scale,
     samples: decode(given.samples),
@@ -88,7 +89,9 @@
 
   const stage = document.getElementById("stage");
   const top_ = Math.max(...buildings.map((b) => b.elevations[b.elevations.length - 1]));
-  const bottom = Math.min(...buildings.map((b) => b.base));
+  const foot = Math.min(...buildings.map((b) => b.base));
+  const sunk = buildings.some((b) => b.rigid || b.base === b.elevations[0]); // walls and slabs reach below the foot
+  const bottom = foot - (sunk ? 0.06 * Math.max(top_ - foot, 1e-300) : 0);
   const largest = Math.max(1e-300, ...buildings.map((b) => {
     let most = 0;
     for (const sample of b.samples) most = Math.max(most, Math.abs(sample));
@@ -96,8 +99,10 @@
   }));
   const gaps = data.widths;
   const height = top_ - bottom;
-  const lowest = Math.min(...buildings.map((b) =>
-    Math.min(...b.elevations.map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base)))));
+  const storeys = buildings.flatMap((b) => b.elevations
+    .map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base))
+    .filter((storey) => !b.rigid && storey > 0)); // a slab has none
+  const lowest = storeys.length > 0 ? Math.min(...storeys) : height;
   const breadth = buildings.reduce((sum, b) => sum + b.width, 0);
   const unit = Math.min(320 / height, 620 / breadth); // picture units per length
   /** A magnification that people can say: 1, 2 or 5 times a power of ten. */
@@ -170,10 +175,17 @@
   function outline(building, b, x) {
     const left = leftFace(b);
     const shift = x.map((value) => unit * magnification * value);
+    if (building.rigid) { // from the ground up
+      const right = left + unit * building.width, top = y(building.elevations[building.elevations.length - 1]);
+      return { columns: `M${left.toFixed(2)} ${y(bottom).toFixed(2)}V${top.toFixed(2)}H${right.toFixed(2)}` +
+        `V${y(bottom).toFixed(2)}Z`, slabs: "" };
+    }
+    // Bearings lean between the ground and the slab above them.
+    const foot = building.base === building.elevations[0] ? bottom : building.base;
     let columns = "";
     let line = left;
     for (let bay = 0; bay <= building.bays.length; ++bay) {
-      columns += `M${line.toFixed(2)} ${y(building.base).toFixed(2)}`;
+      columns += `M${line.toFixed(2)} ${y(foot).toFixed(2)}`;
       building.elevations.forEach((elevation, floor) => {
         columns += `L${(line + shift[floor]).toFixed(2)} ${y(elevation).toFixed(2)}`;
       });

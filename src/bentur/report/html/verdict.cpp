@@ -259,8 +259,34 @@ Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a building collapses, in the run or without contact; empty where none does.
+Html collapse_block(const Story& story) {
+  const auto& with = story.response.collapse;
+  const auto& without = story.response.collapse_no_contact;
+  if (!with && !without) return {};
+  const auto text = [&](const std::string& key, const Collapse& collapse) {
+    const Building& building = story.problem.buildings[collapse.building];
+    const Eigen::Index storey = collapse.storey + (building.model.has_slab ? 0 : 1);
+    return story.say(key, {{"building", building.name},
+                           {"storey", std::to_string(storey)},
+                           {"time", quantity(collapse.time, "s")},
+                           {"limit", number(100 * story.problem.collapse_drift)}});
+  };
+  if (!with) return element("p", text("verdict.collapse_only_no_contact", *without), "class=\"effect\"");
+  const std::string second =
+      without ? text("verdict.collapse_no_contact", *without) : story.say("verdict.no_collapse_no_contact");
+  return element("div",
+                 element("p", story.say("verdict.collapse"), "class=\"badge\"") +
+                     element("p", text("verdict.collapse.lead", *with), "class=\"lead\"") + element("p", second),
+                 "class=\"verdict pounds\"");
+}
+
+}  // namespace
+
 Html verdict_section(const Story& story) {
-  Html blocks;
+  Html blocks = collapse_block(story);
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GapOutcome found = gap_outcome(story.problem, story.response, gap);

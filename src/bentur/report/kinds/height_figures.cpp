@@ -30,6 +30,14 @@ double frame_height(const RunResults& run) {
   return floors > 8 ? 7.5 : 5;
 }
 
+/// Those of the buildings shown that do not move with the ground.
+std::vector<Eigen::Index> moving(const RunResults& run, const FigureOptions& options) {
+  std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  std::erase_if(shown, [&](Eigen::Index b) { return run.problem.buildings[b].is_rigid(); });
+  if (shown.empty()) throw NoFigure("every building shown moves with the ground");
+  return shown;
+}
+
 /// One panel for each building.
 Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
   Figure figure{.columns = static_cast<int>(std::min(shown.size(), most_columns)), .width = options.width};
@@ -55,7 +63,7 @@ Curve over_height(const Building& building, const Eigen::VectorXd& values, Curve
 }  // namespace
 
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
-  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown);
   figure.title = "Largest displacements relative to the bases, with and without contact";
   figure.shared_legend = true;
@@ -104,7 +112,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
 }
 
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
-  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown);
   figure.title = "Mode shapes, largest sway 1";
   for (std::size_t b = 0; b < shown.size(); ++b) {

@@ -61,11 +61,15 @@ std::string case_name(const SweepData& sweep, const Analysis& ida, const std::ve
   return fmt::format("{}", fmt::join(choices, ", "));
 }
 
-/// The largest value of a quantity at one level of intensity; NaN where there is none.
+/// The largest value of a quantity at one level of intensity; infinite where the run collapsed or its numbers failed,
+/// NaN where there is none.
 double largest(const SweepData& sweep, const std::string& quantity, std::vector<std::size_t> at, std::size_t dimension,
                std::size_t level) {
   at[dimension] = level;
   double result = NAN;
+  constexpr double numbers_failed = 1;
+  if (sweep.values("status", at).front() == numbers_failed) return INFINITY;
+  if (sweep.results().find("collapsed") != nullptr && sweep.values("collapsed", at).front() > 0) return INFINITY;
   for (const double value : sweep.values(quantity, at)) result = std::fmax(result, value);
   return result;
 }
@@ -119,8 +123,8 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     Curve record{.label = panel.curves.empty() ? fmt::format("{} records", places.size()) : "", .tone = Tone::pale};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
-      record.x.push_back(value);
-      record.y.push_back(std::isnan(value) ? NAN : levels.numbers[i]);
+      record.x.push_back(std::isfinite(value) ? value : NAN);
+      record.y.push_back(std::isfinite(value) ? levels.numbers[i] : NAN);
       if (!std::isnan(value)) at_level[i].push_back(value);
     }
     panel.curves.push_back(std::move(record));
@@ -130,7 +134,9 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     Curve curve{.label = fmt::format("{:.0f} %", 100 * fraction), .line = line, .width = 1.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
       if (at_level[i].empty()) continue;
-      curve.x.push_back(quantile_of(at_level[i], fraction));
+      const double value = quantile_of(at_level[i], fraction);
+      if (!std::isfinite(value)) break;  // so many have collapsed
+      curve.x.push_back(value);
       curve.y.push_back(levels.numbers[i]);
     }
     panel.curves.push_back(std::move(curve));

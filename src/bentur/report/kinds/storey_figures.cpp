@@ -28,16 +28,22 @@ std::optional<Eigen::Index> chosen_storey(const RunResults& run, Eigen::Index b,
 Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey) {
   const Histories& histories = run.response.histories;
   const BuildingPeaks& peaks = run.response.buildings[b];
+  const Building& building = run.problem.buildings[b];
+  const bool bearings = building.model.has_slab && storey == 0;
+  const Eigen::MatrixXd& drifts = bearings ? histories.displacement[b] : histories.drift_ratio[b];
+  const double factor = bearings ? 1 : percent;
   Curve curve;
   for (std::size_t n = 0; n < histories.time.size(); ++n) {
     const auto sample = static_cast<Eigen::Index>(n);
-    curve.x.push_back(percent * histories.drift_ratio[b](storey, sample));
+    curve.x.push_back(factor * drifts(storey, sample));
     curve.y.push_back(histories.storey_shear[b](storey, sample));
   }
-  const double yield = percent * peaks.drift_ratio(storey) / peaks.yielding.ductility(storey);
-  Panel panel{.title = fmt::format("{}, storey {}", run.problem.buildings[b].name, storey + 1),
-              .x = {.label = "Storey drift Δ/h [%]"},
-              .y = {.label = with_unit("Storey shear V", run.c.units.force)},
+  const double largest = bearings ? peaks.displacement(storey) : peaks.drift_ratio(storey);
+  const double yield = factor * largest / peaks.yielding.ductility(storey);
+  const std::string name = bearings ? "bearings" : fmt::format("storey {}", storey + (building.model.has_slab ? 0 : 1));
+  Panel panel{.title = fmt::format("{}, {}", building.name, name),
+              .x = {.label = bearings ? with_unit("Displacement x", run.c.units.length) : "Storey drift Δ/h [%]"},
+              .y = {.label = with_unit(bearings ? "Force of the bearings V" : "Storey shear V", run.c.units.force)},
               .height = 5,
               .curves = {curve}};
   if (peaks.yielding.ductility(storey) >= 1) {

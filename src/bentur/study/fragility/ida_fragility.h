@@ -9,6 +9,7 @@
 namespace bentur {
 
 /// How a run of an incremental dynamic analysis came out.
+/// A run that collapses, or whose numbers fail, has the event; `failed` is one whose values make no case.
 enum class Outcome : signed char { no_event = 0, event = 1, failed = 2 };
 
 /// Outcomes of all runs. A case is what is neither record nor level: a gap width, say.
@@ -25,9 +26,9 @@ struct OutcomeTable {
 
 /// The fragility of one case.
 struct CaseFragility {
-  std::vector<IntensityCount> counts;  ///< per level, without the runs that failed
+  std::vector<IntensityCount> counts;  ///< per level, without those left out
   long runs = 0, events = 0;           ///< sums of them
-  long failed = 0;                     ///< runs left out
+  long failed = 0;                     ///< runs left out, whose values make no case
   Fragility fit;
   std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
 

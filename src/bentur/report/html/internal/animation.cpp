@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <variant>
 
 #include "bentur/io/results/result_csv.h"
@@ -15,9 +16,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of the picture of a wall: a twentieth of the highest building.
+double wall_width(const Story& story) {
+  double highest = 0;
+  for (const Building& building : story.problem.buildings) {
+    const std::vector<double>& heights = building.model.storey_heights;
+    highest = std::max(highest, std::accumulate(heights.begin(), heights.end(), 0.0));
+  }
+  return highest > 0 ? highest / 20 : 1;
+}
+
 /// Bays the picture is drawn with; of a building that has no width, one of a third of its height.
 std::vector<double> bays(const Story& story, std::size_t b) {
   double width = 0;
+  if (story.problem.buildings[b].is_rigid()) return {wall_width(story)};
   for (const double storey : story.problem.buildings[b].model.storey_heights) width += storey / 3;
   if (story.from_case()) {
     const BuildingSpec& spec = story.c.buildings.at(b);
@@ -49,6 +61,7 @@ Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
           {"elevations", building.model.elevations},
           {"base", building.model.elevations.front() - building.model.storey_heights.front()},
           {"bays", bays(story, b)},
+          {"rigid", building.is_rigid()},
           {"scale", scale},
           {"samples", samples(displacement, stride, scale)}};
 }

@@ -117,17 +117,18 @@ std::size_t SweepData::owners(const std::string& quantity) const {
 }
 
 std::vector<double> SweepData::values(const std::string& quantity, const std::vector<std::size_t>& at) const {
-  if (loaded_ != quantity) {
-    held_ = results_.numbers(quantity);
+  const auto [known, is_new] = held_.try_emplace(quantity);
+  std::vector<double>& held = known->second;
+  if (is_new) {
+    held = results_.numbers(quantity);
     if (is_compared_by_size(results_, quantity)) {
-      for (double& value : held_) value = std::abs(value);
+      for (double& value : held) value = std::abs(value);
     }
-    loaded_ = quantity;
   }
   std::size_t run = 0;
   for (std::size_t d = 0; d < dimensions_.size(); ++d) run = run * dimensions_[d].size + at[d];
   const std::size_t count = owners(quantity);
-  const auto first = held_.begin() + static_cast<std::ptrdiff_t>(run * count);
+  const auto first = held.begin() + static_cast<std::ptrdiff_t>(run * count);
   return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,8 +60,7 @@ class SweepData {
 
   const NetcdfReader& results_;
   std::vector<SweepDimension> dimensions_;
-  mutable std::string loaded_;  // the quantity whose values are held
-  mutable std::vector<double> held_;
+  mutable std::map<std::string, std::vector<double>> held_;  // by quantity, as they were asked for
 };
 
 /// A quantity of a sweep as a figure shows it.
