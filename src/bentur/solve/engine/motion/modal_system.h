@@ -51,7 +51,6 @@ struct ModalSystem {
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
     Eigen::MatrixXd outputs;                 ///< 3 floors × size: displacement, drift ratio, storey shear
-    Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
     Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
