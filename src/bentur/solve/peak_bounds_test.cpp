@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "bentur/solve/engine/run/peak_watch.h"
+#include "bentur/solve/engine/run/watch/peak_watch.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::engine {

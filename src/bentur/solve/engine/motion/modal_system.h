@@ -52,7 +52,6 @@ struct ModalSystem {
     Eigen::Index floors = 0;
     bool has_foundation = false;             ///< the last two outputs are its sway and rocking
     Eigen::MatrixXd outputs;                 ///< rows × size: displacement, drift ratio, storey shear of floors, and more
-    Eigen::MatrixXd outputs_abs;             ///< entry by entry |outputs|
     Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/elements/deformation_limit.h"
 #include "bentur/solve/engine/run/impulses.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
@@ -43,30 +42,6 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std:
 }
 
 }  // namespace
-
-std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem) {
-  std::vector<std::shared_ptr<const Law>> laws;
-  for (const ContactPoint& point : problem.points) laws.push_back(point.law);
-  for (const Link& link : problem.links) laws.push_back(link.law);
-  for (const Building& building : problem.buildings) {
-    if (!building.has_gravity_loads) continue;
-    for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
-      laws.push_back(std::make_shared<DeformationLimit>(problem.collapse_drift * building.model.storey_heights[f]));
-    }
-  }
-  for (const Building& building : problem.buildings) {
-    for (const auto& law : building.storey_laws) {
-      if (law) laws.push_back(law);
-    }
-  }
-  return laws;
-}
-
-std::vector<double> offsets_of(const Problem& problem) {
-  std::vector<double> offsets(laws_of(problem).size(), 0.0);
-  for (std::size_t i = 0; i < problem.points.size(); ++i) offsets[i] = -problem.points[i].width;
-  return offsets;
-}
 
 Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle, const Scales& scales, double accuracy,
                    State& state)

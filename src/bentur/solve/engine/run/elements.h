@@ -6,14 +6,11 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
-#include "bentur/solve/engine/run/guard_monitor.h"
+#include "bentur/solve/engine/run/watch/guard_monitor.h"
 #include "bentur/solve/engine/run/impact_log.h"
+#include "bentur/solve/engine/run/laws.h"
 
 namespace bentur::engine {
-
-/// Laws and offsets of a problem's elements, in the order of ModalSystem::elements.
-[[nodiscard]] std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem);
-[[nodiscard]] std::vector<double> offsets_of(const Problem& problem);
 
 /// Where every element stands, when that changes next, and what it does to the buildings.
 ///

@@ -8,8 +8,8 @@
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/stepper.h"
 #include "bentur/solve/engine/run/elements.h"
-#include "bentur/solve/engine/run/peak_search.h"
-#include "bentur/solve/engine/run/span_watch.h"
+#include "bentur/solve/engine/run/watch/peak_search.h"
+#include "bentur/solve/engine/run/watch/span_watch.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {

@@ -1,4 +1,4 @@
-#include "bentur/structure/modal.h"
+#include "bentur/structure/known/modal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bentur/structure/generic.h"
+#include "bentur/structure/known/generic.h"
 
 #include <fmt/format.h>
 

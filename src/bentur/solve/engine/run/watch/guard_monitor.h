@@ -4,7 +4,7 @@
 
 #include "bentur/elements/law.h"
 #include "bentur/solve/engine/motion/step_buffer.h"
-#include "bentur/solve/engine/run/relation_group.h"
+#include "bentur/solve/engine/run/watch/relation_group.h"
 
 namespace bentur::engine {
 

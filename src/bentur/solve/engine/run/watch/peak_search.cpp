@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/peak_search.h"
+#include "bentur/solve/engine/run/watch/peak_search.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/guard_monitor.h"
+#include "bentur/solve/engine/run/watch/guard_monitor.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/modal_system.h"
-#include "bentur/solve/engine/run/bounded_outputs.h"
+#include "bentur/solve/engine/run/watch/bounded_outputs.h"
 
 namespace bentur::engine {
 

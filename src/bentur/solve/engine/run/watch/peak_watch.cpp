@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/peak_watch.h"
+#include "bentur/solve/engine/run/watch/peak_watch.h"
 
 #include <algorithm>
 #include <limits>

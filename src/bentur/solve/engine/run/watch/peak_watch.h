@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/step_buffer.h"
-#include "bentur/solve/engine/run/bounded_outputs.h"
+#include "bentur/solve/engine/run/watch/bounded_outputs.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::engine {

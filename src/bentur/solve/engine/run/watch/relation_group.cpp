@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/relation_group.h"
+#include "bentur/solve/engine/run/watch/relation_group.h"
 
 #include <limits>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/span_watch.h"
+#include "bentur/solve/engine/run/watch/span_watch.h"
 
 #include <algorithm>
 #include <utility>

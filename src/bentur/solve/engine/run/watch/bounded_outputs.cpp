@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/bounded_outputs.h"
+#include "bentur/solve/engine/run/watch/bounded_outputs.h"
 
 #include "bentur/solve/engine/motion/step_buffer.h"
 

@@ -5,7 +5,7 @@
 
 #include "bentur/solve/engine/motion/series.h"
 #include "bentur/solve/engine/motion/step_buffer.h"
-#include "bentur/solve/engine/run/peak_watch.h"
+#include "bentur/solve/engine/run/watch/peak_watch.h"
 
 namespace bentur::engine {
 

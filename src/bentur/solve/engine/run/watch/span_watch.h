@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/step_buffer.h"
-#include "bentur/solve/engine/run/relation_group.h"
+#include "bentur/solve/engine/run/watch/relation_group.h"
 
 namespace bentur::engine {
 
