@@ -252,8 +252,10 @@ std::string summary_text(const RunResults& run) {
                         run.response.energy->relative_residual());
   }
   return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} events\n", solver_name(run.c.analysis.solver),
-                            number(problem.duration), number(1e3 * run.response.wall_time), run.response.steps,
-                            run.response.events);
+                            run.response.collapse
+                                ? number(run.response.collapse->time) + " of " + number(problem.duration)
+                                : number(problem.duration),
+                            number(1e3 * run.response.wall_time), run.response.steps, run.response.events);
 }
 
 /// The result files of a run in one folder.

@@ -35,7 +35,7 @@ TEST(ExampleFiles, AreTheFilesOfTheRepositoryButForThePathOfTheRecord) {
     EXPECT_EQ(file.content, replaced(read(source), "\"../data/", "\"")) << source;
     ++compared;
   }
-  EXPECT_EQ(compared, 13U);  // ten cases and one record
+  EXPECT_EQ(compared, 13U);  // twelve cases and one record
 }
 
 TEST(ExampleFiles, DefaultCaseComesFirstAndEachHasADescription) {

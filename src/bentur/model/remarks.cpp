@@ -26,6 +26,7 @@ constexpr double most_drift = 1.0;                          // [%]
 constexpr double most_base_shear = 0.4;                     // [-]
 constexpr double most_penetration = 0.05;                   // [m]
 constexpr double usual_penetration = 0.02;                  // [m]
+constexpr double least_share = 0.9;                         // [-] of a floor's mass that known modes move
 constexpr double samples_per_period = 4.0;                  // fewer draw no curve
 constexpr double usual_samples = 20.0;
 
@@ -116,6 +117,23 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
   }
 }
 
+/// Floors that can be struck, of buildings that move in few modes.
+void check_modes(const Case& c, const Problem& problem, List& list) {
+  for (const ContactPoint& point : problem.points) {
+    for (const auto& [b, floor] :
+         {std::pair(point.left, point.left_floor), std::pair(point.left + 1, point.right_floor)}) {
+      const auto place = static_cast<std::size_t>(b);
+      if (place >= c.buildings.size()) continue;
+      const auto* modal = std::get_if<ModalBuilding>(&c.buildings[place].structure);
+      if (modal == nullptr) continue;
+      const Building& building = problem.buildings[place];
+      // M φ is m_i φ_i, since M is diagonal.
+      const double share = building.model.mass(floor, floor) * building.modes.shapes.row(floor).squaredNorm();
+      if (share < least_share) list.add({"modal_mass", building.name, share, "", least_share, std::nullopt});
+    }
+  }
+}
+
 double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t building, Eigen::Index floor) {
   return all.empty() ? 0.0 : all[building](floor);
 }
@@ -168,6 +186,7 @@ void check_output(const Case& c, const Problem& problem, List& list) {
 
 void check_before(const Case& c, const Problem& problem, List& list) {
   check_buildings(c, problem, list);
+  check_modes(c, problem, list);
   check_gaps(c, problem, list);
   check_motion(c, problem, list);
   check_output(c, problem, list);

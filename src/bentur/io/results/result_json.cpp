@@ -96,12 +96,23 @@ Json collapse_json(const RunView& run, const Collapse& collapse) {
           {"time", collapse.time}};
 }
 
+/// How good the shapes are that were given, and what of each floor's mass they move.
+Json modal_json(const BuildingSpec& spec, const ModalBuilding& modal) {
+  const ModalModel model = modal_model(modal, spec.base_elevation);
+  return {
+      {"modes", modal.periods.size()}, {"largest_product", model.largest_product}, {"mass_shares", model.mass_shares}};
+}
+
 Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   const Building& building = run.problem.buildings[b];
   Json json = {{"name", building.name},
                {"elevations", building.model.elevations},
                {"periods", list(modal_properties(building.modes, building.model.load).periods)}};
-  if (b < std::ssize(c.buildings) && c.buildings[b].soil) json["soil"] = soil_json(*c.buildings[b].soil);
+  if (b < std::ssize(c.buildings)) {
+    const BuildingSpec& spec = c.buildings[b];
+    if (spec.soil) json["soil"] = soil_json(*spec.soil);
+    if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) json["modal"] = modal_json(spec, *modal);
+  }
   put_quantities(json, Owner::building, run, b);
   put_quantities(json, Owner::floor, run, b);
   return json;

@@ -137,6 +137,39 @@ TEST(Report, BuildingsThatYield) {
   EXPECT_FALSE(has(plain(run(example("free-impact")).page()), "Ductility"));
 }
 
+TEST(Report, BearingsWallsAndTheirAnimation) {
+  const Simulated moat = run(example("isolated-moat"));
+  const std::string page = plain(moat.page());
+  EXPECT_TRUE(has(page, "bearings"));
+  EXPECT_FALSE(has(page, ">nan<"));
+  EXPECT_FALSE(has(page, ">inf<"));
+  const nlohmann::json buildings = data_of(moat.page()).at("buildings");
+  EXPECT_TRUE(buildings.at(0).at("rigid").get<bool>());
+  EXPECT_GT(buildings.at(0).at("bays").at(0).get<double>(), 0) << "a wall is drawn with some width";
+  EXPECT_FALSE(buildings.at(1).at("rigid").get<bool>());
+  EXPECT_EQ(buildings.at(1).at("base"), buildings.at(1).at("elevations").at(0)) << "a slab";
+}
+
+TEST(Report, SoilAndANeighbourKnownByLittle) {
+  const Simulated pair = run(example("generic-neighbour"));
+  const std::string page = plain(pair.page());
+  EXPECT_TRUE(has(page, "Foundation: largest sway"));
+  EXPECT_TRUE(has(plain(pair.page("id")), "Fondasi"));
+  EXPECT_FALSE(has(page, ">nan<"));
+  EXPECT_FALSE(has(page, "collapses"));
+}
+
+TEST(Report, CollapseComesFirst) {
+  const std::string weak = replaced(example("generic-neighbour"), "1.8e5]", "1.8e5]\nyield_forces = 600");
+  const Simulated pair = run(weak + "collapse_drift = 0.01\n");
+  ASSERT_TRUE(pair.response.collapse);
+  const std::string page = plain(pair.page());
+  EXPECT_TRUE(has(page, "New collapses at"));
+  EXPECT_TRUE(has(page, "exceeds 1 % of its height"));
+  EXPECT_LT(page.find("New collapses at"), page.find("<p class=\"badge\">Pounding"));
+  EXPECT_TRUE(has(plain(pair.page("id")), "New runtuh pada"));
+}
+
 TEST(Report, LinksOfTheCaseAndWhatTheyDid) {
   const std::string page = plain(run(example("linked-pair")).page());
   EXPECT_TRUE(has(page, "Links Tall – Low"));
