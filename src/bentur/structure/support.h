@@ -60,9 +60,9 @@ struct HalfSpace {
 
 /// What a building stands on and bears.
 struct Support {
-  std::optional<GravityLoads> gravity;
-  std::optional<Isolation> isolation;  ///< not together with soil
-  std::optional<Soil> soil;
+  std::optional<GravityLoads> gravity = {};
+  std::optional<Isolation> isolation = {};  ///< not together with soil
+  std::optional<Soil> soil = {};
 };
 
 /// The building on its support. `model` and `damping` are those of the structure on a fixed base; damping acts on what moves
