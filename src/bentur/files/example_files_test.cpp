@@ -50,7 +50,7 @@ TEST(ExampleFiles, DefaultCaseComesFirstAndEachHasADescription) {
     const bool shaken_by_record = example.files.front()->content.find("kind = \"record\"") != std::string_view::npos;
     EXPECT_EQ(example.files.size(), shaken_by_record ? 2U : 1U) << example.name;
   }
-  EXPECT_EQ(names.size(), 10U);
+  EXPECT_EQ(names.size(), 12U);
 }
 
 TEST(ExampleFiles, TheRecordHasItsPeakInItsPlace) {

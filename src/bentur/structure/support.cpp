@@ -38,9 +38,7 @@ MatrixXd geometric_stiffness(const VectorXd& softening, const MatrixXd& drifts) 
   return drifts.transpose() * softening.asDiagonal() * drifts;
 }
 
-bool is_positive_definite(const MatrixXd& matrix) {
-  return Eigen::LLT<MatrixXd>(matrix).info() == Eigen::Success;
-}
+bool is_positive_definite(const MatrixXd& matrix) { return Eigen::LLT<MatrixXd>(matrix).info() == Eigen::Success; }
 
 /// Names what is wrong with loads under which a structure does not stand.
 [[noreturn]] void refuse_loads(const StructuralModel& model, const VectorXd& softening, const MatrixXd& geometric) {
@@ -73,9 +71,7 @@ MatrixXd damping_matrix(const StructuralModel& model, const Modes& modes, const 
   return to * modal * to.transpose();
 }
 
-MatrixXd modal_of(const MatrixXd& damping, const Modes& modes) {
-  return modal_damping(MatrixDamping{damping}, modes);
-}
+MatrixXd modal_of(const MatrixXd& damping, const Modes& modes) { return modal_damping(MatrixDamping{damping}, modes); }
 
 /// A structure that moves relative to something below it: coordinates z of the whole, y = B z of the structure.
 struct Above {
@@ -142,7 +138,8 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   mass << body.mass + isolation.mass, model.load.transpose(), model.load, model.mass;
   MatrixXd to(n + 1, n + 1);
   to << VectorXd::Unit(n + 1, 0).transpose(), above.b;
-  const MatrixXd shears = shear_rows(model);
+  const MatrixXd shears = shear_rows(model);  // over the structure's dofs, before the mass has one more
+  const MatrixXd drifts = drift_rows(model);
   model.mass = to.transpose() * mass * to;
   model.stiffness = above.carried(model.stiffness);
   model.stiffness(0, 0) += initial_stiffness(isolation);
@@ -154,7 +151,7 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   load << body.mass + isolation.mass, model.load;
   model.load = to.transpose() * load;
   // Rows: the slab's drift is its sway, its shear what the bearings take.
-  model.drifts = below_zero(drift_rows(model) * above.b);
+  model.drifts = below_zero(drifts * above.b);
   model.drifts(0, 0) = 1;
   model.shears = below_zero(shears * above.b);
   model.shears(0, 0) = initial_stiffness(isolation);
@@ -197,8 +194,8 @@ void put_on_soil(const Soil& soil, Structure& structure) {
   }
   const Above above{to.topRows(n)};
   MatrixXd mass(n + 2, n + 2);
-  mass << model.mass, model.load, body.rocking,                                  //
-      model.load.transpose(), body.mass + soil.mass, body.moment,                //
+  mass << model.mass, model.load, body.rocking,                    //
+      model.load.transpose(), body.mass + soil.mass, body.moment,  //
       body.rocking.transpose(), body.moment, body.inertia + soil.inertia;
   VectorXd load(n + 2);
   load << model.load, body.mass + soil.mass, body.moment;
