@@ -7,7 +7,8 @@ namespace bentur {
 /// Bilinear hysteresis with kinematic hardening, of a storey, a bearing or a link:
 ///
 ///   V = k (Δ − p)  inside  |V − r k Δ| ≤ (1 − r) V_y,
-///   V = r k Δ + (1 − r) V_y while Δ̇ ≥ 0 on the upper line,  V = r k Δ − (1 − r) V_y while Δ̇ ≤ 0 on the lower one. (L-1)
+///   V = r k Δ + (1 − r) V_y while Δ̇ ≥ 0 on the upper line,  V = r k Δ − (1 − r) V_y while Δ̇ ≤ 0 on the lower one.
+///   (L-1)
 ///
 /// k [force/length] stiffness, > 0. V_y [force] yield force, > 0. r [-] hardening, 0 ≤ r < 1; r = 0 is elastic and
 /// perfectly plastic. Continuity fixes p where a line is left. Branches: 0 elastic, memory 0 = p [length] | 1 on the

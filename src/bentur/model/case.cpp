@@ -67,8 +67,10 @@ LevelPair floors_at(double elevation, const GapSpec& gap, const SpecAndModel& le
   const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
   const LevelPair* const found = pair_at(elevation, pairs, a, b);
   if (found == nullptr) {
-    if (const auto node = node_at(elevation, left, true)) return {*node, nearest_floor(elevation, right.model), elevation};
-    if (const auto node = node_at(elevation, right, false)) return {nearest_floor(elevation, left.model), *node, elevation};
+    if (const auto node = node_at(elevation, left, true))
+      return {*node, nearest_floor(elevation, right.model), elevation};
+    if (const auto node = node_at(elevation, right, false))
+      return {nearest_floor(elevation, left.model), *node, elevation};
     throw InvalidParameter("elevations", std::to_string(elevation),
                            "\"" + left.spec.name + "\" and \"" + right.spec.name + "\" have no floors there that meet");
   }

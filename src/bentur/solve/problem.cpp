@@ -26,7 +26,8 @@ void check_storey_stiffness(const Building& building, const std::string& name) {
     if (law == nullptr) continue;
     constexpr double round_off = 1e-9;
     const double k = law->initial_stiffness();
-    require((shears.row(f) - k * drifts.row(f)).cwiseAbs().maxCoeff() <= round_off * k * drifts.row(f).cwiseAbs().maxCoeff(),
+    require((shears.row(f) - k * drifts.row(f)).cwiseAbs().maxCoeff() <=
+                round_off * k * drifts.row(f).cwiseAbs().maxCoeff(),
             fmt::format("{}.storey_laws[{}]", name, f), k,
             "must have the stiffness that K has in this storey, and K no other there");
   }

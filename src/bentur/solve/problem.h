@@ -38,12 +38,12 @@ struct WatchedFloor {
   Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
 };
 
-/// What joins two buildings of the row, neighbours or not, at one elevation: F of δ = x_left − x_right pushes left −F and
-/// right +F.
+/// What joins two buildings of the row, neighbours or not, at one elevation: F of δ = x_left − x_right pushes left −F
+/// and right +F.
 struct Link {
-  Eigen::Index left = 0, right = 1;               ///< indices of the buildings, left < right
+  Eigen::Index left = 0, right = 1;              ///< indices of the buildings, left < right
   Eigen::Index left_floor = 0, right_floor = 0;  ///< indices of their floors (0 the lowest)
-  double elevation = 0;                           ///< [length]
+  double elevation = 0;                          ///< [length]
   std::shared_ptr<const Law> law;
 };
 

@@ -38,9 +38,9 @@ struct BuildingPeaks {
   Eigen::VectorXd storey_shear;             ///< max |Σ_{floors ≥ j} (K x)| [force], of storeys that yield max |V|
   /// What yielding does. Of all storeys where one of the building can yield, else empty: NaN, 0, 0 of one that cannot.
   struct Yielding {
-    Eigen::VectorXd ductility;            ///< max |Δ| over Δ_y [-]; NaN where the storey cannot yield
+    Eigen::VectorXd ductility;             ///< max |Δ| over Δ_y [-]; NaN where the storey cannot yield
     Eigen::VectorXd residual_drift_ratio;  ///< (Δ − V/k_u)/h at the end [-], signed
-    Eigen::VectorXd hysteretic_energy;    ///< ∫V dΔ less what could still be given back, at the end [force·length]
+    Eigen::VectorXd hysteretic_energy;     ///< ∫V dΔ less what could still be given back, at the end [force·length]
   };
   /// max of each of StructuralModel::column_forces [force, force·length]; empty where there are none.
   Eigen::VectorXd column_forces = {};
@@ -101,12 +101,12 @@ struct Histories {
 struct EnergyHistories {
   Eigen::VectorXd
       input;  ///< initial energy + work of the ground motion (with absolute kinematics also through contact)
-  Eigen::VectorXd kinetic;  ///< of all buildings
-  Eigen::VectorXd strain;          ///< of buildings and links: what they would give back
-  Eigen::VectorXd damping;         ///< lost so far in the buildings' damping and in the dashpots of links
-  Eigen::VectorXd hysteretic = {}; ///< lost so far by yielding, of storeys and links
-  Eigen::VectorXd contact_stored;  ///< in contacts, to be given back
-  Eigen::VectorXd contact_lost;    ///< lost in contacts so far
+  Eigen::VectorXd kinetic;          ///< of all buildings
+  Eigen::VectorXd strain;           ///< of buildings and links: what they would give back
+  Eigen::VectorXd damping;          ///< lost so far in the buildings' damping and in the dashpots of links
+  Eigen::VectorXd hysteretic = {};  ///< lost so far by yielding, of storeys and links
+  Eigen::VectorXd contact_stored;   ///< in contacts, to be given back
+  Eigen::VectorXd contact_lost;     ///< lost in contacts so far
 };
 
 /// The account of a whole run; looked at after every step, not at samples.
@@ -128,10 +128,10 @@ enum class Status { done, stopped, failed, collapsed };
 
 struct Response {
   Status status = Status::done;
-  std::string message;   ///< why and when, unless done
-  long steps = 0;        ///< intervals over which the solution was advanced (with contact)
-  long events = 0;       ///< contacts closed or opened
-  double wall_time = 0;  ///< of the solution alone [s]
+  std::string message;                          ///< why and when, unless done
+  long steps = 0;                               ///< intervals over which the solution was advanced (with contact)
+  long events = 0;                              ///< contacts closed or opened
+  double wall_time = 0;                         ///< of the solution alone [s]
   std::optional<Collapse> collapse;             ///< where the status says so; all else is up to that time
   std::optional<Collapse> collapse_no_contact;  ///< of the response with contact switched off
   std::vector<BuildingPeaks> buildings;

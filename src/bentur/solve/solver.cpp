@@ -29,8 +29,8 @@ void validate(const Solver& solver) {
   if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) require_positive("step", fixed->step);
 }
 
-/// How large the displacements are whose difference a point's opening is: of both floors in the free response (of a node
-/// in a column, of the largest floor's) and of the ground.
+/// How large the displacements are whose difference a point's opening is: of both floors in the free response (of a
+/// node in a column, of the largest floor's) and of the ground.
 std::vector<double> largest_displacements(const Problem& problem, const std::vector<BuildingPeaks>& peaks,
                                           const Run& run) {
   const auto largest = [&](Eigen::Index b, Eigen::Index floor) {
@@ -191,7 +191,7 @@ struct FreeParts {
   // Scales per point: of floors and ground together.
   std::vector<double> largest_displacement;  ///< [length]
   std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, that of the whole row
-  std::vector<SpanWatch::Nearest> nearest;  ///< per watched floor
+  std::vector<SpanWatch::Nearest> nearest;   ///< per watched floor
   std::vector<double> watched_scale;         ///< scale of round-off of each [length]
 };
 

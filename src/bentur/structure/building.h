@@ -25,8 +25,8 @@ struct StructuralModel {
   /// θ of a frame's joints, clockwise, as rows over the dofs [1/length, or 1 on a rotation that was kept]: of its
   /// leftmost and its rightmost column line, floors × dofs each; both empty where there are no joints.
   Eigen::MatrixXd left_joints, right_joints;
-  /// Rows over the dofs, floors × dofs: each storey's drift Δ_j [-] and its shear V_j [force/length]. Empty: x_j − x_{j−1},
-  /// and the sum of K over floors ≥ j.
+  /// Rows over the dofs, floors × dofs: each storey's drift Δ_j [-] and its shear V_j [force/length]. Empty: x_j −
+  /// x_{j−1}, and the sum of K over floors ≥ j.
   Eigen::MatrixXd drifts = {}, shears = {};
   /// How all of it moves as one rigid body with its base, by sways of 1 and by h, the heights above the base: feet of
   /// columns included.
@@ -40,9 +40,9 @@ struct StructuralModel {
   RigidBody rigid_body = {};  ///< `rocking` empty: M r and M h of the floors are all there is
   bool has_slab = false;      ///< the first floor is a slab on bearings: it has no storey height, its drift is a length
   bool has_soil = false;      ///< the last two dofs are sway and rocking of the foundation
-  /// The forces at the ends of both pieces of a column that has a node between floors, as rows over the dofs, six a node:
-  /// shears below and above [force/length], moments at the bottom, at the node from below and from above, at the top
-  /// [force]. Nodes sway as the dofs after the floors'.
+  /// The forces at the ends of both pieces of a column that has a node between floors, as rows over the dofs, six a
+  /// node: shears below and above [force/length], moments at the bottom, at the node from below and from above, at the
+  /// top [force]. Nodes sway as the dofs after the floors'.
   Eigen::MatrixXd column_forces = {};
   std::vector<double> node_elevations = {};  ///< [length]
   std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
@@ -71,10 +71,11 @@ struct Building {
   StructuralModel model;
   Modes modes;
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s], modes × modes; diagonal 2ζω for classical damping
-  /// Per storey, of its drift Δ_j = x_j − x_{j−1} [length]; none: it stays elastic. Empty: all do. Its initial stiffness
-  /// is part of K, and is the whole of the storey's.
+  /// Per storey, of its drift Δ_j = x_j − x_{j−1} [length]; none: it stays elastic. Empty: all do. Its initial
+  /// stiffness is part of K, and is the whole of the storey's.
   std::vector<std::shared_ptr<const HystereticLaw>> storey_laws = {};
-  /// β of C = αM + βK where the dashpot of a storey that yields is to follow its stiffness: β k_tangent. 0: it does not.
+  /// β of C = αM + βK where the dashpot of a storey that yields is to follow its stiffness: β k_tangent. 0: it does
+  /// not.
   double tangent_damping = 0;
 
   /// The law of storey `storey` (0 the lowest); none: it stays elastic.

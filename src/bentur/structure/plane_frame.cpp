@@ -218,9 +218,10 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   }
   for (Eigen::Index n = 0; n < nodes; ++n) {
     if (placed[n] != 0) continue;
-    throw InvalidParameter(indexed("nodes", n), fmt::format("{}", frame.nodes[n].elevation),
-                           "must be between two floors, 1 % of the storey height or more from both: where it is nearer, "
-                           "the floor itself is what is struck");
+    throw InvalidParameter(
+        indexed("nodes", n), fmt::format("{}", frame.nodes[n].elevation),
+        "must be between two floors, 1 % of the storey height or more from both: where it is nearer, "
+        "the floor itself is what is struck");
   }
   for (Eigen::Index i = 0; i < floors; ++i) {
     model.floor_masses[i] += moving[i];

@@ -42,10 +42,10 @@ struct PlaneFrame {
   std::vector<ColumnNode> nodes = {};  ///< any order; their sways are dofs after the floors', in this order
 };
 
-/// Mass, stiffness and load of the frame with all rotations: dofs = floors + nodes + floors × (bays + 1) + nodes; sways of
-/// floors and nodes first, then rotations of joints floor by floor, left to right, then those of nodes. Element stiffness
-/// (2-48), consistent mass (2-50).
-/// `base_elevation` [length] is that of the base above the ground datum; nothing but `elevations` depends on it.
+/// Mass, stiffness and load of the frame with all rotations: dofs = floors + nodes + floors × (bays + 1) + nodes; sways
+/// of floors and nodes first, then rotations of joints floor by floor, left to right, then those of nodes. Element
+/// stiffness (2-48), consistent mass (2-50). `base_elevation` [length] is that of the base above the ground datum;
+/// nothing but `elevations` depends on it.
 /// @throws InvalidParameter when list lengths disagree or a value is outside its range.
 [[nodiscard]] StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation = 0.0);
 

@@ -58,7 +58,7 @@ Branch Bilinear::branch(const LawState& state) const noexcept {
 }
 
 LawState Bilinear::next(const LawState& state, std::size_t guard, double time, double penetration,
-                            double closing_speed) const noexcept {
+                        double closing_speed) const noexcept {
   if (state.branch == apart) return {.branch = elastic, .since = time, .closing_speed = closing_speed};
   if (guard == 0) return {.since = time};
   LawState after = {.since = time, .closing_speed = state.closing_speed};

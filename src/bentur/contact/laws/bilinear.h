@@ -24,7 +24,7 @@ class Bilinear final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
+                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:

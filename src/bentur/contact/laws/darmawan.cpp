@@ -25,7 +25,8 @@ Branch Darmawan::branch(const LawState& state) const noexcept {
     case cut:
       return Branch{.bodies = Bodies::touching}.guarded_by({{.deformation = 1}, {.constant = -1, .speed = -alpha_}});
     default:
-      if (alpha_ == 0) return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}});
+      if (alpha_ == 0)
+        return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}});
       return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by(
           {{.deformation = 1}, {.constant = 1, .speed = alpha_}});
   }

@@ -22,8 +22,7 @@ class Darmawan final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "darmawan"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}, {"alpha", alpha_}}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
-  [[nodiscard]] double force(const LawState& state, double penetration,
-                             double closing_speed) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration, double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:

@@ -29,8 +29,7 @@ class HertzDamp final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] bool needs_closing_speed() const noexcept override { return true; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
-  [[nodiscard]] double force(const LawState& state, double penetration,
-                             double closing_speed) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration, double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:

@@ -27,8 +27,7 @@ class Jankowski final : public ContactLaw {
   [[nodiscard]] std::string_view name() const noexcept override { return "jankowski"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
-  [[nodiscard]] double force(const LawState& state, double penetration,
-                             double closing_speed) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration, double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:

@@ -113,7 +113,7 @@ Branch KelvinVoigt::branch(const LawState& state) const noexcept {
 }
 
 LawState KelvinVoigt::next(const LawState& state, std::size_t guard, double time, double penetration,
-                               double closing_speed) const noexcept {
+                           double closing_speed) const noexcept {
   if (state.branch == apart) return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
   if (state.branch == in_contact) {
     const bool push_ended = damping_ > 0 && (release_ == Release::creep || guard == 1);
@@ -126,7 +126,7 @@ LawState KelvinVoigt::next(const LawState& state, std::size_t guard, double time
 }
 
 LawState KelvinVoigt::off_the_surface(const LawState& state, std::size_t guard, double time,
-                                          double closing_speed) const noexcept {
+                                      double closing_speed) const noexcept {
   if (state.branch == nearing && guard == 0) {
     return {.branch = in_contact, .since = time, .closing_speed = closing_speed};
   }

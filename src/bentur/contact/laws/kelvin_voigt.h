@@ -40,7 +40,7 @@ class KelvinVoigt final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
-                                  double closing_speed) const noexcept override;
+                              double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:
@@ -48,7 +48,7 @@ class KelvinVoigt final : public ContactLaw {
 
   [[nodiscard]] Branch touching() const noexcept;
   [[nodiscard]] LawState off_the_surface(const LawState& state, std::size_t guard, double time,
-                                             double closing_speed) const noexcept;
+                                         double closing_speed) const noexcept;
 
   double stiffness_{};      // k [force/length]
   double damping_ratio_{};  // ξ [-]

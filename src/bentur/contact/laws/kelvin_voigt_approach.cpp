@@ -48,7 +48,8 @@ Branch KelvinVoigtApproach::branch(const LawState& state) const noexcept {
       return Branch{.bodies = Bodies::touching, .stiffness = stiffness_, .damping = damping_}.guarded_by(
           {{.deformation = 1}, {.speed = 1}});
     default:
-      return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by({{.deformation = 1}, {.speed = -1}});
+      return Branch{.bodies = Bodies::touching, .stiffness = stiffness_}.guarded_by(
+          {{.deformation = 1}, {.speed = -1}});
   }
 }
 

@@ -22,9 +22,10 @@ bool has_floor(const FloorLevels& levels, double elevation) {
 bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuilding& struck) {
   auto* frame = std::get_if<PlaneFrame>(&struck.spec.structure);
   if (frame == nullptr) {
-    at.error_value(fmt::format("is between floors of {}, whose columns only a frame has: give it as one, or leave this "
-                               "elevation out",
-                               struck.path));
+    at.error_value(
+        fmt::format("is between floors of {}, whose columns only a frame has: give it as one, or leave this "
+                    "elevation out",
+                    struck.path));
     return false;
   }
   const FloorLevels levels = floor_levels(struck);
@@ -37,9 +38,10 @@ bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuildi
   const double below = above == levels.elevations.begin() ? levels.base : *std::prev(above);
   const double distance = std::min(elevation - below, *above - elevation);
   if (distance <= least_part * (*above - below)) {
-    at.error_value(fmt::format("is less than 1 % of the storey height from a floor of {}: there the floor itself is "
-                               "struck, let the floors meet with level_tolerance",
-                               struck.path));
+    at.error_value(
+        fmt::format("is less than 1 % of the storey height from a floor of {}: there the floor itself is "
+                    "struck, let the floors meet with level_tolerance",
+                    struck.path));
     return false;
   }
   const double height = elevation - struck.spec.base_elevation;
@@ -56,8 +58,7 @@ bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuildi
 }  // namespace
 
 std::vector<double> read_struck_columns(const TomlView& list, const std::vector<double>& wanted,
-                                        const std::vector<LevelPair>& pairs, ReadBuilding& left,
-                                        ReadBuilding& right) {
+                                        const std::vector<LevelPair>& pairs, ReadBuilding& left, ReadBuilding& right) {
   const FloorLevels a = floor_levels(left);
   const FloorLevels b = floor_levels(right);
   std::vector<double> named;

@@ -44,7 +44,8 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
   return fmt::format(
       "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
       "meet do so with level_tolerance (the nearest two are {} apart), let floors strike the columns of a frame with "
-      "elevations = [...] and strikes_columns = true, or model no contact with elevations = []: floors are then watched "
+      "elevations = [...] and strikes_columns = true, or model no contact with elevations = []: floors are then "
+      "watched "
       "against the columns they face, for the gap they need",
       in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
       fmt::join(right.elevations, ", "), number(apart));
@@ -250,8 +251,8 @@ void read_columns(const TomlView& gap, GapSpec& spec) {
 GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
-  if (!gap.is_table_of({"between", "width", "elevations", "level_tolerance", "contact", "strikes_columns",
-                        "column_capacity"})) {
+  if (!gap.is_table_of(
+          {"between", "width", "elevations", "level_tolerance", "contact", "strikes_columns", "column_capacity"})) {
     return spec;
   }
   const auto given_sides = read_between(gap, buildings, "the neighbours, left and right");

@@ -56,8 +56,8 @@ void read_soil(const TomlView& soil, ReadBuilding& building);
 /// case_gaps.cpp; columns that are struck between floors get nodes there.
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);
 
-/// case_columns.cpp: elevations of contact points of a gap with strikes_columns, at floors that meet or where a floor of
-/// one building faces a column of the other, which gets a node there; empty (and an error) unless all are.
+/// case_columns.cpp: elevations of contact points of a gap with strikes_columns, at floors that meet or where a floor
+/// of one building faces a column of the other, which gets a node there; empty (and an error) unless all are.
 [[nodiscard]] std::vector<double> read_struck_columns(const TomlView& elevations, const std::vector<double>& wanted,
                                                       const std::vector<LevelPair>& pairs, ReadBuilding& left,
                                                       ReadBuilding& right);

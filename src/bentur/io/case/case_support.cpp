@@ -39,8 +39,8 @@ void read_gravity(const TomlView& view, ReadBuilding& building) {
 }  // namespace
 
 void read_isolation(const TomlView& view, ReadBuilding& building) {
-  if (!view.is_table_of({"mass", "stiffness", "characteristic_strength", "yield_displacement", "damping",
-                         "friction_pendulum"})) {
+  if (!view.is_table_of(
+          {"mass", "stiffness", "characteristic_strength", "yield_displacement", "damping", "friction_pendulum"})) {
     return;
   }
   IsolationSpec spec;
@@ -84,7 +84,8 @@ void read_soil(const TomlView& view, ReadBuilding& building) {
     spec.soil.sway = read_impedance(view, "sway");
     spec.soil.rocking = read_impedance(view, "rocking");
   }
-  if (const auto foundation = table_at(view, "foundation"); foundation && foundation->is_table_of({"mass", "inertia"})) {
+  if (const auto foundation = table_at(view, "foundation");
+      foundation && foundation->is_table_of({"mass", "inertia"})) {
     spec.soil.mass = foundation->number("mass", Rule::positive).value_or(0);
     spec.soil.inertia = foundation->number("inertia", Rule::positive).value_or(0);
   }

@@ -107,8 +107,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits",
-                          "collapse_drift"})) {
+  if (!view->is_table_of(
+          {"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits", "collapse_drift"})) {
     return analysis;
   }
   if (const auto duration = view->find("duration")) {
@@ -137,8 +137,8 @@ void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuildin
     try {
       const BuildingSpec& spec = buildings[b].spec;
       const bool whole = buildings[b].model && !spec.isolation;
-      buildings[b].made = std::make_shared<const Building>(whole ? make_building(spec, *buildings[b].model)
-                                                                 : make_building(spec));
+      buildings[b].made =
+          std::make_shared<const Building>(whole ? make_building(spec, *buildings[b].model) : make_building(spec));
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }
@@ -152,7 +152,8 @@ void check_overlaps(const TomlView& root, const ReadCase& read) {
   if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
   const std::vector<Building> made = read.made_buildings();
   for (const ContactPoint& point : contact_points(c, made)) {
-    if (point.left_floor >= made[point.left].model.floors() || point.right_floor >= made[point.left + 1].model.floors()) {
+    if (point.left_floor >= made[point.left].model.floors() ||
+        point.right_floor >= made[point.left + 1].model.floors()) {
       continue;  // a node starts where the floors around it take it
     }
     const auto left = static_cast<std::size_t>(point.left);

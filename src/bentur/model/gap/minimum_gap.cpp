@@ -61,8 +61,7 @@ std::vector<PointSeparation> separations(const Problem& problem, const Response&
     const Eigen::Index left_floor = problem.buildings[left].model.floor_at_or_above(point.left_floor);
     const Eigen::Index right_floor = problem.buildings[left + 1].model.floor_at_or_above(point.right_floor);
     const SeparationInput a = separation_input(problem.buildings[left], response.buildings[left], left_floor);
-    const SeparationInput b =
-        separation_input(problem.buildings[left + 1], response.buildings[left + 1], right_floor);
+    const SeparationInput b = separation_input(problem.buildings[left + 1], response.buildings[left + 1], right_floor);
     result.push_back({.point = static_cast<int>(i),
                       .simulated = response.points[i].minimum_gap_no_contact,
                       .abs = separation_abs(a, b),

@@ -162,8 +162,7 @@ Html structure_echo(const RigidSpec& spec, const Story& story, Rows& rows) {
 
 Html structure_echo(const ModalBuilding& modal, const Story& story, Rows& rows) {
   const Words& say = story.say;
-  rows.emplace_back(say("input.structure"),
-                    say("input.modal", {{"modes", std::to_string(modal.periods.size())}}));
+  rows.emplace_back(say("input.structure"), say("input.modal", {{"modes", std::to_string(modal.periods.size())}}));
   HtmlTable table;
   const std::size_t floors = modal.elevations.size();
   table.add(say("column.elevation"), story.c.units.length, reversed(modal.elevations, floors));
@@ -196,22 +195,24 @@ void support_echo(const BuildingSpec& spec, const Story& story, Rows& rows) {
     const Isolation& bearings = spec.isolation->bearings;
     rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(story.c)));
     if (const auto& pendulum = spec.isolation->pendulum) {
-      rows.emplace_back(say("input.bearings"), say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
-                                                                     {"radius", quantity(pendulum->radius, units.length)}}));
-    } else {
       rows.emplace_back(say("input.bearings"),
-                        say("input.bearing_law", {{"stiffness", quantity(bearings.stiffness, spring)},
-                                                  {"strength", quantity(bearings.characteristic_strength, units.force)}}));
+                        say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
+                                               {"radius", quantity(pendulum->radius, units.length)}}));
+    } else {
+      rows.emplace_back(
+          say("input.bearings"),
+          say("input.bearing_law", {{"stiffness", quantity(bearings.stiffness, spring)},
+                                    {"strength", quantity(bearings.characteristic_strength, units.force)}}));
     }
   }
   if (!spec.soil) return;
-  const Soil soil = spec.soil->half_space ? soil_of(*spec.soil->half_space, spec.soil->soil.mass, spec.soil->soil.inertia)
-                                          : spec.soil->soil;
+  const Soil soil = spec.soil->half_space
+                        ? soil_of(*spec.soil->half_space, spec.soil->soil.mass, spec.soil->soil.inertia)
+                        : spec.soil->soil;
   rows.emplace_back(say("input.sway"), quantity(soil.sway.stiffness, spring) + ", " +
                                            quantity(soil.sway.damping, units.force + "·s/" + units.length));
-  rows.emplace_back(say("input.rocking"),
-                    quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
-                        quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
+  rows.emplace_back(say("input.rocking"), quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
+                                              quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
 }
 
 /// Of values mode by mode those that are shown.

@@ -138,8 +138,8 @@ Html remarks_section(const Story& story) {
     content += element("li", Html::text(text));
   }
   if (!story.remarks.empty()) content = element("ul", content);
-  content +=
-      element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response), story.say.language())));
+  content += element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response),
+                                                story.say.language())));
   return section("remarks", story.say("remarks.heading"), content);
 }
 

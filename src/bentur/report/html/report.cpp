@@ -40,9 +40,9 @@ std::vector<PointSeparation> from_peaks(const Problem& problem, const Response& 
     const ContactPoint& point = problem.points[i];
     const auto left = static_cast<std::size_t>(point.left);
     const SeparationInput a{.displacement = response.buildings.at(left).displacement_no_contact(
-        problem.buildings[left].model.floor_at_or_above(point.left_floor))};
+                                problem.buildings[left].model.floor_at_or_above(point.left_floor))};
     const SeparationInput b{.displacement = response.buildings.at(left + 1).displacement_no_contact(
-        problem.buildings[left + 1].model.floor_at_or_above(point.right_floor))};
+                                problem.buildings[left + 1].model.floor_at_or_above(point.right_floor))};
     result.push_back({.point = static_cast<int>(i),
                       .simulated = response.points.at(i).minimum_gap_no_contact,
                       .abs = separation_abs(a, b),
@@ -148,8 +148,8 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                                     element("p", say("report.by", {{"version", options.version}}), "class=\"note\""));
   body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
           html::gap_section(story) + html::peaks_section(story) + html::damage_section(story) +
-          html::impacts_section(story, listed) +
-          html::figures_section(say, options.figures) + html::input_section(story);
+          html::impacts_section(story, listed) + html::figures_section(say, options.figures) +
+          html::input_section(story);
   body += element("footer", element("p", say("report.footer"), "class=\"note\""));
   body += element("script", html::json_markup(html::animation_json(story, listed)),
                   "type=\"application/json\" id=\"data\"") +

@@ -112,10 +112,10 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
   const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
-    return Curve{.label = run.problem.buildings[b].name,
-                 .x = run.response.histories.time,
-                 .y = row_of(run.response.histories.displacement[b],
-                             run.problem.buildings[b].model.floor_at_or_above(floor))};
+    return Curve{
+        .label = run.problem.buildings[b].name,
+        .x = run.response.histories.time,
+        .y = row_of(run.response.histories.displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor))};
   };
   Curve right = curve(point.left + 1, point.right_floor);
   right.tone = Tone::orange;

@@ -28,9 +28,9 @@ MatrixXd beam_stiffness(const std::vector<double>& heights) {
   for (Index storey = 0; storey < n; ++storey) {
     const double l = heights[storey];
     Eigen::Matrix4d element;
-    element << 12, 6 * l, -12, 6 * l,             //
-        6 * l, 4 * l * l, -6 * l, 2 * l * l,      //
-        -12, -6 * l, 12, -6 * l,                  //
+    element << 12, 6 * l, -12, 6 * l,         //
+        6 * l, 4 * l * l, -6 * l, 2 * l * l,  //
+        -12, -6 * l, 12, -6 * l,              //
         6 * l, 2 * l * l, -6 * l, 4 * l * l;
     element /= l * l * l;
     const Index dofs[] = {storey - 1, n + storey - 1, storey, n + storey};
@@ -106,8 +106,9 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const GenericBuild
   if (!building.yield_base_shear) return {};
   require_positive("yield_base_shear", *building.yield_base_shear);
   if (!(building.stiffness_ratio >= pure_shear)) {
-    throw InvalidParameter("stiffness_ratio", fmt::format("{}", building.stiffness_ratio),
-                           "must be 30 at least where yield_base_shear is given: shear springs yield, bending does not");
+    throw InvalidParameter(
+        "stiffness_ratio", fmt::format("{}", building.stiffness_ratio),
+        "must be 30 at least where yield_base_shear is given: shear springs yield, bending does not");
   }
   const VectorXd shape = modes(model.mass, model.stiffness).shapes.col(0);
   const VectorXd shears = shear_rows(model).leftCols(model.floors()) * shape;

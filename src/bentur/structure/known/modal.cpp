@@ -47,7 +47,8 @@ ModalModel modal_model(const ModalBuilding& building, double base_elevation) {
   }
   std::vector<Index> order(building.periods.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return building.periods[a] > building.periods[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return building.periods[a] > building.periods[b]; });
   const VectorXd mass = Eigen::Map<const VectorXd>(building.masses.data(), floors);
   MatrixXd shapes(floors, count);
   result.modes.omega.resize(count);
@@ -69,7 +70,8 @@ ModalModel modal_model(const ModalBuilding& building, double base_elevation) {
       const double product = std::abs(products(i, j));
       result.largest_product = std::max(result.largest_product, product);
       if (product <= most_product) continue;
-      throw InvalidParameter("shapes", fmt::format("{:.3g} between modes {} and {}", product, order[j] + 1, order[i] + 1),
+      throw InvalidParameter("shapes",
+                             fmt::format("{:.3g} between modes {} and {}", product, order[j] + 1, order[i] + 1),
                              "must be orthogonal over the masses to within 0.02: are they of these masses?");
     }
   }

@@ -181,7 +181,8 @@ class Work {
     const Problem problem = read.problem();
     const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
     const Response& response = free.response();
-    if (response.status != Status::done && response.status != Status::collapsed) throw std::runtime_error(record + ": " + response.message);
+    if (response.status != Status::done && response.status != Status::collapsed)
+      throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
     for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
     for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {

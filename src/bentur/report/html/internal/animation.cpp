@@ -93,11 +93,12 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
   }
   Json points = Json::array();
   for (const ContactPoint& point : story.problem.points) {
-    points.push_back({{"left", point.left},
-                      {"leftFloor", story.problem.buildings[point.left].model.floor_at_or_above(point.left_floor)},
-                      {"rightFloor", story.problem.buildings[point.left + 1].model.floor_at_or_above(point.right_floor)},
-                      {"elevation", point.elevation},
-                      {"width", point.width}});
+    points.push_back(
+        {{"left", point.left},
+         {"leftFloor", story.problem.buildings[point.left].model.floor_at_or_above(point.left_floor)},
+         {"rightFloor", story.problem.buildings[point.left + 1].model.floor_at_or_above(point.right_floor)},
+         {"elevation", point.elevation},
+         {"width", point.width}});
   }
   std::vector<double> widths;  // of the gaps at rest
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {

@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Rows over the coordinates of a building (docs/theory/exact-solver.md): displacements, drift ratios (of a slab's, the
-/// drift), storey shears; then its forces in columns with nodes, and sway and rocking of its foundation. Columns: modes,
-/// ground, and the forces of storeys that yield.
+/// drift), storey shears; then its forces in columns with nodes, and sway and rocking of its foundation. Columns:
+/// modes, ground, and the forces of storeys that yield.
 MatrixXd output_rows(const Building& building, Index size) {
   const StructuralModel& model = building.model;
   const Index floors = model.floors();

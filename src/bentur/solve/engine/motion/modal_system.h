@@ -50,9 +50,9 @@ struct ModalSystem {
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
-    bool has_foundation = false;             ///< the last two outputs are its sway and rocking
-    Eigen::MatrixXd outputs;                 ///< rows × size: displacement, drift ratio, storey shear of floors, and more
-    Eigen::MatrixXd acceleration;            ///< floors × size, applied to q̈
+    bool has_foundation = false;   ///< the last two outputs are its sway and rocking
+    Eigen::MatrixXd outputs;       ///< rows × size: displacement, drift ratio, storey shear of floors, and more
+    Eigen::MatrixXd acceleration;  ///< floors × size, applied to q̈
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
     double omega_max = 0;                    ///< largest Ω [1/s]
@@ -103,10 +103,10 @@ struct ModalSystem {
   std::vector<Block> blocks;
   /// Contact points as Problem::points, links, drifts at which storeys collapse, then storeys that can yield.
   std::vector<Element> elements;
-  Eigen::Index switched = 0;      ///< the first ones, which the free response leaves out
+  Eigen::Index switched = 0;       ///< the first ones, which the free response leaves out
   std::vector<DriftLimit> limits;  ///< those after the links
   Eigen::Index storeys = 0;        ///< where the storeys begin
-  std::vector<Relation> watched;  ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
+  std::vector<Relation> watched;   ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
   /// δ of links, and then −δ: how far they close and open.
   std::vector<Relation> spans;
   Eigen::MatrixXd coupling;  ///< −push_i · row_j [1/mass], elements × elements

@@ -32,7 +32,8 @@ double potential(const Branch& branch, double deformation) {
   return (branch.base + 0.5 * branch.stiffness * deformation) * deformation;
 }
 
-std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const std::vector<std::shared_ptr<const Law>>& laws,
+std::vector<GuardMonitor::Watched> watched(const ModalSystem& system,
+                                           const std::vector<std::shared_ptr<const Law>>& laws,
                                            const std::vector<double>& offsets) {
   std::vector<GuardMonitor::Watched> all;
   for (Index i = 0; i < std::ssize(laws); ++i) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
-#include "bentur/solve/engine/run/watch/guard_monitor.h"
 #include "bentur/solve/engine/run/impact_log.h"
 #include "bentur/solve/engine/run/laws.h"
+#include "bentur/solve/engine/run/watch/guard_monitor.h"
 
 namespace bentur::engine {
 

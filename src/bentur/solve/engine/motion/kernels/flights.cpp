@@ -19,9 +19,13 @@ struct Input {
 template <bool loaded>
 BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, const FlightArrays& arrays) {
   const auto at = [row = map.table.data() + j * FlightMap::columns](FlightMap::Column column)
-                      __attribute__((always_inline)) { return load(row + column * four); };
-  const auto of_load = [row = loaded ? map.loads.data() + j * FlightMap::load_columns : nullptr](FlightMap::LoadColumn column)
-                           __attribute__((always_inline)) { return load(row + column * four); };
+      __attribute__((always_inline)) {
+    return load(row + column * four);
+  };
+  const auto of_load = [row = loaded ? map.loads.data() + j * FlightMap::load_columns
+                                     : nullptr](FlightMap::LoadColumn column) __attribute__((always_inline)) {
+    return load(row + column * four);
+  };
   using enum FlightMap::Column;
   const Four q_start = load(arrays.q + j);
   const Four v_start = load(arrays.v + j);

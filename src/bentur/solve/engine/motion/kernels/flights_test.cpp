@@ -45,9 +45,9 @@ TEST(Kernels, FlyingOnIsFlyingAgainAndAgain) {
   std::copy_n(start.begin(), Two::size, q.data());
   std::copy_n(start.begin() + Two::size, Two::size, v.data());
   const FlightMap* maps[] = {&two.map};
-  const FlightSequence sequence{two.ranges,          maps,        two.inputs.data(),
-                                Two::size,           q.data(),    v.data(),
-                                acceleration.data(), rise.data(), acceleration_rise.data(), nullptr};
+  const FlightSequence sequence{
+      two.ranges,          maps,        two.inputs.data(),        Two::size, q.data(), v.data(),
+      acceleration.data(), rise.data(), acceleration_rise.data(), nullptr};
   fly_on(sequence, count);
   Eigen::VectorXd from = q.col(0), speed = v.col(0), to(Two::size), to_speed(Two::size), to_acceleration(Two::size),
                   rises(Two::size), acceleration_rises(Two::size);

@@ -32,8 +32,7 @@ GuardMonitor::GuardMonitor(const std::vector<Watched>& elements, Index stride)
     sides_.push_back(sides);
     offsets_.push_back(element.offset);
     rows.push_back({element.relation, sides == Sides::lower ? -1.0 : 1.0,
-                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values,
-                    element.switched});
+                    sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values, element.switched});
   }
   groups_ = relation_groups(rows);
   changed_.assign(groups_.size(), 1);
