@@ -256,8 +256,9 @@ struct WindowOfReturn {
         go(way * until, until == most ? way * backbone(most) : force + slope * (way * until - deformation));
       }
       const double back = std::max(k * std::pow(vy / k / most, a), backbone(most) / most);
-      (way > 0 ? high : low) = {deformation, force};
-      (way > 0 ? low : high) = {deformation - force / back, 0};
+      const Place turned = {deformation, force}, unloaded = {deformation - force / back, 0};
+      low = way > 0 ? unloaded : turned;
+      high = way > 0 ? turned : unloaded;
     }
   }
   [[nodiscard]] double backbone(double size) const { return vy + r * k * (size - vy / k); }

@@ -328,5 +328,38 @@ TEST(PlaneFrame, BadParametersAreNamed) {
   EXPECT_THROW(static_cast<void>(plane_frame_model(irregular_frame(), nan)), InvalidParameter);
 }
 
+// A column held against rotation at both ends by a base and a beam that hardly bends, struck in the middle.
+TEST(PlaneFrame, ANodeInAColumnIsAsStiffAsThatColumn) {
+  PlaneFrame frame = portal(2e-3, 2e9);
+  frame.nodes = {{.left = true, .elevation = 2.0}};
+  const StructuralModel model = plane_frame_model(frame);
+  ASSERT_EQ(model.dofs(), 2);
+  const double ei = 3e7 * 2e-3, l = 4;
+  // The beam's rotation is left out of the formula: it is of the part 1e-12 of the column's.
+  EXPECT_NEAR(model.stiffness(1, 1), 192 * ei / (l * l * l), 1e-9 * 192 * ei / (l * l * l));
+  EXPECT_NEAR(model.node_masses[0], 0.5, 1e-15);
+  const double shear = 96 * ei / (l * l * l), moment = 24 * ei / (l * l);
+  const Eigen::VectorXd forces = model.column_forces.col(1).cwiseAbs();
+  const double expected[] = {shear, shear, moment, moment, moment, moment};
+  for (Eigen::Index n = 0; n < 6; ++n) EXPECT_NEAR(forces(n), expected[n], 1e-9 * expected[n]) << n;
+}
+
+// A node that nothing strikes changes nothing but by the sway that it may now have: the static answer is the same.
+TEST(PlaneFrame, ANodeLeavesStaticStiffnessOfFloorsAsItIs) {
+  PlaneFrame frame = irregular_frame();
+  const StructuralModel plain = plane_frame_model(frame);
+  frame.nodes = {{.left = false, .elevation = 5.1}, {.left = true, .elevation = 1.7}};
+  const StructuralModel model = condense_statically(plane_frame_model(frame), 3);
+  EXPECT_LE((model.stiffness - plain.stiffness).cwiseAbs().maxCoeff(), 1e-12 * plain.stiffness.cwiseAbs().maxCoeff());
+}
+
+TEST(PlaneFrame, ANodeNearAFloorIsRefused) {
+  PlaneFrame frame = irregular_frame();
+  for (const double elevation : {-1.0, 0.0, 3.99, 4.0, 4.02, 10.5, 11.0}) {
+    frame.nodes = {{.left = true, .elevation = elevation}};
+    EXPECT_THROW(static_cast<void>(plane_frame_model(frame)), InvalidParameter) << elevation;
+  }
+}
+
 }  // namespace
 }  // namespace bentur
