@@ -181,7 +181,7 @@ TEST(Events, TenThousandRandomCasesAgreeWithADenseCheck) {
 #else
   constexpr int cases = 10000;
 #endif
-  // GapMonitor are differences of displacements of order 0.1 computed to about 1e-15 each.
+  // GuardMonitor are differences of displacements of order 0.1 computed to about 1e-15 each.
   constexpr double depth = 1e-13;
   long impacts = 0;
   for (int n = 0; n < cases; ++n) {
