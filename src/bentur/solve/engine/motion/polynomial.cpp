@@ -157,8 +157,8 @@ class CrossingSearch {
     const double most = at.curvature + 2.0 * sag;
     if (4.0 * most * at.value > at.slope * at.slope) return {safe, never};  // f may do no more than touch zero
     const double crossed = first_zero(at, most);
-    return {std::max(safe, std::min(guess, first_zero(at, at.curvature - sag))),
-            crossed <= 2.0 * guess ? crossed : never};
+    const double until = crossed <= 2.0 * guess ? crossed : never;
+    return {std::max(safe, std::min(guess, first_zero(at, at.curvature - sag))), until};
   }
 
   static constexpr double never = std::numeric_limits<double>::infinity();
