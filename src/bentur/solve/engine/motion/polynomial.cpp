@@ -157,7 +157,8 @@ class CrossingSearch {
     const double most = at.curvature + 2.0 * sag;
     if (4.0 * most * at.value > at.slope * at.slope) return {safe, never};  // f may do no more than touch zero
     const double crossed = first_zero(at, most);
-    const double until = crossed <= 2.0 * guess ? crossed : never;
+    double until = never;
+    if (crossed <= 2.0 * guess) until = crossed;
     return {std::max(safe, std::min(guess, first_zero(at, at.curvature - sag))), until};
   }
 
