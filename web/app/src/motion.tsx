@@ -41,7 +41,7 @@ export function MotionView({ data, play, primary }: { data: string; play: boolea
         <svg data-part="stage" class="stage" role="img" aria-label={say("motion.picture")} />
         <div class="readout">
           <p><output data-part="clock" class="clock" aria-live="off" /><br /><span data-part="event" class="event" /></p>
-          <div class="wide" tabIndex={0} role="region" aria-label={say("motion.opening", { unit })}>
+          <div class="wide" tabIndex={0} role="group" aria-label={say("motion.opening", { unit })}>
             <table class="live"><caption>{say("motion.opening", { unit })}</caption><tbody data-part="live" /></table>
           </div>
         </div>

@@ -48,7 +48,7 @@ type Wanted = Omit<Request, "id" | "files"> & { [key: string]: unknown };
 const LIMIT = 20000; // [ms] that anything may take
 
 export class Solver {
-  private worker = new SolverWorker();
+  private worker: Worker | null = null; // only when there is something to do: it has all of WebAssembly to compile
   private last = 0;
   private running: { id: number; hear: (answer: Answer) => void } | null = null;
   private waiting: { request: Wanted; hear: (answer: Answer) => void } | null = null;
@@ -57,9 +57,9 @@ export class Solver {
   /** Every file that cases may name. */
   files: Files = [];
 
-  constructor() { this.listen(); }
-
-  private listen() {
+  private get awake(): Worker {
+    if (this.worker) return this.worker;
+    this.worker = new SolverWorker();
     this.worker.onmessage = ({ data }: MessageEvent<Answer>) => {
       if (!this.running || data.id !== this.running.id) return;
       const { hear } = this.running;
@@ -69,6 +69,7 @@ export class Solver {
       if (over) this.next();
     };
     this.worker.onerror = () => this.giveUp("worker");
+    return this.worker;
   }
 
   private rest() {
@@ -84,7 +85,7 @@ export class Solver {
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
     this.timer = window.setTimeout(() => this.giveUp("limit"), LIMIT);
-    this.worker.postMessage({ ...request, id: this.last, files });
+    this.awake.postMessage({ ...request, id: this.last, files });
   }
 
   /** Asks for something; what waits already is forgotten. A curve under way ends for it. */
@@ -103,10 +104,9 @@ export class Solver {
   giveUp(message: "cancelled" | "limit" | "worker") {
     const { running } = this;
     this.rest();
-    this.worker.terminate();
-    this.worker = new SolverWorker();
+    this.worker?.terminate();
+    this.worker = null;
     this.sent = 0;
-    this.listen();
     running?.hear({ id: running.id, kind: "refused", errors: [{ file: "", line: 0, column: 0, key: "", message }] });
     this.next();
   }

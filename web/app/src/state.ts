@@ -126,13 +126,10 @@ export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"):
   });
 }
 
-let first = true;
 effect(() => {
   void text.value;
   void language.value;
-  const now = first;
-  first = false;
-  untracked(() => run(now));
+  untracked(() => run(false));
 });
 effect(() => {
   void gap.value;
