@@ -400,15 +400,20 @@ std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Buildi
   return all;
 }
 
-Problem make_problem(const Case& c) {
-  std::vector<Building> buildings;
-  for (const BuildingSpec& spec : c.buildings) {
-    buildings.push_back(make_building(spec));
-  }
-  return make_problem(c, std::move(buildings));
+std::string spectrum_is_no_motion() {
+  return "a spectrum has no course in time: bentur gap takes it, a run needs kind = \"record\" with a ground motion, "
+         "such as one matched to the spectrum";
 }
 
-Problem make_problem(const Case& c, std::vector<Building> buildings) {
+namespace {
+
+std::vector<Building> buildings_of(const Case& c) {
+  std::vector<Building> buildings;
+  for (const BuildingSpec& spec : c.buildings) buildings.push_back(make_building(spec));
+  return buildings;
+}
+
+Problem problem_of(const Case& c, std::vector<Building> buildings) {
   if (c.buildings.size() < 2 || c.gaps.size() + 1 != c.buildings.size() || buildings.size() != c.buildings.size()) {
     throw InvalidParameter("gaps", std::to_string(c.gaps.size()),
                            "must be one between each pair of neighbours, of two buildings or more");
@@ -428,5 +433,16 @@ Problem make_problem(const Case& c, std::vector<Building> buildings) {
   validate(problem);
   return problem;
 }
+
+}  // namespace
+
+Problem make_problem(const Case& c) { return make_problem(c, buildings_of(c)); }
+
+Problem make_problem(const Case& c, std::vector<Building> buildings) {
+  if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion());
+  return problem_of(c, std::move(buildings));
+}
+
+Problem make_still_problem(const Case& c) { return problem_of(c, buildings_of(c)); }
 
 }  // namespace bentur

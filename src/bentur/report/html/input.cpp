@@ -222,7 +222,7 @@ std::vector<double> first_modes(const Eigen::VectorXd& values) {
 
 Html modes_table(const Building& building, const Story& story) {
   const Words& say = story.say;
-  const ModalProperties properties = modal_properties(building.modes, building.model.load);
+  const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> numbers = storey_numbers(static_cast<std::size_t>(shown));
   std::reverse(numbers.begin(), numbers.end());
