@@ -301,6 +301,10 @@ StructuralModel structural_model(const BuildingSpec& spec) {
   return model;
 }
 
+Soil soil_of(const SoilSpec& spec) {
+  return spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
+}
+
 Building make_building(const BuildingSpec& spec) { return make_building(spec, structural_model(spec)); }
 
 namespace {
@@ -322,10 +326,7 @@ Support support_of(const BuildingSpec& spec, const StructuralModel& model) {
       support.isolation = isolation_of(*spec.isolation->pendulum, bearings.mass, bearings.damping, weight);
     }
   }
-  if (spec.soil) {
-    const Soil& soil = spec.soil->soil;
-    support.soil = spec.soil->half_space ? soil_of(*spec.soil->half_space, soil.mass, soil.inertia) : soil;
-  }
+  if (spec.soil) support.soil = soil_of(*spec.soil);
   return support;
 }
 

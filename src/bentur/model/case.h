@@ -57,6 +57,9 @@ struct SoilSpec {
   std::optional<HalfSpace> half_space;
 };
 
+/// Springs and dashpots, given or of the half-space.
+[[nodiscard]] Soil soil_of(const SoilSpec& spec);
+
 struct BuildingSpec {
   std::string name;
   std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding> structure;

@@ -56,8 +56,6 @@ void read_rigid(const TomlView& table, ReadBuilding& building);
 
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TomlView& table, double gravity, ReadBuilding& building);
-void read_isolation(const TomlView& isolation, ReadBuilding& building);
-void read_soil(const TomlView& soil, ReadBuilding& building);
 
 /// case_gaps.cpp; columns that are struck between floors get nodes there.
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);

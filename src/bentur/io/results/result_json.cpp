@@ -101,7 +101,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
 
 /// Springs and dashpots of the soil, given and derived.
 Json soil_json(const SoilSpec& spec) {
-  const Soil soil = spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
+  const Soil soil = soil_of(spec);
   Json json = {{"sway", {{"stiffness", soil.sway.stiffness}, {"damping", soil.sway.damping}}},
                {"rocking", {{"stiffness", soil.rocking.stiffness}, {"damping", soil.rocking.damping}}},
                {"foundation", {{"mass", soil.mass}, {"inertia", soil.inertia}}}};
