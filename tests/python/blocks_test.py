@@ -18,13 +18,13 @@ SKIPPED = {
 }
 
 
-def blocks():
+def _blocks():
     for document in sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]):
         for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):
             yield pytest.param(match[1], match[2], id=f"{document.relative_to(ROOT)}-{number}")
 
 
-@pytest.mark.parametrize("code, printed", blocks())
+@pytest.mark.parametrize("code, printed", list(_blocks()))
 def test_block(code, printed, monkeypatch):
     for words, why in SKIPPED.items():
         if words in code:

@@ -67,9 +67,9 @@ class Case:
             "code": code,
         }
         made = Case.from_dict(given, folder=folder)
-        self._core, self._laws, self._files = made._core, made._laws, made._files
+        self._made, self._laws, self._files = made._made, made._laws, made._files
 
-    _core: _core.Case
+    _made: _core.Case
     _laws: list[tuple[int, _core.ContactLaw]]
     _files: list[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
 
@@ -81,7 +81,7 @@ class Case:
         files: list[tempfile.TemporaryDirectory[str]] | None = None,
     ) -> Case:
         case = cls.__new__(cls)
-        case._core, case._laws, case._files = core, laws or [], files or []
+        case._made, case._laws, case._files = core, laws or [], files or []
         return case
 
     @classmethod
@@ -138,64 +138,64 @@ class Case:
                 plain[key] = _model.table_of(value)
                 if key.startswith("gap[") and key.endswith("].contact"):
                     laws = [one for one in laws if one[0] != int(key[4 : key.index("]")])]
-        return Case._of(self._core.with_values(plain), laws, self._files)
+        return Case._of(self._made.with_values(plain), laws, self._files)
 
     def to_dict(self) -> dict[str, Any]:
         """The tables of the case as they were given. A law of Python's own is not among them."""
-        return self._core.values()
+        return self._made.values()
 
     @property
     def title(self) -> str:
-        return self._core.title
+        return self._made.title
 
     @property
     def text(self) -> str | None:
         """The case file, where there is one."""
-        return self._core.text
+        return self._made.text
 
     @property
     def folder(self) -> Path:
-        return Path(self._core.folder)
+        return Path(self._made.folder)
 
     @property
     def length(self) -> str:
         """The case's unit of length."""
-        return self._core.length
+        return self._made.length
 
     @property
     def force(self) -> str:
         """The case's unit of force."""
-        return self._core.force
+        return self._made.force
 
     @property
     def gravity(self) -> float:
         """[length/s²]"""
-        return self._core.gravity
+        return self._made.gravity
 
     @property
     def duration(self) -> float:
         """[s]"""
-        return self._core.duration
+        return self._made.duration
 
     @property
     def buildings(self) -> list[str]:
         """Names, from left to right."""
-        return self._core.buildings
+        return self._made.buildings
 
     def matrices(self, building: str | int) -> dict[str, NDArray[np.float64]]:
         """``mass`` [mass] and ``stiffness`` [force/length] of a building as the solver has them, condensed and
         calibrated, and ``elevations`` [length] of its floors."""
         number = self.buildings.index(building) if isinstance(building, str) else building
-        return self._core.matrices(number)
+        return self._made.matrices(number)
 
     @property
     def acceleration(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Times [s] and accelerations [length/s²] of the record as applied, scaled; empty without a record."""
-        found = self._core.excitation
+        found = self._made.excitation
         if "acceleration" not in found:
             return np.empty(0), np.empty(0)
         values: NDArray[np.float64] = found["acceleration"]
-        return float(found["time_step"]) * np.arange(len(values)), values
+        return float(found["time_step"]) * np.arange(len(values), dtype=np.float64), values
 
     def __repr__(self) -> str:
         return f"<bentur.Case {self.title or ' | '.join(self.buildings)!r}>"
@@ -204,7 +204,7 @@ class Case:
         if self._laws:
             raise TypeError("a case with a law of Python's own cannot be pickled")
         if self.text is not None:
-            return _unpickled, (self.text, self._core.name, str(self.folder))
+            return _unpickled, (self.text, self._made.name, str(self.folder))
         return _unpickled, (_with_record(self), "", str(self.folder))
 
 

@@ -56,9 +56,9 @@ def run(
     :raises SolveError: where the numbers fail.
     """
     asked = as_case(case)
-    step = (output_step or asked._core.output_step) if histories else 0.0
+    step = (output_step or asked._made.output_step) if histories else 0.0
     with shown(progress, asked.title or "run") as told:
-        return Result(_core.solve(asked._core, step, asked._laws, told), asked, asked._laws)
+        return Result(_core.solve(asked._made, step, asked._laws, told), asked, asked._laws)
 
 
 def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
@@ -69,7 +69,7 @@ def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[
     """
     if method not in ("library", "jacobi"):
         raise ValueError(f'method = "{method}", must be "library" or "jacobi"')
-    told = json.loads(_core.modes_json(as_case(case)._core, method == "jacobi"))
+    told = json.loads(_core.modes_json(as_case(case)._made, method == "jacobi"))
     return {one["name"]: {k: np.array(v) if isinstance(v, list) else v for k, v in one.items()} for one in told["buildings"]}
 
 
@@ -89,7 +89,7 @@ def minimum_gap(
         if at is not None:
             raise ValueError("at is for a study with [ida]")
         asked = as_case(case)
-        found = json.loads(_core.solve(asked._core, 0.0, asked._laws, told).gap_json())
+        found = json.loads(_core.solve(asked._made, 0.0, asked._laws, told).gap_json())
         return found
 
 
@@ -112,7 +112,7 @@ class Record:
     @property
     def time(self) -> NDArray[np.float64]:
         """[s]"""
-        return self.time_step * np.arange(len(self.values))
+        return self.time_step * np.arange(len(self.values), dtype=np.float64)
 
     @property
     def peak(self) -> float:

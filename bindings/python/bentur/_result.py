@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+# Of the report a notebook shows verdict and motion.
+_FIRST_SCREEN = "<style>section:not(#verdict):not(#motion), footer, nav { display: none } body { zoom: 0.72; padding-top: 1rem }</style>"
+
 
 class Result:
     """A run: summary, impacts, histories.
@@ -117,7 +120,8 @@ class Result:
             import xarray
         except ImportError:
             raise missing("xarray", "the Dataset of a run") from None
-        return _dataset(self, xarray)
+        data: xarray.Dataset = _dataset(self, xarray)
+        return data
 
     @property
     def gaps(self) -> dict[str, Any]:
@@ -165,18 +169,19 @@ class Result:
     def _with_motion(self) -> Result:
         if self._run.histories():
             return self
-        run = _core.solve(self.case._core, _core.report_output_step(self.case._core), self._laws, None)
+        run = _core.solve(self.case._made, _core.report_output_step(self.case._made), self._laws, None)
         return Result(run, self.case, self._laws)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""
-        step = _core.report_output_step(self.case._core)
-        run = _core.solve(self.case._core, step, self._laws, None)
-        page = run.report_html("en").replace("&", "&amp;").replace('"', "&quot;")
+        step = _core.report_output_step(self.case._made)
+        run = _core.solve(self.case._made, step, self._laws, None)
+        page = run.report_html("en").replace("</head>", _FIRST_SCREEN + "</head>", 1)
+        page = page.replace("&", "&amp;").replace('"', "&quot;")
         # A frame of its own: neither the notebook's style nor its scripts reach the page, nor the other way round.
         return (
             f'<iframe srcdoc="{page}" sandbox="allow-scripts allow-downloads" loading="lazy" '
-            'style="width:100%;height:640px;border:1px solid #ccc"></iframe>'
+            'style="width:100%;height:760px;border:1px solid #ccc"></iframe>'
         )
 
     def __str__(self) -> str:

@@ -36,12 +36,14 @@ def sweep(
     :raises CaseError: with all that is wrong in study, case and records.
     :raises ImportError: without xarray.
     """
-    return _run(study, False, threads, progress)
+    found: xarray.Dataset = _run(study, False, threads, progress)
+    return found
 
 
 def ida(study: str | PathLike[str], *, threads: int | None = None, progress: Progress = None) -> xarray.Dataset:
     """An incremental dynamic analysis: a study with ``[ida]``, as ``bentur ida`` runs it. See :func:`sweep`."""
-    return _run(study, True, threads, progress)
+    found: xarray.Dataset = _run(study, True, threads, progress)
+    return found
 
 
 def _run(study: str | PathLike[str], is_ida: bool, threads: int | None, progress: Progress) -> Any:
