@@ -146,7 +146,6 @@ void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
   if (status == Status::stopped) response.message = "stopped on request";
   if (status == Status::failed) response.message = run.trouble();
-  if (status == Status::done) response.message.clear();
 }
 
 }  // namespace
