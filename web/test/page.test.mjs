@@ -271,6 +271,27 @@ test("hostile texts give a message and the page goes on", async () => {
   });
 });
 
+test("hostile records give a message and the page goes on", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const good = await page.inputValue(editor);
+    for (const [what, content] of Object.entries({
+      "nothing.AT2": "",
+      "words.txt": "<script>window.pwned = 1</script> ".repeat(1000),
+      "bytes.AT2": Buffer.from(Array.from({ length: 50000 }, (_, i) => (i * 7919) % 256)),
+      "promises.AT2": "PEER\nX\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 99999999999, DT= 1e-300 SEC\n1 2 3\n",
+      "long.csv": "1e308\n".repeat(2e6),
+    })) {
+      await page.setInputFiles("#take input[type=file]", { name: what, mimeType: "text/plain", buffer: Buffer.from(content) });
+      await page.waitForTimeout(400);
+      await solved(page, "errors");
+      assert.ok((await page.textContent(".errors")).trim().length > 10, what);
+      await write(page, good);
+    }
+    assert.equal(await page.evaluate(() => window.pwned), undefined);
+  });
+});
+
 test("work that takes long can be cancelled", async () => {
   await on(async (page) => {
     await solved(page);
