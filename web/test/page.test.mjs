@@ -292,6 +292,8 @@ test("hostile texts give a message and the page goes on", async () => {
     await write(page, good.replaceAll('"Tower"', JSON.stringify(name)));
     assert.equal(await page.evaluate(() => window.pwned), undefined);
     assert.ok((await page.textContent(".verdict")).includes(name));
+    await write(page, good.replaceAll('"Tower"', JSON.stringify("x".repeat(100000)))); // a long name is a case like any other
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 1280);
     await write(page, good);
   });
 });

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { buildingColour, Chart, type Curve, curvesSvg } from "./charts";
-import { main, MotionView } from "./motion";
+import { main } from "./motion";
 import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
 import { cancel, curve, curveDone, gap, pinned, progress, result, slow, text, time, width } from "./state";
 import { language, number, say } from "./texts";
@@ -198,8 +198,6 @@ export function Comparison({ now }: { now: Result }) {
           <tr><th scope="row" class="t">{say("now")}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
           <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other.result).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
         </tbody></table></div>
-        <h3>{say("pinned")}: {other.result.overview.title}</h3>
-        <MotionView data={other.result.motion} play={false} primary={false} />
       </>}
     </section>
   );

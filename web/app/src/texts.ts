@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 
 const en = {
-  lead: "Two buildings side by side in an earthquake. Drag the gap and see whether, where and how hard they collide.",
+  lead: "Buildings side by side in an earthquake: drag the gap and see whether, where and how hard they collide.",
   cases: "Cases", "case.frames": "Eight and six storeys", "case.monograph": "The monograph's pair", "case.columns": "Eight and five, floors that do not meet",
   "case.row": "A row of three", "case.moat": "Isolated in its moat", "case.yielding": "A pair that yields",
   gap: "Gap", "gap.of": "Gap {name}", needed: "needed", solving: "Simulating …", cancel: "Cancel", "solved.in": "Simulated in {ms} ms",
@@ -29,7 +29,7 @@ const en = {
 } as const;
 
 const id: Record<keyof typeof en, string> = {
-  lead: "Dua gedung bersebelahan dalam gempa. Geser celahnya dan lihat apakah, di mana dan sekeras apa keduanya berbenturan.",
+  lead: "Gedung bersebelahan dalam gempa: geser celahnya dan lihat apakah, di mana dan sekeras apa mereka berbenturan.",
   cases: "Kasus", "case.frames": "Delapan dan enam lantai", "case.monograph": "Pasangan dalam monografi", "case.columns": "Delapan dan lima, lantai tidak sejajar",
   "case.row": "Tiga sederet", "case.moat": "Terisolasi dalam paritnya", "case.yielding": "Pasangan yang leleh",
   gap: "Celah", "gap.of": "Celah {name}", needed: "perlu", solving: "Menghitung …", cancel: "Batal", "solved.in": "Dihitung dalam {ms} ms",
