@@ -5,7 +5,8 @@
   const data = JSON.parse(document.getElementById("data").textContent);
   const words = data.words;
   const SVG = "http://www.w3.org/2000/svg";
-  const COLOURS = ["#1b5e9b", "#c2610c", "#4f7f2d", "#7d4a9c", "#8a6d1d"];
+  const COLOURS = 6; // those of report.css, --building-0 and so on, in the order of the figures
+  const colour = (b) => `var(--building-${b % COLOURS})`;
 
   function svg(name, attributes, parent) {
     const node = document.createElementNS(SVG, name);
@@ -27,7 +28,12 @@
     if (size === 0) return "0";
     if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
     const decimals = Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size))));
-    return String(Number(value.toFixed(decimals)));
+    return signed(String(Number(value.toFixed(decimals))));
+  }
+
+  /** With the sign for minus. */
+  function signed(text) {
+    return text.replace("-", "\u2212");
   }
 
   // ---------------------------------------------------------------- samples
@@ -51,23 +57,64 @@
     width: given.bays.reduce((sum, bay) => sum + bay, 0),
     scale: given.scale,
     samples: decode(given.samples),
+    keys: decode(given.keys),
   }));
   // [point, start, end, peak force, time of it, closing speed], by start
   const impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
     ({ point, start, end, force, peak, speed, number }));
   const duration = data.duration;
 
-  /** Displacement of a floor at time t: cubic between samples, with slopes from their neighbours. */
+  /** Even samples and the exact starts, peaks and ends of impacts (data.keys) as one row of instants. */
+  const frames = (() => {
+    const count = buildings[0].samples.length / buildings[0].elevations.length;
+    const list = [];
+    let key = 0;
+    for (let k = 0; k < count; ++k) {
+      const time = k * data.step;
+      for (; key < data.keys.length && data.keys[key] < time - 1e-9 * duration; ++key) {
+        list.push({ time: data.keys[key], key });
+      }
+      if (key < data.keys.length && Math.abs(data.keys[key] - time) <= 1e-9 * duration) ++key;
+      list.push({ time, sample: k });
+    }
+    for (; key < data.keys.length; ++key) list.push({ time: data.keys[key], key });
+    return list;
+  })();
+  for (const building of buildings) {
+    const floors = building.elevations.length;
+    building.values = new Int16Array(frames.length * floors);
+    frames.forEach((one, k) => {
+      const from = one.key === undefined ? building.samples : building.keys;
+      const place = (one.key === undefined ? one.sample : one.key) * floors;
+      for (let floor = 0; floor < floors; ++floor) building.values[k * floors + floor] = from[place + floor];
+    });
+  }
+
+  /** Number of the last frame at or before t. */
+  function frameAt(t) {
+    let low = 0, high = frames.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (frames[middle].time <= t) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /** Displacement of a floor at time t: cubic between frames, with slopes from their neighbours. */
   function displacement(building, floor, t) {
     const floors = building.elevations.length;
-    const last = building.samples.length / floors - 1;
-    const at = Math.min(Math.max(t / data.step, 0), last);
-    const frame = Math.min(Math.floor(at), Math.max(last - 1, 0));
-    const s = at - frame;
-    const sample = (k) => building.samples[Math.min(Math.max(k, 0), last) * floors + floor];
-    const before = sample(frame - 1), here = sample(frame), next = sample(frame + 1), after = sample(frame + 2);
-    const slope = (next - before) / 2;
-    const turn = (after - here) / 2;
+    const last = frames.length - 1;
+    const frame = Math.min(frameAt(t), Math.max(last - 1, 0));
+    const place = (k) => Math.min(Math.max(k, 0), last);
+    const value = (k) => building.values[place(k) * floors + floor];
+    const time = (k) => frames[place(k)].time;
+    const length = time(frame + 1) - time(frame);
+    const s = length > 0 ? Math.min(Math.max((t - time(frame)) / length, 0), 1) : 0;
+    const before = value(frame - 1), here = value(frame), next = value(frame + 1), after = value(frame + 2);
+    const rate = (a, b, change) => (b > a ? change * length / (b - a) : 0);
+    const slope = rate(time(frame - 1), time(frame + 1), next - before);
+    const turn = rate(time(frame), time(frame + 2), after - here);
     const change = next - here;
     return building.scale *
       (here + s * (slope + s * (3 * change - 2 * slope - turn + s * (slope + turn - 2 * change))));
@@ -113,6 +160,7 @@
   }
   const gapsTogether = gaps.reduce((sum, gap) => sum + gap, 0);
   const fits = Math.min(0.09 * height / largest, gapsTogether > 0 ? 0.5 * breadth / gapsTogether : Infinity);
+  let framed = 0; // width of the page that the height of the drawing is for
   let magnification = round125(Math.max(fits, 1e-6));
 
   const drawn = { ghosts: [], columns: [], slabs: [], marks: [], cells: [] };
@@ -134,11 +182,10 @@
     svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, glow);
     drawn.ground = svg("path", { class: "ground" }, stage);
     buildings.forEach((building, b) => {
-      const colour = COLOURS[b % COLOURS.length];
       drawn.ghosts.push(svg("path", { class: "ghost" }, stage));
-      drawn.columns.push(svg("path", { class: "column", stroke: colour }, stage));
-      drawn.slabs.push(svg("path", { class: "slab", stroke: colour }, stage));
-      const label = svg("text", { class: "name", fill: colour, "text-anchor": "middle" }, stage);
+      drawn.columns.push(svg("path", { class: "column", style: `stroke: ${colour(b)}` }, stage));
+      drawn.slabs.push(svg("path", { class: "slab", style: `stroke: ${colour(b)}` }, stage));
+      const label = svg("text", { class: "name", style: `fill: ${colour(b)}`, "text-anchor": "middle" }, stage);
       label.textContent = building.name;
       building.label = label;
     });
@@ -169,6 +216,29 @@
       const shape = outline(building, b, zero);
       drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
     });
+    nameBuildings(-room, right + room);
+    const ratio = (unit * height + 54 * pixel) / wide;
+    if (stage.clientWidth !== framed) { // the page does not jump when the magnification changes
+      framed = stage.clientWidth;
+      stage.style.height = `${Math.round(Math.min(framed * ratio, 416))}px`;
+    }
+    const factor = number(Number(magnification.toPrecision(2)));
+    document.getElementById("scale-note").textContent = words.scale.replace("{factor}", factor);
+  }
+
+  /** Names below the buildings, or their numbers where names do not fit; the key below the drawing tells them. */
+  function nameBuildings(left, right) {
+    let end = left;
+    let fit = true;
+    buildings.forEach((building, b) => {
+      building.label.textContent = building.name;
+      const half = building.label.getComputedTextLength() / 2;
+      const middle = Number(building.label.getAttribute("x"));
+      fit = fit && middle - half >= end && middle + half <= right;
+      end = middle + half + 4;
+    });
+    if (!fit) buildings.forEach((building, b) => { building.label.textContent = String(b + 1); });
+    document.getElementById("building-key").hidden = fit && buildings.length < 3;
   }
 
   /** Columns and floors of a building whose floors are displaced by `x`. */
@@ -228,7 +298,7 @@
         path += `${bin ? "L" : "M"}${x.toFixed(1)} ${(MIDDLE - SPAN * low).toFixed(1)}` +
           `L${x.toFixed(1)} ${(MIDDLE - SPAN * high).toFixed(1)}`;
       }
-      svg("path", { class: "roof", d: path, stroke: COLOURS[b % COLOURS.length] }, line);
+      svg("path", { class: "roof", d: path, style: `stroke: ${colour(b)}` }, line);
     });
     const strongest = Math.max(1e-300, ...impacts.map((impact) => impact.force));
     let ticks = "";
@@ -237,6 +307,7 @@
       ticks += `M${(WIDTH * impact.start / duration).toFixed(2)} ${HEIGHT}v${(-4 - 24 * share).toFixed(1)}`;
     }
     svg("path", { class: "tick", d: ticks }, line);
+    buildAxis();
     drawn.head = svg("path", { class: "head", d: `M0 0V${HEIGHT}` }, line);
     const seek = (event) => {
       const box = line.getBoundingClientRect();
@@ -250,6 +321,19 @@
     line.addEventListener("pointermove", (event) => {
       if (event.buttons & 1) seek(event);
     });
+  }
+
+  /** Times below the time line, 1, 2 or 5 times a power of ten apart. */
+  function buildAxis() {
+    const axis = document.getElementById("time-axis");
+    const power = Math.pow(10, Math.floor(Math.log10(duration / 5)));
+    const step = [1, 2, 5, 10].map((digit) => digit * power).find((one) => duration / one <= 6);
+    for (let k = 0; k * step <= duration * (1 + 1e-9); ++k) {
+      const share = k * step / duration;
+      const label = html("span", `${number(k * step)}${k === 0 ? " s" : ""}`, axis);
+      label.style.left = `${(100 * share).toFixed(2)}%`;
+      if (share > 0.97) label.className = "last";
+    }
   }
 
   // ---------------------------------------------------------------- showing an instant
@@ -282,7 +366,7 @@
       mark.setAttribute("cy", y(point.elevation).toFixed(2));
       mark.setAttribute("opacity", glow[i].toFixed(3));
       mark.setAttribute("data-contact", hit ? 1 : 0);
-      drawn.cells[i].textContent = number(opening(point, now));
+      drawn.cells[i].textContent = signed(opening(point, now).toFixed(openingDecimals));
       drawn.cells[i].className = hit ? "marked" : "";
     });
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
@@ -293,6 +377,9 @@
     const more = current.length > 3 ? `; + ${current.length - 3}` : "";
     event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
   }
+
+  /** As many for all: the largest movement has four digits. */
+  const openingDecimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
 
   function describe(impact) {
     const what = impact.force > 0 ? `${number(impact.force)} ${data.units.force}`
@@ -305,9 +392,9 @@
     if (gaps.length > 1) {
       stage.parentNode.classList.add("stacked");
       const head = html("tr", undefined, live);
-      html("td", "", head);
+      html("th", words.level, head).scope = "col";
       gaps.forEach((_, gap) => {
-        html("th", `${buildings[gap].name} | ${buildings[gap + 1].name}`, head).scope = "col";
+        html("th", `${gap + 1} | ${gap + 2}`, head).scope = "col";
       });
     }
     const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
@@ -451,7 +538,7 @@
 
   function value(row, column) {
     const text = row.cells[column].textContent.trim();
-    const number_ = Number(text);
+    const number_ = Number(text.replace("\u2212", "-"));
     return text === "" || Number.isNaN(number_) ? text : number_;
   }
 
