@@ -344,7 +344,7 @@ void execute(const RunArguments& arguments) {
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
-    print(summary_text(run));
+    print(fitted(summary_text(run)));
   }
   if (output && !arguments.quiet) {
     message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",

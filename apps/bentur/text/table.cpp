@@ -53,6 +53,20 @@ std::string wrapped(const std::string& text) {
   return result;
 }
 
+std::string fitted(const std::string& text) {
+  const std::size_t width = std::min(usual_width, line_width());
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    const bool is_table = line.starts_with("  ") && line.find("   ", 2) != std::string::npos;
+    result += display_width(line) > width && !is_table ? wrapped(line) : line;
+    if (end < text.size()) result += '\n';
+    at = end + 1;
+  }
+  return result;
+}
+
 void Table::add(std::string name, std::string unit, std::vector<std::string> cells) {
   columns_.push_back({std::move(name), std::move(unit), std::move(cells)});
 }

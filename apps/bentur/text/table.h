@@ -13,6 +13,9 @@ namespace bentur::cli {
 /// Words in lines of at most line_width() and 100 characters, those after the first indented by two.
 [[nodiscard]] std::string wrapped(const std::string& text);
 
+/// A text whose lines that are too long are wrapped().
+[[nodiscard]] std::string fitted(const std::string& text);
+
 /// A table under a header of names, divided into two lines where the table would be wider than line_width(), and
 /// (where there are any) units, everything aligned to the right. Columns that go beyond that all the same stand in a
 /// second table below, behind the first column.

@@ -139,7 +139,8 @@ Html varied(const SweepData& sweep, const Words& say) {
 std::string known(double value, bool is_known) { return is_known ? html::rounded(value) : "–"; }
 
 std::string interval_text(double lower, double upper) {
-  return html::rounded(lower) + " … " + (std::isfinite(upper) ? html::rounded(upper) : "∞");
+  const auto end = [](double value) { return std::isfinite(value) ? html::rounded(value) : std::string("∞"); };
+  return end(lower) + " … " + end(upper);
 }
 
 /// Columns that say which case each row is of, without one axis.

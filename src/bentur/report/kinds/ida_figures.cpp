@@ -182,7 +182,9 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     cases = std::move(some);
   }
   Figure figure{.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
-                .columns = cases.size() > 1 ? 2 : 1,
+                .columns = cases.size() == 3  ? 3
+                           : cases.size() > 1 ? 2
+                                              : 1,
                 .width = options.width,
                 .shared_legend = true};
   if (cases.size() > 1) figure.width *= 17.0 / 8.8;
@@ -195,6 +197,10 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
       for (const Curve& curve : panel.curves) {
         for (const double force : curve.x) largest_force = std::fmax(largest_force, force);
       }
+    }
+    if (figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0) {
+      panel.y.label = "";
+      panel.y.numbers = false;
     }
     figure.panels.push_back(std::move(panel));
   }
