@@ -182,6 +182,11 @@ std::string more_force_text(const Story& story) {
       }
     }
     if (!(most > 0)) continue;
+    constexpr double seen = 1.005;  // with three digits
+    if (most < seen) {
+      text += story.say(std::string("verdict.") + key + ".none") + " ";
+      continue;
+    }
     const Building& building = story.problem.buildings[place.item];
     text += story.say(std::string("verdict.") + key,
                       {{"factor", rounded(most)},
