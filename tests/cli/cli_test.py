@@ -1157,7 +1157,7 @@ duration = 5.0
         text = html.unescape(page.read_text()).replace("\u00a0", " ")
         self.assertIn(f"The buildings collide in {met} of 3 runs.", text)
         needed = self.summary(self.with_width(0.01))["gap_needed"]
-        self.assertIn(f"a gap of up to {needed:.4g} m", text)
+        self.assertIn(f"a gap of up to {needed:.3g} m", text)
         self.with_width(0.01)
         of_study = json.loads(self.done("gap", study, "--json").stdout)["studied"][0]["gaps"][0]["largest"]
         self.assertEqual(of_study["simulated"], needed)

@@ -19,19 +19,22 @@ constexpr std::size_t usual_width = 100, least_width = 40, largest_width = 200; 
 
 }  // namespace
 
-std::size_t line_width() {
+std::optional<std::size_t> asked_width() {
   const char* const given = std::getenv("COLUMNS");
-  std::size_t width = 0;
   if (given != nullptr) {
     const std::optional<double> asked = parse_number(given);
-    if (asked && *asked >= 1 && *asked < 1e4) width = static_cast<std::size_t>(*asked);
+    if (asked && *asked >= 1 && *asked < 1e4) {
+      return std::clamp(static_cast<std::size_t>(*asked), least_width, largest_width);
+    }
   }
   winsize size{};
-  if (width == 0 && ::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) {
-    width = size.ws_col;
+  if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    return std::clamp<std::size_t>(size.ws_col, least_width, largest_width);
   }
-  return width == 0 ? usual_width : std::clamp(width, least_width, largest_width);
+  return std::nullopt;
 }
+
+std::size_t line_width() { return asked_width().value_or(usual_width); }
 
 std::string wrapped(const std::string& text) {
   std::string result;
@@ -54,12 +57,14 @@ std::string wrapped(const std::string& text) {
 }
 
 std::string fitted(const std::string& text) {
+  if (!asked_width()) return text;
   const std::size_t width = std::min(usual_width, line_width());
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string line = text.substr(at, end - at);
-    const bool is_table = line.starts_with("  ") && line.find("   ", 2) != std::string::npos;
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    const bool is_table = begin > 0 && line.find("  ", begin) != std::string::npos;
     result += display_width(line) > width && !is_table ? wrapped(line) : line;
     if (end < text.size()) result += '\n';
     at = end + 1;
@@ -93,6 +98,7 @@ std::array<std::string, 2> heading(const std::string& name, std::size_t below) {
 
 std::string Table::text() const {
   const std::size_t width = line_width();
+  if (!asked_width()) return in_one(width);
   std::string text;
   Table part;
   for (const Column& column : columns_) {

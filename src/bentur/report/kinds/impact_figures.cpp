@@ -66,8 +66,10 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
     }
     return curve;
   };
+  const std::optional<double> restitution = run.response.impacts.at(run.figures.close_up->impact).restitution();
+  const std::string obtained = restitution ? fmt::format(", e = {:.3g}", *restitution) : "";
   const Panel panel{
-      .title = point_text(run, course.point, options),
+      .title = point_text(run, course.point, options) + obtained,
       .x = {.label = with_unit(word(options, "Penetration δ"), run.c.units.length), .from = 0},
       .y = {.label = with_unit(word(options, "Contact force F"), run.c.units.force)},
       .height = 5,
