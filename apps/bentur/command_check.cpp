@@ -37,7 +37,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
 }
 
 void run(const std::string& file) {
-  const Loaded loaded = load(file);
+  const Loaded loaded = load(file, Purpose::no_run);
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
@@ -58,12 +58,16 @@ void run(const std::string& file) {
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,
+                        count(spec.elevations.size(), "contact point", "contact points"), spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
   }
   for (const LinkSpec& spec : loaded.c.links) {
     text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
                         count(spec.elevations.size(), "link", "links"), spec.law);
+  }
+  if (loaded.c.excitation.spectrum) {
+    print(text + "A spectrum: for bentur gap, which makes no run\n" + remarks_text(remarks(loaded.c, loaded.problem)));
+    return;
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");

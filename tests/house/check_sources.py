@@ -130,7 +130,7 @@ def readme(root):
 def prose(root):
     """Prose of documents is wrapped: `./dev format`."""
     for path in sorted(root.rglob("*.md")):
-        if {"build", ".venv", ".venv-peers"} & set(path.relative_to(root).parts):
+        if {"build", "node_modules", ".venv", ".venv-peers"} & set(path.relative_to(root).parts):
             continue
         text = path.read_text()
         if wrap.wrapped(text) != text:
