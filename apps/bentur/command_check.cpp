@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "arguments.h"
+#include "bentur/model/limits.h"
 #include "commands.h"
 #include "session.h"
 #include "text/effort_text.h"
@@ -74,7 +75,7 @@ void run(const std::string& file) {
   options.output_step = loaded.c.analysis.output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded, needed);
+  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
   print(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem)));
 }

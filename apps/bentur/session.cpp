@@ -16,6 +16,7 @@
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/limits.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/report/utf8.h"
 #include "bentur/solve/solver.h"
@@ -118,7 +119,7 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
   options.energy_audit = loaded.c.analysis.energy_audit;
   options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded, needed);
+  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);

@@ -18,7 +18,7 @@ std::vector<double> per_storey(const TomlView& view, const std::string& key, std
   const auto value = view.get(key);
   if (!value) return {};
   std::vector<double> values = value->as_number_or_numbers(Rule::positive, {storeys, "one per storey"});
-  if (values.size() == 1) values.assign(storeys, values.front());
+  if (values.size() == 1) values.resize(storeys, double{values.front()});
   return values;
 }
 

@@ -50,7 +50,7 @@ std::string damping_text(const Damping& damping, const Words& say) {
 }
 
 std::vector<double> reversed(std::vector<double> values, std::size_t size) {
-  if (values.size() == 1) values.assign(size, values.front());
+  if (values.size() == 1) values.resize(size, double{values.front()});
   std::reverse(values.begin(), values.end());
   return values;
 }
