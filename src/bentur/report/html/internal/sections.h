@@ -53,6 +53,11 @@ constexpr std::size_t most_impacts = 1500;
 
 // What the sections share.
 
+/// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
+[[nodiscard]] Html code_table(const Story& story, const std::vector<Eigen::Index>& points);
+/// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
+[[nodiscard]] Html screening_table(const Story& story, Eigen::Index gap);
+
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// A number of three digits, as sentences have them: "0.726".
