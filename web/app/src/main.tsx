@@ -53,9 +53,9 @@ function App() {
             <Verdict />
             {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
               <div class={pinned.value ? "motions" : ""}>
-                <MotionView data={now.motion} play={true} primary={true} />
+                <MotionView data={now.motion} names={now.overview.buildings.map((one) => one.name)} play={true} primary={true} />
                 {pinned.value && <div><h3>{say("pinned")}: {say("gap")} {pinned.value.result.overview.gaps.map((one) => number(one.width)).join(" | ")} {pinned.value.result.overview.units.length}</h3>
-                  <MotionView data={pinned.value.result.motion} play={false} primary={false} /></div>}
+                  <MotionView data={pinned.value.result.motion} names={pinned.value.result.overview.buildings.map((one) => one.name)} play={false} primary={false} /></div>}
               </div></section>}
             {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: <span lang="en">{now.overview.remarks.join(" ")}</span></>}</p>}
           </div>

@@ -9,7 +9,7 @@ const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 �
 export let main: Motion | null = null;
 
 /** The buildings in motion, by the report's own script. */
-export function MotionView({ data, play, primary }: { data: string; play: boolean; primary: boolean }) {
+export function MotionView({ data, names, play, primary }: { data: string; names: string[]; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
   const unit = (JSON.parse(data.slice(data.indexOf('"units":') + 8, data.indexOf("}", data.indexOf('"units":')) + 1)) as { length: string }).length;
@@ -46,7 +46,9 @@ export function MotionView({ data, play, primary }: { data: string; play: boolea
           </div>
         </div>
       </div>
+      <p data-part="buildingKey" class="note">{names.map((name, b) => `${b + 1} ${name}`).join(", ")}</p>
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
+      <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
       <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("motion.scrub")} />
       <p class="controls">
         <button type="button" data-part="play" class="play" aria-pressed="false">{say("motion.play")}</button>

@@ -92,9 +92,9 @@ function Profile({ title, unit, buildings, solid, dashed }: { title: string; uni
         <text x="36" y="206">0</text><text x="232" y="206" text-anchor="end">{number(most)} {unit}</text>
         <text x="32" y="20" text-anchor="end">{number(top)}</text><text x="32" y="190" text-anchor="end">0</text>
         {moving.map(({ one, index }) => <>
-          <path d={line(one, solid(one))} style={{ stroke: `var(--building-${(index % 5) + 1})` }} />
-          {dashed && <path d={line(one, dashed(one))} stroke-dasharray="4 3" style={{ stroke: `var(--building-${(index % 5) + 1})` }} />}
-          <text x={40 + 90 * (index % 2)} y={221 + 12 * Math.floor(index / 2)} style={{ fill: `var(--building-${(index % 5) + 1})` }}>{one.name.slice(0, 16)}</text>
+          <path d={line(one, solid(one))} style={{ stroke: `var(--building-${(index % 6) + 1})` }} />
+          {dashed && <path d={line(one, dashed(one))} stroke-dasharray="4 3" style={{ stroke: `var(--building-${(index % 6) + 1})` }} />}
+          <text x={40 + 90 * (index % 2)} y={221 + 12 * Math.floor(index / 2)} style={{ fill: `var(--building-${(index % 6) + 1})` }}>{one.name.slice(0, 16)}</text>
         </>)}
       </svg>
     </figure>
@@ -173,7 +173,7 @@ export function Loops({ now }: { now: Result }) {
             let d = "";
             for (let i = 0; i < drift.length; i += by) if (Number.isFinite(drift[i])) d += `${d ? "L" : "M"}${(80 + (70 * drift[i]) / x).toFixed(1)} ${(75 - (65 * shear[i]) / y).toFixed(1)}`;
             return d === "" ? null : <figure key={k}><svg viewBox="0 0 160 150" role="img" aria-label={`${one.name}, ${say("storey", { n: k + 1 })}`}>
-              <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: `var(--building-${(b % 5) + 1})` }} /></svg>
+              <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: `var(--building-${(b % 6) + 1})` }} /></svg>
             <figcaption>{say("storey", { n: k + 1 })}: {number(100 * x)} %, {with_(y, now.overview.units.force)}</figcaption></figure>;
           })}
         </div></div>))}
