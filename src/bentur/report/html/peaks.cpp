@@ -7,6 +7,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/restitution.h"
+#include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/remark_text.h"
 
