@@ -32,7 +32,7 @@
 
   // ---------------------------------------------------------------- samples
 
-  /** int16 samples, little endian in base64, floors of one instant side by side. */
+  /** int16 samples, little endian in base64, floors and then struck columns of one instant side by side. */
   function decode(text) {
     const bytes = atob(text);
     const view = new DataView(new ArrayBuffer(bytes.length));
@@ -48,6 +48,8 @@
     base: given.base,
     bays: given.bays,
     rigid: given.rigid,
+    nodes: given.nodes, // where columns are struck between floors, counted after the floors
+    rows: given.elevations.length + given.nodes.length,
     width: given.bays.reduce((sum, bay) => sum + bay, 0),
     scale: given.scale,
     samples: decode(given.samples),
@@ -57,14 +59,14 @@
     ({ point, start, end, force, peak, speed, number }));
   const duration = data.duration;
 
-  /** Displacement of a floor at time t: cubic between samples, with slopes from their neighbours. */
+  /** Displacement of a floor or of a struck column at time t: cubic between samples, with slopes from their neighbours. */
   function displacement(building, floor, t) {
-    const floors = building.elevations.length;
-    const last = building.samples.length / floors - 1;
+    const rows = building.rows;
+    const last = building.samples.length / rows - 1;
     const at = Math.min(Math.max(t / data.step, 0), last);
     const frame = Math.min(Math.floor(at), Math.max(last - 1, 0));
     const s = at - frame;
-    const sample = (k) => building.samples[Math.min(Math.max(k, 0), last) * floors + floor];
+    const sample = (k) => building.samples[Math.min(Math.max(k, 0), last) * rows + floor];
     const before = sample(frame - 1), here = sample(frame), next = sample(frame + 1), after = sample(frame + 2);
     const slope = (next - before) / 2;
     const turn = (after - here) / 2;
@@ -165,7 +167,7 @@
     buildings.forEach((building, b) => {
       building.label.setAttribute("x", leftFace(b) + unit * building.width / 2);
       building.label.setAttribute("y", base + 20 * pixel);
-      const zero = building.elevations.map(() => 0);
+      const zero = new Array(building.rows).fill(0);
       const shape = outline(building, b, zero);
       drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
     });
@@ -186,9 +188,13 @@
     let line = left;
     for (let bay = 0; bay <= building.bays.length; ++bay) {
       columns += `M${line.toFixed(2)} ${y(foot).toFixed(2)}`;
-      building.elevations.forEach((elevation, floor) => {
-        columns += `L${(line + shift[floor]).toFixed(2)} ${y(elevation).toFixed(2)}`;
+      const places = building.elevations.map((elevation, floor) => [elevation, shift[floor]]);
+      building.nodes.forEach((node, n) => { // it bends where it is struck
+        if (bay !== (node.left ? 0 : building.bays.length)) return;
+        places.push([node.elevation, shift[building.elevations.length + n]]);
       });
+      places.sort((a, b) => a[0] - b[0]);
+      for (const [elevation, by] of places) columns += `L${(line + by).toFixed(2)} ${y(elevation).toFixed(2)}`;
       line += unit * (building.bays[bay] || 0);
     }
     let slabs = "";
@@ -213,14 +219,14 @@
     svg("path", { class: "axis", d: `M0 ${MIDDLE}H${WIDTH}` }, line);
     buildings.forEach((building, b) => {
       const floors = building.elevations.length;
-      const frames = building.samples.length / floors;
+      const frames = building.samples.length / building.rows;
       const bins = Math.min(WIDTH, frames);
       let path = "";
       for (let bin = 0; bin < bins; ++bin) { // smallest and largest of each bin, so that no peak is lost
         let low = Infinity, high = -Infinity;
         const end = Math.max(Math.floor((bin + 1) * frames / bins), Math.floor(bin * frames / bins) + 1);
         for (let k = Math.floor(bin * frames / bins); k < end; ++k) {
-          const value = building.samples[k * floors + floors - 1] * building.scale / largest;
+          const value = building.samples[k * building.rows + floors - 1] * building.scale / largest;
           low = Math.min(low, value);
           high = Math.max(high, value);
         }
@@ -265,7 +271,7 @@
   function show(t, since) {
     now = Math.min(Math.max(t, 0), duration);
     buildings.forEach((building, b) => {
-      const x = building.elevations.map((_, floor) => displacement(building, floor, now));
+      const x = Array.from({ length: building.rows }, (_, floor) => displacement(building, floor, now));
       const shape = outline(building, b, x);
       drawn.columns[b].setAttribute("d", shape.columns);
       drawn.slabs[b].setAttribute("d", shape.slabs);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <variant>
 
 #include "bentur/io/results/result_csv.h"
@@ -52,9 +53,26 @@ Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double sc
   return base64(bytes);
 }
 
+/// Where columns are struck between floors: behind the floors in the samples, in the outer column that faces the gap.
+Json nodes_json(const Story& story, std::size_t b) {
+  const Building& building = story.problem.buildings[b];
+  Json nodes = Json::array();
+  for (const double elevation : building.model.node_elevations) nodes.push_back({{"elevation", elevation}});
+  for (const ContactPoint& point : story.problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(story.problem, point);
+    if (struck && struck->building == static_cast<Eigen::Index>(b)) {
+      nodes.at(static_cast<std::size_t>(struck->node))["left"] = point.left != struck->building;
+    }
+  }
+  return nodes;
+}
+
 Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
   const Building& building = story.problem.buildings[b];
-  const Eigen::MatrixXd& displacement = story.response.histories.displacement.at(b);
+  const Histories& histories = story.response.histories;
+  const Eigen::Index nodes = building.model.nodes();
+  Eigen::MatrixXd displacement(building.model.floors() + nodes, histories.displacement.at(b).cols());
+  displacement << histories.displacement.at(b), histories.node_displacement.at(b);
   const double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
   const double scale = largest > 0 ? largest / 32767 : 1;
   return {{"name", building.name},
@@ -62,6 +80,7 @@ Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
           {"base", building.model.elevations.front() - building.model.storey_heights.front()},
           {"bays", bays(story, b)},
           {"rigid", building.is_rigid()},
+          {"nodes", nodes_json(story, b)},
           {"scale", scale},
           {"samples", samples(displacement, stride, scale)}};
 }
@@ -93,12 +112,11 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
   }
   Json points = Json::array();
   for (const ContactPoint& point : story.problem.points) {
-    points.push_back(
-        {{"left", point.left},
-         {"leftFloor", story.problem.buildings[point.left].model.floor_at_or_above(point.left_floor)},
-         {"rightFloor", story.problem.buildings[point.left + 1].model.floor_at_or_above(point.right_floor)},
-         {"elevation", point.elevation},
-         {"width", point.width}});
+    points.push_back({{"left", point.left},
+                      {"leftFloor", point.left_floor},
+                      {"rightFloor", point.right_floor},
+                      {"elevation", point.elevation},
+                      {"width", point.width}});
   }
   std::vector<double> widths;  // of the gaps at rest
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
