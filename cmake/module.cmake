@@ -54,7 +54,7 @@ endfunction()
 # them installed; HEADER declares std::span<const EmbeddedFile> FUNCTION().
 function(bentur_embed module function header)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
-  set(script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed.cmake)
   add_custom_command(
     OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${source} -DHEADER=${header} -DFUNCTION=${function} "-DFILES=${ARGN}" -P ${script}
@@ -81,11 +81,11 @@ endfunction()
 
 # In a unity build locals of one source shadow names of another's; -Wshadow then looks at locals alone.
 # Everything is position-independent, the libraries for those who link them into shared ones, programs to share the
-# precompiled headers. Contraction is off so that results do not depend on whether a processor has fused multiply-add.
+# precompiled headers; in a browser nothing is. Contraction is off so that results do not depend on whether a processor has fused multiply-add.
 # g++ 12 sees copies and searches in std::string that overlap or overflow and do neither (GCC bug 105651).
 function(bentur_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
     $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>
-    -fPIC -ffp-contract=off)
+    $<$<NOT:$<PLATFORM_ID:Emscripten>>:-fPIC> -ffp-contract=off)
 endfunction()

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "arguments.h"
+#include "bentur/model/limits.h"
 #include "commands.h"
 #include "session.h"
 #include "text/effort_text.h"
@@ -36,7 +37,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
 }
 
 void run(const std::string& file) {
-  const Loaded loaded = load(file);
+  const Loaded loaded = load(file, Purpose::no_run);
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
@@ -57,12 +58,16 @@ void run(const std::string& file) {
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        count(spec.widths.size(), "contact point", "contact points"), spec.contact.law,
+                        count(spec.elevations.size(), "contact point", "contact points"), spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
   }
   for (const LinkSpec& spec : loaded.c.links) {
     text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
                         count(spec.elevations.size(), "link", "links"), spec.law);
+  }
+  if (loaded.c.excitation.spectrum) {
+    print(text + "A spectrum: for bentur gap, which makes no run\n" + remarks_text(remarks(loaded.c, loaded.problem)));
+    return;
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
@@ -70,7 +75,7 @@ void run(const std::string& file) {
   options.output_step = loaded.c.analysis.output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded, needed);
+  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
   print(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem)));
 }

@@ -13,6 +13,7 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/study/gap/gap_study.h"
 #include "commands.h"
 #include "session.h"
@@ -105,7 +106,12 @@ std::string codes_note(const CodeSpec& code) {
   std::string text =
       "\nCodes: the same peaks, amplified by the factors of [code]; they belong to displacements under a code's\n"
       "reduced design forces and are 1 where the ground motion is not reduced. To line: from a building to a\n"
-      "property line. Wording: whether the clause itself was read; to check: as commonly cited.\n";
+      "property line. Wording: whether the clause itself was read; to check: as commonly cited. What each\n"
+      "takes for u:\n";
+  for (const CodeRuleSpec& given : code.rules) {
+    const CodeRule& rule = *find_code_rule(given.rule);
+    text += "  " + wrapped(fmt::format("{}: {}", rule.title, rule.assumes)) + "\n";
+  }
   if (!others.empty()) {
     text += fmt::format("\nNot shown, because the case does not give what {} need{}:\n{}",
                         others.size() == 1 ? "this code" : "these codes", others.size() == 1 ? "s" : "",
@@ -113,6 +119,8 @@ std::string codes_note(const CodeSpec& code) {
   }
   return text;
 }
+
+const std::string watched_heading = "\nFloors that face their neighbour where no contact is modelled\n\n";
 
 /// The floors that face a column, or a floor that no contact point is at.
 std::string watched_text(const Problem& problem, const Response& response, Eigen::Index gap,
@@ -136,7 +144,7 @@ std::string watched_text(const Problem& problem, const Response& response, Eigen
   table.add("given", length, widths);
   table.add("simulated", length, simulated);
   table.add("", "", marks);
-  return "\nFloors that face their neighbour where no contact is modelled\n\n" + table.text();
+  return watched_heading + table.text();
 }
 
 std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<PointSeparation>& all) {
@@ -190,6 +198,151 @@ std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<Po
   return text;
 }
 
+/// "12.5", and nothing where there is no limit.
+std::string limit_text(const std::optional<double>& limit) { return limit ? number(*limit) : "–"; }
+
+/// What the rules of thumb say of how the neighbours stand; empty where one of them is a wall.
+std::string screening_text(const Case& c, const Problem& problem, Eigen::Index gap) {
+  const std::vector<ScreeningFinding> findings = screening(problem, gap, c.screening, c.units);
+  if (findings.empty()) return {};
+  std::vector<std::string> titles, units, values, limits, verdicts, sources;
+  for (const ScreeningFinding& found : findings) {
+    const bool yes_or_no = found.rule->name == "end-of-row" || found.rule->name == "pounding";
+    const bool known = found.verdict != ScreeningFinding::Verdict::needs_seismicity;
+    titles.emplace_back(found.rule->title);
+    units.emplace_back(found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit));
+    values.emplace_back(!yes_or_no ? number(found.value) : !known ? "–" : found.value > 0 ? "yes" : "no");
+    limits.emplace_back(limit_text(found.limit));
+    verdicts.emplace_back(known ? verdict_text(found.verdict) : "needs seismicity");
+    sources.emplace_back(
+        found.rule->wording == "ours" ? "ours" : found.rule->source.substr(0, found.rule->source.find_first_of(",(")));
+  }
+  Table table;
+  table.add("screening", "", titles);
+  table.add("value", "", values);
+  table.add("limit", "", limits);
+  table.add("unit", "", units);
+  table.add("verdict", "", verdicts);
+  table.add("source", "", sources);
+  return "\n" + table.text();
+}
+
+const char* const screening_note =
+    "\nScreening: how the neighbours stand, before anything is computed. The rules of FEMA P-154 (2015,\n"
+    "adjacency) and ASCE 41-17 (Tier 1, adjacent buildings) are by memory: check the text. Pounding is to\n"
+    "be scored where the gap is too small for the storeys and one of the three rules above it asks for\n"
+    "attention.\n";
+
+/// Peak displacements of one building by both combinations, highest first.
+std::string peaks_text(const Building& building, const SpectralPeaks& peaks, const std::string& length) {
+  if (building.is_rigid()) return building.name + ": moves with the ground\n";
+  std::vector<double> elevations, srss, cqc;
+  for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
+    elevations.push_back(building.model.elevations[floor]);
+    srss.push_back(peaks.srss(floor));
+    cqc.push_back(peaks.cqc(floor));
+  }
+  Table table;
+  table.add("elevation", length, elevations);
+  table.add("SRSS", length, srss);
+  table.add("CQC", length, cqc);
+  const std::string elastic = building.can_yield() ? " (elastic, with its initial stiffness)" : "";
+  return fmt::format("Peak displacements of {}{}\n\n{}", building.name, elastic, table.text());
+}
+
+std::string spectral_text(const Case& c, const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
+  const std::string& length = c.units.length;
+  struct Worst {
+    double needed = 0, width = 0, elevation = 0;
+  };
+  std::optional<Worst> worst;
+  const auto look_at = [&](const Worst& one) {
+    if (!worst || one.needed - one.width > worst->needed - worst->width) worst = one;
+  };
+  std::vector<PointSeparation> points;  // highest first
+  std::vector<double> elevations, widths, differences, abs, srss, ddc;
+  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {
+    const ContactPoint& point = problem.points[*i];
+    const PointSeparation& s = spectral.points[*i];
+    points.push_back(s);
+    elevations.push_back(point.elevation);
+    widths.push_back(point.width);
+    differences.push_back(s.simulated);
+    abs.push_back(s.abs);
+    srss.push_back(s.srss);
+    ddc.push_back(s.ddc);
+    look_at({s.simulated, point.width, point.elevation});
+  }
+  std::vector<double> watched_elevations, watched_widths, watched_differences;
+  std::vector<std::string> owners, faces;
+  for (auto i = gap.watched.rbegin(); i != gap.watched.rend(); ++i) {
+    const WatchedFloor& floor = problem.watched[*i];
+    watched_elevations.push_back(floor.elevation);
+    watched_widths.push_back(floor.width);
+    watched_differences.push_back(spectral.watched[*i]);
+    owners.push_back(problem.buildings[static_cast<std::size_t>(floor.floor_of)].name);
+    faces.emplace_back(floor.facing_floor ? "floor" : "column");
+    look_at({spectral.watched[*i], floor.width, floor.elevation});
+  }
+  std::string text = gap_name(problem, gap.left) + ": no floors face one another\n";
+  if (worst) {
+    const double short_by = worst->needed - worst->width;
+    text = fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap.left),
+                       short_by > 0 ? "too close" : "wide enough", number(worst->needed), length,
+                       number(worst->elevation), length, number(worst->width), length,
+                       short_by > 0 ? fmt::format(": {} {} short", number(short_by), length) : "");
+  }
+  if (!points.empty()) {
+    Table table;
+    table.add("elevation", length, elevations);
+    table.add("given", length, widths);
+    table.add("difference", length, differences);
+    table.add("ABS", length, abs);
+    table.add("SRSS", length, srss);
+    table.add("DDC", length, ddc);
+    text += "\n" + table.text();
+  }
+  if (!owners.empty()) {
+    Table table;
+    table.add("elevation", length, watched_elevations);
+    table.add("floor of", "", owners);
+    table.add("faces a", "", faces);
+    table.add("given", length, watched_widths);
+    table.add("difference", length, watched_differences);
+    text += watched_heading + table.text();
+  }
+  if (!points.empty() && !points.front().codes.empty()) text += "\n" + codes_text(problem, points, length);
+  return text + screening_text(c, problem, gap.left);
+}
+
+void run_spectrum(const Loaded& loaded, bool json) {
+  const Case& c = loaded.c;
+  const SpectrumSpec& spectrum = *c.excitation.spectrum;
+  const SpectralGaps spectral = spectral_gaps(loaded.problem, spectrum, c.code, c.units);
+  if (json) {
+    print(spectral_gap_json(c, loaded.problem, spectral, BENTUR_VERSION));
+    return;
+  }
+  std::string text = c.title.empty() ? "" : c.title + "\n";
+  text += excitation_line(c) + "\n";
+  for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
+    text += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length);
+  }
+  for (const Gap& gap : gaps_of(loaded.problem)) text += "\n" + spectral_text(c, loaded.problem, spectral, gap);
+  text += fmt::format(
+      "\nDifference: the peak of left minus right over the modes of both buildings by {0}. ABS, SRSS, DDC:\n"
+      "sum, root of squares and double-difference combination of their peaks by {0} at that elevation.\n"
+      "All are means: about half of the ground motions of this spectrum need more. Buildings are elastic.\n",
+      spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS");
+  text += screening_note + codes_note(c.code);
+  if (!c.code.rules.empty()) {
+    text += spectrum.reduction.empty()
+                ? "The spectrum is taken as it is; excitation.reduction divides what the codes amplify.\n"
+                : "What the codes amplify is the peaks divided by excitation.reduction.\n";
+  }
+  print(text);
+}
+
 void run_study(const GapArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<GapStudy> study;
@@ -207,7 +360,8 @@ void run_study(const GapArguments& arguments) {
 void run(const GapArguments& arguments) {
   if (is_study(arguments.file)) return run_study(arguments);
   if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
-  const Loaded loaded = load(arguments.file);
+  const Loaded loaded = load(arguments.file, Purpose::no_run);
+  if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json);
   const RunResults results = simulate(loaded, 0, true);
   const std::vector<PointSeparation> needed =
       separations(results.problem, results.response, results.c.code, results.c.units);
@@ -217,11 +371,13 @@ void run(const GapArguments& arguments) {
   }
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
   text += excitation_line(loaded.c) + "\n";
-  for (const Gap& gap : gaps_of(results.problem)) text += "\n" + gap_text(results, gap, needed);
+  for (const Gap& gap : gaps_of(results.problem)) {
+    text += "\n" + gap_text(results, gap, needed) + screening_text(results.c, results.problem, gap.left);
+  }
   text +=
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"
       "combination of their peak displacements at that elevation.\n";
-  text += codes_note(loaded.c.code);
+  text += screening_note + codes_note(loaded.c.code);
   print(text);
 }
 

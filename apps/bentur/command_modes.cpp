@@ -35,7 +35,7 @@ Table shape_table(const Building& building, const std::string& length) {
 
 std::string modes_text(const Building& building, const Units& units) {
   if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
-  const ModalProperties properties = modal_properties(building.modes, building.model.load);
+  const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> number_cells, periods, fraction, cumulative;
   std::vector<double> participation;
@@ -73,7 +73,7 @@ struct ModesArguments {
 };
 
 void run(const ModesArguments& arguments) {
-  Loaded loaded = load(arguments.file);
+  Loaded loaded = load(arguments.file, Purpose::no_run);
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {
       if (building.modes.omega.size() < building.model.dofs()) continue;  // known by some modes alone, or by none

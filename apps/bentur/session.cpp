@@ -15,6 +15,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/limits.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/report/utf8.h"
 #include "bentur/solve/solver.h"
@@ -75,14 +76,24 @@ Progress::~Progress() {
 
 Failure::Failure(const Diagnostics& diagnostics) : Failure(exit_bad_input, all_of(diagnostics)) {}
 
-Loaded load(const std::filesystem::path& file) {
+Loaded load(const std::filesystem::path& file, Purpose purpose) {
   Diagnostics diagnostics;
   std::optional<Case> c = read_case(file, diagnostics);
   if (!c) throw Failure(diagnostics);
+  if (const auto& spectrum = c->excitation.spectrum; spectrum && purpose == Purpose::run) {
+    diagnostics.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
+    throw Failure(diagnostics);
+  }
   try {
-    Problem problem = make_problem(*c);
+    Problem problem = make_still_problem(*c);
     std::vector<std::filesystem::path> files = {file};
     if (c->excitation.record) files.emplace_back(c->excitation.record->path);
+    if (c->excitation.spectrum && !c->excitation.spectrum->path.empty()) {
+      files.emplace_back(c->excitation.spectrum->path);
+    }
+    for (const BuildingSpec& building : c->buildings) {
+      if (!building.shapes_path.empty()) files.emplace_back(building.shapes_path);
+    }
     return {std::move(*c), std::move(problem), std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, file.string() + ": error: " + error.what());
@@ -107,7 +118,7 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
   options.energy_audit = loaded.c.analysis.energy_audit;
   options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded, needed);
+  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);
@@ -151,6 +162,34 @@ std::string record_line(const RecordEcho& record) {
                      echo_notes(record), record.count, number(record.time_step), number(record.duration));
 }
 
+namespace {
+
+std::string spectrum_line(const SpectrumSpec& spec, const Units& units) {
+  const double g = units.gravity;
+  struct Shape {
+    double g;
+    std::string operator()(const TwoPeriodSpectrum& shape) const {
+      return fmt::format("S_DS {} g, S_D1 {} g, T_L {} s", number(shape.short_period / g), number(shape.one_second / g),
+                         number(shape.long_period));
+    }
+    std::string operator()(const EurocodeSpectrum& shape) const {
+      return fmt::format("a_g {} g, S {}, T_B, T_C, T_D {}, {}, {} s", number(shape.ground_acceleration / g),
+                         number(shape.soil_factor), number(shape.corner_b), number(shape.corner_c),
+                         number(shape.corner_d));
+    }
+    std::string operator()(const TableSpectrum& shape) const {
+      return fmt::format("{} periods from {} to {} s", shape.periods.size(), number(shape.periods.front()),
+                         number(shape.periods.back()));
+    }
+  };
+  return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}", spec.file.empty() ? spec.shape : spec.file,
+                     std::visit(Shape{g}, spec.spectrum.shape), number(spec.spectrum.damping_ratio),
+                     spec.spectrum.corrects_damping ? ", corrected for others" : "",
+                     spec.combination == ModalCombination::cqc ? "CQC" : "SRSS");
+}
+
+}  // namespace
+
 std::string excitation_line(const Case& c) {
   std::string line;
   const std::string acceleration = c.units.length + "/s²";
@@ -163,6 +202,8 @@ std::string excitation_line(const Case& c) {
                        harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine", number(harmonic->period),
                        number(harmonic->displacement_amplitude), c.units.length,
                        number(peak_acceleration(c.excitation.motion)), acceleration);
+  } else if (c.excitation.spectrum) {
+    return spectrum_line(*c.excitation.spectrum, c.units);
   } else {
     return "No ground motion: free vibration";
   }

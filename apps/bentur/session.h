@@ -53,8 +53,11 @@ struct Loaded {
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
+/// What a case is read for: a run, which a spectrum has nothing for, or what needs no course in time.
+enum class Purpose { run, no_run };
+
 /// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
-[[nodiscard]] Loaded load(const std::filesystem::path& file);
+[[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run);
 
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);

@@ -7,6 +7,7 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 import csv
 import html
 import json
+import math
 import os
 import pathlib
 import pty
@@ -797,7 +798,222 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         self.assertEqual(len(rules), 8)
         for rule in rules:
             self.assertIn(f"{rule['title']}  {rule['clause']:>8}", text)
-            self.assertIn(f"| `{rule['rule']}` |", (SOURCE / "docs" / "separation-rules.md").read_text())
+            page = (SOURCE / "docs" / "separation-rules.md").read_text()
+            self.assertIn(f"| `{rule['rule']}` |", page)
+            self.assertIn(f"| {rule['assumes']} |", page)
+            self.assertIn(f"{rule['title']}: {rule['assumes']}", " ".join(text.split()))
+
+
+def documented(document, name):
+    """The texts of a page that stand in fences between <!-- NAME --> and <!-- /NAME -->."""
+    text = (SOURCE / "docs" / document).read_text()
+    block = text.split(f"<!-- {name} -->")[1].split(f"<!-- /{name} -->")[0]
+    return block.split("```")[1].split("\n", 1)[1].rstrip() + "\n"
+
+
+class DesignSpectrum(CommandLine):
+    """Gaps by a design spectrum: peaks of modes combined, no run."""
+
+    FOLDER = SOURCE / "examples" / "gaps"
+
+    ONE_MASS = """
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [3.0], masses = [100e3], stiffnesses = [4e6] }
+
+[[building]]
+name = "B"
+damping = 0.10
+stick = { storey_heights = [3.0], masses = [100e3], stiffnesses = [1e6] }
+
+[[gap]]
+between = ["A", "B"]
+width = 0.1
+contact = { law = "linear", stiffness = 1e9 }
+
+[excitation]
+kind = "spectrum"
+"""
+
+    def one_mass(self, spectrum):
+        case = self.folder / "one-mass.toml"
+        case.write_text(self.ONE_MASS + spectrum)
+        return json.loads(self.done("gap", case, "--json").stdout)
+
+    def test_the_documented_table_is_what_the_program_prints(self):
+        text = self.done("gap", self.FOLDER / "spectrum-table.toml").stdout
+        self.assertTrue(text.startswith(documented("separation-rules.md", "spectral-gap")))
+        self.assertLessEqual(max(map(len, text.splitlines())), 110)
+
+    def test_one_mass_has_the_spectral_displacement(self):
+        omega = [(4e6 / 100e3) ** 0.5, (1e6 / 100e3) ** 0.5]  # T = 0.993 s and 1.987 s
+        period = [2 * math.pi / one for one in omega]
+        g = 9.80665
+        eta = (10 / 15) ** 0.5
+        euro = [2.5 * 0.3 * g * 1.2 * 0.5 / period[0], 2.5 * 0.3 * g * 1.2 * eta * 0.5 / period[1]]  # B: T_C 0.5, T_D 2 s
+        american = [0.6 * g / period[0], 0.6 * g / period[1] * eta]
+        for spectrum, accelerations in (
+                ('shape = "en-1998-1"\nground_acceleration = 0.3\nspectrum_type = 1\nground_type = "B"\n', euro),
+                ('shape = "sni-1726-2019"\nshort_period = 0.9\none_second = 0.6\nlong_period = 12\n', american),
+                ('shape = "asce-7-22"\nshort_period = 0.9\none_second = 0.6\nlong_period = 12\n', american)):
+            document = self.one_mass(spectrum)
+            peaks = [a / w**2 for a, w in zip(accelerations, omega, strict=True)]
+            for building, peak in zip(document["buildings"], peaks, strict=True):
+                for name in "peak_displacement_srss", "peak_displacement_cqc", "spectral_displacement":
+                    self.assertAlmostEqual(building[name][0], peak, delta=1e-12)
+            gap, = document["gaps"]
+            self.assertAlmostEqual(gap["abs"], sum(peaks), delta=1e-12)
+            self.assertAlmostEqual(gap["srss"], math.hypot(*peaks), delta=1e-12)
+            self.assertAlmostEqual(gap["spectral_difference"], gap["ddc"], delta=1e-12)
+            self.assertNotIn("simulated", gap)
+            self.assertEqual(document["excitation"]["kind"], "spectrum")
+
+    def test_a_table_of_the_case_and_one_beside_it_are_the_same(self):
+        rows = "0,0.4\n0.2,1\n1,0.9\n2.5,0.3\n"
+        (self.folder / "s.csv").write_text("period [s],Sa [g]\n" + rows)
+        (self.folder / "three.csv").write_text("".join(f"{row.split(',')[0]};7;{row.split(',')[1]}\n"
+                                                       for row in rows.splitlines()).replace(".", ","))
+        inline = 'periods = [0, 0.2, 1, 2.5]\naccelerations = [0.4, 1, 0.9, 0.3]\n'
+        documents = [self.one_mass('shape = "table"\nunit = "g"\n' + how)
+                     for how in (inline, 'file = "s.csv"\n', 'file = "three.csv"\ncolumn = 3\n')]
+        for document in documents[1:]:
+            self.assertEqual(document["gaps"], documents[0]["gaps"])
+        self.assertEqual(documents[1]["excitation"]["file"], "s.csv")
+
+    def test_a_spectrum_of_this_program_is_read(self):
+        """Of one mass, the gap's own record by its response spectrum is the record's own peak."""
+        record = SOURCE / "data" / "el-centro-1940-ns.csv"
+        self.done("spectrum", record, "--unit", "g", "--length", "m", "--periods", "0.9:2.1:400", "-o",
+                  self.folder / "s.csv")
+        case = 'shape = "table"\nunit = "m/s2"\nfile = "s.csv"\ncolumn = 4\n'
+        by_spectrum = self.one_mass(case)["buildings"][0]["peak_displacement_cqc"][0]
+        run = self.folder / "run.toml"
+        run.write_text(self.ONE_MASS.replace('"spectrum"', '"record"') + f'file = "{record}"\nunit = "g"\n')
+        peak = json.loads(self.done("run", run, "--json").stdout)["buildings"][0]["peak_displacement_no_contact"][0]
+        self.assertAlmostEqual(by_spectrum / peak, 1, delta=2e-3)  # straight lines between 400 ordinates
+
+    def test_reduction_is_for_the_codes_alone(self):
+        codes = '[code]\nen-1998-1 = { behaviour_factor = 3.0 }\n'
+        table = 'shape = "table"\nunit = "g"\nperiods = [0, 3]\naccelerations = [0.4, 0.2]\n'
+        whole, reduced = (self.one_mass(table + extra + codes)["gaps"][0] for extra in ("", "reduction = 3.0\n"))
+        self.assertEqual(whole["srss"], reduced["srss"])
+        self.assertAlmostEqual(whole["codes"][0]["gap"], 3 * reduced["codes"][0]["gap"], delta=1e-12)
+        self.assertAlmostEqual(reduced["codes"][0]["gap"], 0.7 * reduced["srss"], delta=1e-12)  # floors aligned
+
+    def test_what_needs_a_run_says_so_with_the_place(self):
+        case = self.FOLDER / "design-spectrum.toml"
+        study = self.folder / "study.toml"
+        study.write_text(f'case = "{case}"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.1, 0.2]\n')
+        line = next(i for i, text in enumerate(case.read_text().splitlines(), 1) if text.startswith("kind ="))
+        for command in (["run", case], ["report", case, "-o", self.folder / "r.html"], ["gap", study],
+                        ["sweep", study, "-o", self.folder / "r.nc"]):
+            message = self.fails(2, *command).stderr
+            self.assertIn(f"design-spectrum.toml:{line}:8: error: excitation.kind = \"spectrum\"", message)
+            self.assertIn('needs kind = "record"', message)
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["study.toml"])
+        self.assertIn("no errors", self.done("check", case).stdout)
+        self.assertIn("Eight storeys", self.done("modes", case).stdout)
+
+    def test_srss_and_cqc_are_told_and_one_is_combined(self):
+        text = (self.FOLDER / "design-spectrum.toml").read_text()
+        case = self.folder / "case.toml"
+        needed = {}
+        for method in "cqc", "srss":
+            case.write_text(text.replace('kind = "spectrum"', f'kind = "spectrum"\nmodal_combination = "{method}"'))
+            document = json.loads(self.done("gap", case, "--json").stdout)
+            needed[method] = document["gaps"][0]["watched_floors"]
+            for building in document["buildings"]:
+                self.assertEqual(len(building["peak_displacement_srss"]), len(building["elevations"]))
+                self.assertNotEqual(building["peak_displacement_srss"], building["peak_displacement_cqc"])
+        self.assertNotEqual(needed["cqc"], needed["srss"])
+        self.assertEqual(len(needed["cqc"]), 9)
+
+
+class Screening(CommandLine):
+    def test_in_table_json_and_report(self):
+        case = SOURCE / "examples" / "gaps" / "design-spectrum.toml"
+        text = self.done("gap", case).stdout
+        for words in (r"floors apart in height +1\.5 +0\.6096 +m +attention +FEMA P-154", r"storeys more +3 +2 +attention",
+                      r"pounding to be scored +yes", r"gap over height +0\.5714 +1\.5 +% +attention +ASCE 41-17",
+                      r"mass ratio +2\.048 +2 +attention +ours", "by memory: check the text"):
+            self.assertRegex(text, words)
+        gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
+        rules = {one["rule"]: one for one in gap["screening"]}
+        page = (SOURCE / "docs" / "separation-rules.md").read_text()
+        for rule, one in rules.items():
+            self.assertEqual(list(one), ["rule", "value", "limit", "unit", "verdict", "source", "wording"])
+            self.assertIn(f"| `{rule}` |", page)
+            self.assertTrue(one["wording"] == "ours" or one["wording"] == "by memory, check the text")
+        self.assertAlmostEqual(rules["gap-per-storey"]["limit"], 5 * 1.5 * 0.0254, delta=1e-12)
+        self.assertEqual(rules["end-of-row"]["verdict"], "does not apply")
+
+    def test_without_seismicity_the_rules_that_need_it_say_so(self):
+        case = self.written("two-frames-si")
+        self.assertRegex(self.done("gap", case).stdout, r"gap for the storeys .* needs seismicity")
+        output = self.folder / "r.html"
+        self.done("report", case, "-o", output)
+        page = output.read_text()
+        self.assertIn("needs screening.seismicity", page)
+        self.assertIn("FEMA P-154 (2015), adjacency", page)
+        self.done("report", case, "-o", output, "--lang", "id")
+        self.assertIn("perlu screening.seismicity", output.read_text())
+
+
+class KnownByModes(CommandLine):
+    """docs/howto/etabs_sap2000.md: the tables of another program, read and printed back."""
+
+    CASE = SOURCE / "examples" / "gaps" / "known-by-modes.toml"
+
+    def test_the_page_shows_the_files_and_what_the_program_prints(self):
+        page = "howto/etabs_sap2000.md"
+        self.assertIn(documented(page, "case"), self.CASE.read_text())
+        self.assertEqual(documented(page, "shapes"), self.CASE.with_name("known-by-modes-shapes.csv").read_text())
+        self.assertTrue(self.done("modes", self.CASE).stdout.startswith(documented(page, "modes")))
+        self.assertTrue(self.done("gap", self.CASE).stdout.startswith(documented(page, "gap")))
+
+    def test_modes_prints_the_table_back(self):
+        office = json.loads(self.done("modes", self.CASE, "--json").stdout)["buildings"][0]
+        self.assertEqual([round(period, 3) for period in office["periods"]], [0.66, 0.239, 0.151])
+        self.assertLess(sum(office["effective_mass_fraction"]), 0.99)  # three modes of six
+        lines = self.CASE.with_name("known-by-modes-shapes.csv").read_text().splitlines()
+        rows = list(csv.reader(lines))[1:][::-1]
+        for mode, shape in enumerate(office["shapes"]):
+            given = [float(row[mode + 1]) for row in rows]
+            scale = max(given, key=abs) / max(shape, key=abs)
+            for a, b in zip(given, shape, strict=True):
+                self.assertAlmostEqual(a, scale * b, delta=2e-4)  # four figures, made orthogonal
+
+    def test_shapes_beside_the_case_are_those_in_it(self):
+        rows = [row.split(",") for row in self.CASE.with_name("known-by-modes-shapes.csv").read_text().splitlines()[1:]]
+        text = self.CASE.read_text().replace("../../data", str(SOURCE / "data"))
+        shapes = [[float(row[mode]) for row in rows[::-1]] for mode in (1, 2, 3)]
+        inside, bare = self.folder / "inside.toml", self.folder / "bare.toml"
+        inside.write_text(text.replace('shapes_file = "known-by-modes-shapes.csv"', f"shapes = {shapes}"))
+        bare.write_text(text.replace("known-by-modes-shapes.csv", "bare.txt"))
+        (self.folder / "bare.txt").write_text("".join(" ".join(row[1:]) + "\n" for row in rows[::-1]))
+        answers = {self.done("run", case, "--json").stdout.split('"buildings"')[1]
+                   for case in (self.CASE, inside, bare)}
+        self.assertEqual(len(answers), 1)
+
+    def test_what_is_wrong_in_the_table_is_said_with_its_line(self):
+        shapes = self.CASE.with_name("known-by-modes-shapes.csv").read_text()
+        (self.folder / "known-by-modes-shapes.csv").write_text(shapes.replace("14.7,", "14.2,"))
+        case = self.folder / "case.toml"
+        case.write_text(self.CASE.read_text().replace("../../data", str(SOURCE / "data")))
+        message = "known-by-modes-shapes.csv:4:1: error: elevation 14.2 is of no floor of the case"
+        self.assertIn(message, self.fails(2, "check", case).stderr)
+        self.assertIn(message, " ".join((SOURCE / "docs/howto/etabs_sap2000.md").read_text().split()))
+
+    def test_shapes_are_an_input_that_no_output_may_overwrite(self):
+        for name in "known-by-modes.toml", "known-by-modes-shapes.csv":
+            shutil.copy(self.CASE.with_name(name), self.folder)
+        case = self.folder / "known-by-modes.toml"
+        case.write_text(case.read_text().replace("../../data", str(SOURCE / "data")))
+        shapes = self.folder / "known-by-modes-shapes.csv"
+        before = shapes.read_bytes()
+        self.fails(2, "report", case, "-o", shapes)
+        self.assertEqual(shapes.read_bytes(), before)
 
 
 class WatchedFloors(CommandLine):

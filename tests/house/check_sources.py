@@ -70,12 +70,12 @@ def includes(root):
 
 
 def sizes(root):
-    for path in sources(root, "src", "apps", "tests", "bench"):
+    for path in sources(root, "src", "apps", "tests", "bench", "bindings"):
         lines = len(path.read_text().splitlines())
         limit = 250 if path.suffix == ".h" else 500
         if lines > limit:
             yield f"{path}: {lines} lines, at most {limit}"
-    for folder in {path.parent for path in sources(root, "src", "apps", "tests", "bench")}:
+    for folder in {path.parent for path in sources(root, "src", "apps", "tests", "bench", "bindings")}:
         files = sum(1 for path in folder.iterdir() if path.is_file())
         if files > 25:
             yield f"{folder}: {files} files, at most 25"
@@ -130,7 +130,7 @@ def readme(root):
 def prose(root):
     """Prose of documents is wrapped: `./dev format`."""
     for path in sorted(root.rglob("*.md")):
-        if {"build", ".venv", ".venv-peers"} & set(path.relative_to(root).parts):
+        if {"build", "node_modules", ".venv", ".venv-peers"} & set(path.relative_to(root).parts):
             continue
         text = path.read_text()
         if wrap.wrapped(text) != text:

@@ -10,7 +10,7 @@ if [ "$version" != 14 ]; then
 fi
 cd "$source"
 folders=()
-for folder in src apps tests bench; do [ ! -d $folder ] || folders+=($folder); done
+for folder in src apps tests bench bindings; do [ ! -d $folder ] || folders+=($folder); done
 case $check in
   format) find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 "$program" --dry-run -Werror ;;
   tidy)

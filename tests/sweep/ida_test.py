@@ -333,6 +333,27 @@ class Gap(Ida):
         for word in "El Centro", "harmonic", "largest", "median", "simulated", "DDC", "Model 1 | Model 2":
             self.assertIn(word, text)
 
+    def test_a_neighbour_of_whom_little_is_known(self):
+        study = STUDIES / "generic-neighbour-gap.toml"
+        text = self.bentur("gap", study).stdout
+        block = (SOURCE / "docs" / "studies.md").read_text().split("<!-- generic-neighbour-gap -->")[1]
+        self.assertIn(block.split("```\n")[1].rstrip() + "\n", text)
+        document = self.json_of("gap", study)
+        self.assertEqual(len(document["studied"]), 15)
+        each = sorted(record["simulated"] for one in document["studied"] for record in one["gaps"][0]["records"])
+        together = document["together"]
+        self.assertEqual(together["runs"], 30)
+        self.assertEqual(len(each), 30)
+        gap, = together["gaps"]
+        quantile = {one["probability"]: one["simulated"] for one in gap["quantiles"]}
+        # Linear between the two runs next to it, [HyndmanFan1996] type 7.
+        place = 0.9 * 29
+        low = int(place)
+        self.assertAlmostEqual(quantile[0.9], each[low] + (place - low) * (each[low + 1] - each[low]), delta=1e-12)
+        self.assertEqual(gap["largest"]["simulated"], each[-1])
+        given, = gap["given"]
+        self.assertEqual(given["records_beyond"], sum(one > 0.1 for one in each))
+
     def test_codes_other_axes_and_levels(self):
         case = (STUDIES / "eight-and-six.toml").read_text().replace('"../../data/', f'"{SOURCE}/data/')
         case = self.study(case + "\n[code]\nen-1998-1 = { behaviour_factor = 1.0 }\n", "case.toml")

@@ -10,9 +10,6 @@ namespace bentur::cli {
 /// What a run takes, in lines: what is fastest, steps, samples, memory, and the time where that is long.
 [[nodiscard]] std::string effort_text(const Loaded& loaded, const Effort& effort);
 
-/// Why a case is refused; empty where it is within its limits.
-[[nodiscard]] std::string beyond_limits(const Loaded& loaded, const Effort& effort);
-
 /// A warning before work that may take more than some seconds; else empty.
 [[nodiscard]] std::string long_run_text(const Loaded& loaded, const Effort& effort);
 

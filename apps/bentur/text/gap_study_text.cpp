@@ -12,15 +12,17 @@
 namespace bentur::cli {
 namespace {
 
-std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
+/// A row a record, where they are to be told, and what holds over all of them.
+std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size_t gap, bool with_records) {
   std::vector<std::string> names;
   std::vector<const GapNeed*> rows;
   for (const RecordNeed& record : needs.records) {
+    if (!with_records) break;
     names.push_back(record.record);
     rows.push_back(&record.gaps[gap]);
   }
   const GapOverRecords& over = needs.gaps[gap];
-  if (rows.size() > 1) {
+  if (needs.records.size() > 1) {
     names.emplace_back("◄ largest");
     rows.push_back(&over.largest);
     for (auto one = over.quantiles.rbegin(); one != over.quantiles.rend(); ++one) {
@@ -35,7 +37,7 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
   };
   const std::string& length = study.units.length;
   Table table;
-  table.add("record", "", names);
+  table.add(with_records ? "record" : "", "", names);
   table.add("simulated", length, numbers([](const GapNeed& n) { return n.simulated; }));
   table.add("ABS", length, numbers([](const GapNeed& n) { return n.abs; }));
   table.add("SRSS", length, numbers([](const GapNeed& n) { return n.srss; }));
@@ -48,7 +50,7 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
 }
 
 /// How many records need more than the gap that is given, for each width that the study gives it.
-std::string given_text(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
+std::string given_text(const GapStudy& study, const RecordNeeds& needs, std::size_t gap, const std::string& what) {
   const std::vector<GivenGap>& given = needs.gaps[gap].given;
   const std::size_t records = needs.records.size();
   const auto share = [&](const GivenGap& one) {
@@ -56,7 +58,7 @@ std::string given_text(const GapStudy& study, const RecordNeeds& needs, std::siz
   };
   const auto width = [](const GivenGap& one) { return *std::min_element(one.widths.begin(), one.widths.end()); };
   if (given.size() == 1) {
-    return fmt::format("\n{} of {} records ({}) need more than the {} {} given.\n", given[0].beyond, records,
+    return fmt::format("\n{} of {} {} ({}) need more than the {} {} given.\n", given[0].beyond, records, what,
                        share(given[0]), number(width(given[0])), study.units.length);
   }
   std::vector<double> widths;
@@ -68,9 +70,20 @@ std::string given_text(const GapStudy& study, const RecordNeeds& needs, std::siz
   }
   Table table;
   table.add("given", study.units.length, widths);
-  table.add("records that need more", "", beyond);
+  table.add(what + " that need more", "", beyond);
   table.add("share", "", shares);
   return "\n" + table.text();
+}
+
+/// The gaps over everything that varies.
+std::string together_text(const GapStudy& study, const RecordNeeds& together) {
+  std::string text;
+  for (Eigen::Index gap = 0; gap < std::ssize(together.gaps); ++gap) {
+    text += fmt::format("\n{}: all {} of these together, each as likely as the others\n\n",
+                        gap_name(study.problem, gap), together.records.size()) +
+            gap_table(study, together, gap, false) + given_text(study, together, gap, "runs");
+  }
+  return text;
 }
 
 }  // namespace
@@ -88,9 +101,10 @@ std::string gap_study_text(const GapStudy& study) {
     }
     for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
       text += fmt::format("\n{}{}\n\n", gap_name(study.problem, gap), others.empty() ? "" : ": " + others) +
-              gap_table(study, needs, gap) + given_text(study, needs, gap);
+              gap_table(study, needs, gap, true) + given_text(study, needs, gap, "records");
     }
   }
+  if (study.together) text += together_text(study, *study.together);
   text +=
       "\nEach number is the largest of the contact points of that gap. Simulated: the buildings moving freely,\n"
       "floors that face a column included. ABS, SRSS, DDC: sum, root of squares and double-difference combination\n"

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
+#include <system_error>
 
 namespace bentur {
 namespace {
@@ -56,10 +58,61 @@ std::vector<std::string> column(const std::vector<double>& values) {
 
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, failure] = from_chars(text.data(), text.data() + text.size(), value);
   const bool good = failure == std::errc() && end == text.data() + text.size() && std::isfinite(value);
   return good ? std::optional(value) : std::nullopt;
 }
+
+#if defined(__cpp_lib_to_chars)
+
+std::from_chars_result from_chars(const char* first, const char* last, double& value) {
+  return std::from_chars(first, last, value);
+}
+
+#else
+
+// strtod reads more than std::from_chars does: blanks, a plus, hexadecimal digits, and on behind a number's end.
+std::from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const char* at = first;
+  const auto digits = [&] {
+    const char* const begin = at;
+    while (at != last && *at >= '0' && *at <= '9') ++at;
+    return at - begin;
+  };
+  if (at != last && *at == '-') ++at;
+  const char* const behind_sign = at;
+  for (const std::string_view word : {"infinity", "inf", "nan"}) {
+    const auto same = [](char a, char b) { return (a | 0x20) == b; };
+    if (static_cast<std::size_t>(last - at) < word.size() || !std::equal(word.begin(), word.end(), at, same)) continue;
+    at += word.size();
+    break;
+  }
+  if (at == behind_sign) {
+    auto count = digits();
+    if (at != last && *at == '.') {
+      ++at;
+      count += digits();
+    }
+    if (count == 0) return {first, std::errc::invalid_argument};
+    const char* const behind_fraction = at;
+    if (at != last && (*at == 'e' || *at == 'E')) {
+      ++at;
+      if (at != last && (*at == '-' || *at == '+')) ++at;
+      if (digits() == 0) at = behind_fraction;
+    }
+  }
+  const std::string text(first, at);
+  errno = 0;
+  const double read = std::strtod(text.c_str(), nullptr);
+  const bool is_number = *behind_sign >= '0' && *behind_sign <= '9';
+  if (errno == ERANGE && (std::isinf(read) || read == 0) && (is_number || *behind_sign == '.')) {
+    return {at, std::errc::result_out_of_range};
+  }
+  value = read;
+  return {at, std::errc()};
+}
+
+#endif
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", count, count == 1 ? one : many.empty() ? one + "s" : many);

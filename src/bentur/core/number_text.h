@@ -1,5 +1,6 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@ namespace bentur {
 
 /// The finite number that a text is, from its first character to its last.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// std::from_chars for a double, also where the standard library has it for whole numbers alone, as in a browser.
+std::from_chars_result from_chars(const char* first, const char* last, double& value);
 
 /// "1 column", "3 columns". @param many where it is not `one` with an s.
 [[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& many = {});

@@ -301,6 +301,10 @@ StructuralModel structural_model(const BuildingSpec& spec) {
   return model;
 }
 
+Soil soil_of(const SoilSpec& spec) {
+  return spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
+}
+
 Building make_building(const BuildingSpec& spec) { return make_building(spec, structural_model(spec)); }
 
 namespace {
@@ -322,10 +326,7 @@ Support support_of(const BuildingSpec& spec, const StructuralModel& model) {
       support.isolation = isolation_of(*spec.isolation->pendulum, bearings.mass, bearings.damping, weight);
     }
   }
-  if (spec.soil) {
-    const Soil& soil = spec.soil->soil;
-    support.soil = spec.soil->half_space ? soil_of(*spec.soil->half_space, soil.mass, soil.inertia) : soil;
-  }
+  if (spec.soil) support.soil = soil_of(*spec.soil);
   return support;
 }
 
@@ -400,15 +401,20 @@ std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Buildi
   return all;
 }
 
-Problem make_problem(const Case& c) {
-  std::vector<Building> buildings;
-  for (const BuildingSpec& spec : c.buildings) {
-    buildings.push_back(make_building(spec));
-  }
-  return make_problem(c, std::move(buildings));
+std::string spectrum_is_no_motion() {
+  return "a spectrum has no course in time: bentur gap takes it, a run needs kind = \"record\" with a ground motion, "
+         "such as one matched to the spectrum";
 }
 
-Problem make_problem(const Case& c, std::vector<Building> buildings) {
+namespace {
+
+std::vector<Building> buildings_of(const Case& c) {
+  std::vector<Building> buildings;
+  for (const BuildingSpec& spec : c.buildings) buildings.push_back(make_building(spec));
+  return buildings;
+}
+
+Problem problem_of(const Case& c, std::vector<Building> buildings) {
   if (c.buildings.size() < 2 || c.gaps.size() + 1 != c.buildings.size() || buildings.size() != c.buildings.size()) {
     throw InvalidParameter("gaps", std::to_string(c.gaps.size()),
                            "must be one between each pair of neighbours, of two buildings or more");
@@ -428,5 +434,16 @@ Problem make_problem(const Case& c, std::vector<Building> buildings) {
   validate(problem);
   return problem;
 }
+
+}  // namespace
+
+Problem make_problem(const Case& c) { return make_problem(c, buildings_of(c)); }
+
+Problem make_problem(const Case& c, std::vector<Building> buildings) {
+  if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion());
+  return problem_of(c, std::move(buildings));
+}
+
+Problem make_still_problem(const Case& c) { return problem_of(c, buildings_of(c)); }
 
 }  // namespace bentur

@@ -13,10 +13,14 @@
 #include <vector>
 
 #include "bentur/contact/law.h"
+#include "bentur/core/diagnostics.h"
 #include "bentur/core/units.h"
+#include "bentur/excitation/design_spectrum.h"
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/model/gap/levels.h"
+#include "bentur/model/gap/modal_combination.h"
+#include "bentur/model/gap/screening.h"
 #include "bentur/model/link.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
@@ -53,6 +57,9 @@ struct SoilSpec {
   std::optional<HalfSpace> half_space;
 };
 
+/// Springs and dashpots, given or of the half-space.
+[[nodiscard]] Soil soil_of(const SoilSpec& spec);
+
 struct BuildingSpec {
   std::string name;
   std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding> structure;
@@ -67,6 +74,7 @@ struct BuildingSpec {
   double gravity = 0;                      ///< of the case [length/s²], for weights
   std::optional<IsolationSpec> isolation = {};
   std::optional<SoilSpec> soil = {};
+  std::string shapes_path = {};  ///< where the shapes of a building known by its modes were read; no result holds that
 };
 
 /// Contact of one gap: a law of contact/laws.h and what the case says of it, key by key.
@@ -117,10 +125,21 @@ struct RecordEcho {
   double pga = 0;         ///< largest |a| as applied, after scaling [length/s²]
 };
 
+/// A design spectrum in place of a motion: for gaps alone (model/gap/spectral_gap.h).
+struct SpectrumSpec {
+  DesignSpectrum spectrum;  ///< in the case's units
+  std::string shape;        ///< as the case names it
+  ModalCombination combination = ModalCombination::cqc;
+  std::vector<double> reduction = {};  ///< of the displacements that rules of codes amplify, one per building [-] > 0
+  std::string file = {}, path = {};    ///< the table, as the case names it and where it was read; empty: none
+  SourcePosition position = {};        ///< of its kind in the case file
+};
+
 struct ExcitationSpec {
-  GroundMotion motion;               ///< scaled, in the case's units
-  std::optional<RecordEcho> record;  ///< for kind = "record"
-  std::vector<double> delays;        ///< [s], one per building (from wave_velocity where that was given)
+  GroundMotion motion;                        ///< scaled, in the case's units; with a spectrum NoMotion
+  std::optional<RecordEcho> record;           ///< for kind = "record"
+  std::optional<SpectrumSpec> spectrum = {};  ///< for kind = "spectrum"
+  std::vector<double> delays;                 ///< [s], one per building (from wave_velocity where that was given)
   Kinematics kinematics = Kinematics::relative;
 };
 
@@ -161,7 +180,8 @@ struct Case {
   ExcitationSpec excitation;
   InitialSpec initial;
   AnalysisSpec analysis;
-  CodeSpec code = {};                     ///< without rules: none were given
+  CodeSpec code = {};  ///< without rules: none were given
+  ScreeningSpec screening = {};
   std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
 };
 
@@ -187,8 +207,13 @@ struct SpecAndModel {
 [[nodiscard]] std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point,
                                                                  const SpecAndModel& left, const SpecAndModel& right);
 
-/// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
+/// The problem a solver takes. @throws InvalidParameter when the case is not consistent, or has a spectrum, which has
+/// no course in time.
 [[nodiscard]] Problem make_problem(const Case& c);
+/// The same for what nothing is solved of: modes, gaps by a spectrum. A spectrum's problem has no motion.
+[[nodiscard]] Problem make_still_problem(const Case& c);
+/// What to do where a run is asked for and the case has a spectrum.
+[[nodiscard]] std::string spectrum_is_no_motion();
 /// The same with the case's buildings made already.
 [[nodiscard]] Problem make_problem(const Case& c, std::vector<Building> buildings);
 

@@ -167,7 +167,6 @@ void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
   if (status == Status::stopped) response.message = "stopped on request";
   if (status == Status::failed) response.message = run.trouble();
-  if (status == Status::done) response.message.clear();
 }
 
 }  // namespace
@@ -253,8 +252,9 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   parts->result = run.take_result();
   parts->largest_displacement = engine::largest_displacements(parts->problem, response.buildings, run);
   parts->largest_speed = parts->result.speeds;
-  const double fastest = parts->largest_speed.empty() ? 0.0 : std::ranges::max(parts->largest_speed);
-  std::ranges::replace(parts->largest_speed, 0.0, fastest);
+  std::vector<double>& speeds = parts->largest_speed;
+  const double fastest = speeds.empty() ? 0.0 : *std::max_element(speeds.begin(), speeds.end());
+  std::replace(speeds.begin(), speeds.end(), 0.0, fastest);
   parts_ = parts;
 }
 

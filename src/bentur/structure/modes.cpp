@@ -128,6 +128,15 @@ ModalProperties modal_properties(const Modes& modes, const Eigen::VectorXd& load
   return result;
 }
 
+ModalProperties modal_properties(const Building& building) {
+  ModalProperties properties = modal_properties(building.modes, building.model.load);
+  if (building.modes.omega.size() >= building.model.dofs() || building.is_rigid()) return properties;
+  const Eigen::VectorXd& load = building.model.load;
+  const double moving = load.dot(building.model.mass.ldlt().solve(load));
+  properties.effective_mass_fraction = properties.participation.cwiseAbs2() / moving;
+  return properties;
+}
+
 void calibrate_period(StructuralModel& model, double first_period) {
   require_positive("calibrate_period", first_period);
   const double ratio = 2 * std::numbers::pi / (first_period * modes(model.mass, model.stiffness).omega(0));

@@ -21,6 +21,8 @@ struct ModalProperties {
   Eigen::VectorXd effective_mass_fraction;  ///< Γ²/ΣΓ² [-]; with m_g = 0 the sum is the moving mass rᵀMr
 };
 [[nodiscard]] ModalProperties modal_properties(const Modes& modes, const Eigen::VectorXd& load);
+/// The same of a building, of which not all modes may be known: fractions are of all that moves, loadᵀ M⁻¹ load.
+[[nodiscard]] ModalProperties modal_properties(const Building& building);
 
 /// Scales K so that the first period is `first_period` [s]. @throws InvalidParameter unless that is finite and > 0.
 void calibrate_period(StructuralModel& model, double first_period);

@@ -71,8 +71,6 @@ MatrixXd damping_matrix(const StructuralModel& model, const Modes& modes, const 
   return to * modal * to.transpose();
 }
 
-MatrixXd modal_of(const MatrixXd& damping, const Modes& modes) { return modal_damping(MatrixDamping{damping}, modes); }
-
 /// A structure that moves relative to something below it: coordinates z of the whole, y = B z of the structure.
 struct Above {
   MatrixXd b;
@@ -118,10 +116,9 @@ std::shared_ptr<const HystereticLaw> bearing_law(const Isolation& isolation) {
 
 /// What the structure is before it is put on something.
 struct Structure {
-  StructuralModel model;  ///< with K − K_g as its stiffness
+  StructuralModel model;  ///< with K as its stiffness
   MatrixXd damping;       ///< C
   VectorXd softening;     ///< P_j/h_j; empty: none
-  MatrixXd elastic;       ///< K
 };
 
 /// The slab's sway first, then the structure's dofs as totals.
@@ -143,8 +140,6 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   model.mass = to.transpose() * mass * to;
   model.stiffness = above.carried(model.stiffness);
   model.stiffness(0, 0) += initial_stiffness(isolation);
-  structure.elastic = above.carried(structure.elastic);
-  structure.elastic(0, 0) += initial_stiffness(isolation);
   structure.damping = above.carried(structure.damping);
   structure.damping(0, 0) += isolation.damping;
   VectorXd load(n + 1);
@@ -207,9 +202,8 @@ void put_on_soil(const Soil& soil, Structure& structure) {
     result(n + 1, n + 1) += rocking;
     return result;
   };
-  structure.elastic = with(structure.elastic, soil.sway.stiffness, soil.rocking.stiffness);
   structure.damping = with(structure.damping, soil.sway.damping, soil.rocking.damping);
-  model.stiffness = structure.elastic;
+  model.stiffness = with(model.stiffness, soil.sway.stiffness, soil.rocking.stiffness);
   model.mass = to.transpose() * mass * to;
   model.load = to.transpose() * load;
   carry_rows(above, model);
@@ -262,7 +256,6 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   Structure structure;
   structure.model = std::move(model);
   StructuralModel& whole = structure.model;
-  structure.elastic = whole.stiffness;
   MatrixXd fixed_stiffness = whole.stiffness;
   if (support.gravity) {
     structure.softening = softening(whole, *support.gravity);
@@ -283,8 +276,9 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
     }
   }
   if (support.soil) put_on_soil(*support.soil, structure);
-  whole.stiffness = structure.elastic;
-  if (support.gravity) {
+  if (!moves_below) {
+    whole.stiffness = fixed_stiffness;
+  } else if (support.gravity) {
     // On total sways, x_0 that of the slab or the foundation.
     const Index first = whole.has_slab ? 1 : 0;
     MatrixXd drifts = MatrixXd::Zero(structure.softening.size(), whole.dofs());
@@ -302,7 +296,8 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   Building building;
   building.name = std::move(name);
   building.modes = moves_below ? modes(whole.mass, whole.stiffness) : fixed_modes;
-  building.modal_damping = moves_below ? modal_of(structure.damping, building.modes) : fixed_damping;
+  building.modal_damping =
+      moves_below ? modal_damping(MatrixDamping{structure.damping}, building.modes) : fixed_damping;
   building.model = std::move(structure.model);
   building.storey_laws = std::move(storey_laws);
   building.has_gravity_loads = support.gravity.has_value();

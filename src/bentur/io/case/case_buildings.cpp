@@ -15,12 +15,12 @@ const std::vector<std::string>& structures() {
   return all;
 }
 
-void read_structure(const TomlView& view, const Units& units, ReadBuilding& building) {
+void read_structure(const TomlView& view, const Units& units, const CaseFiles& files, ReadBuilding& building) {
   const auto kind = view.exactly_one(structures());
   if (const auto frame = view.find("frame")) read_frame(*frame, units.gravity, building);
   if (const auto stick = view.find("stick")) read_stick(*stick, building);
   if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
-  if (const auto modal = view.find("modal")) read_modal(*modal, building);
+  if (const auto modal = view.find("modal")) read_modal(*modal, files, building);
   if (const auto generic = view.find("generic")) read_generic(*generic, units, building);
   if (!kind) {  // what was read does not say which floors are meant
     building.modes = 0;
@@ -28,7 +28,8 @@ void read_structure(const TomlView& view, const Units& units, ReadBuilding& buil
   }
 }
 
-ReadBuilding read_building(const TomlView& entry, const Units& units, const std::vector<ReadBuilding>& before) {
+ReadBuilding read_building(const TomlView& entry, const Units& units, const CaseFiles& files,
+                           const std::vector<ReadBuilding>& before) {
   ReadBuilding building;
   building.path = entry.path();
   if (!entry.is(TomlValue::Kind::table)) {
@@ -70,7 +71,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const std:
       "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
   building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
   building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
-  read_structure(view, units, building);
+  read_structure(view, units, files, building);
   if (view.has("modal")) {
     view.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
                 "needs the storeys of a building: one known by its modes stands as it is given");
@@ -122,13 +123,14 @@ std::vector<double> floor_elevations(const std::vector<double>& storey_heights) 
   return elevations;
 }
 
-std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseMemo* memo) {
+std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseFiles& files,
+                                         const CaseMemo* memo) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list) return buildings;
   for (const TomlView& table : list->items()) {
     const auto known = memo != nullptr ? memo->building(table.value(), units, buildings) : nullptr;
-    buildings.push_back(known ? *known : read_building(table, units, buildings));
+    buildings.push_back(known ? *known : read_building(table, units, files, buildings));
   }
   if (list->size() < 2) list->error("has " + list->entries() + ", expected two or more");
   return buildings;

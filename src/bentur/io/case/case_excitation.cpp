@@ -22,15 +22,23 @@ const std::vector<std::string> harmonic_keys = {"period", "displacement_amplitud
 /// Unknown keys, and known ones that belong to another kind.
 void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
   std::vector<std::string> known = common_keys;
-  known.insert(known.end(), record_keys.begin(), record_keys.end());
-  known.insert(known.end(), harmonic_keys.begin(), harmonic_keys.end());
+  for (const auto* keys : {&record_keys, &harmonic_keys, &spectrum_keys()}) {
+    known.insert(known.end(), keys->begin(), keys->end());
+  }
   (void)view.is_table_of(known);
   const auto refuse = [&](const std::vector<std::string>& keys, const char* owner) {
     if (!kind || *kind == owner) return;
     view.refuse(keys, fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owner, *kind));
   };
-  refuse(record_keys, "record");
+  const auto is_of = [](const std::vector<std::string>& keys) {
+    return [&](const std::string& key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+  };
+  std::vector<std::string> of_record = record_keys, of_spectrum = spectrum_keys();  // some are keys of both
+  if (kind == "spectrum") std::erase_if(of_record, is_of(spectrum_keys()));
+  std::erase_if(of_spectrum, is_of(record_keys));
+  refuse(of_record, "record");
   refuse(harmonic_keys, "harmonic");
+  refuse(of_spectrum, "spectrum");
 }
 
 /// A whole number that says where in a file to look; `good` is set to false where it is none.
@@ -196,8 +204,13 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
     view->error_value("must be a table");
     return spec;
   }
-  const auto kind = view->word("kind", {"record", "harmonic", "none"});
+  const auto kind = view->word("kind", {"record", "harmonic", "none", "spectrum"});
   check_keys(*view, kind);
+  if (kind == "spectrum") {
+    spec.spectrum = read_spectrum(*view, units, buildings.size(), folder, diagnostics);
+    spec.delays.assign(buildings.size(), 0.0);
+    return spec;
+  }
   if (kind == "record") {
     RecordEcho echo;
     if (auto motion = read_record_motion(*view, units, folder, echo, diagnostics, memo)) {

@@ -294,7 +294,7 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
     } else {
       spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points());
     }
-    if (spec.widths.size() == 1 && points > 1) spec.widths.assign(points, spec.widths.front());
+    if (spec.widths.size() == 1 && points > 1) spec.widths.resize(points, double{spec.widths.front()});
   }
   read_column_capacity(gap, sides, spec);
   if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {

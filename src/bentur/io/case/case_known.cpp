@@ -1,7 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/number_table.h"
 
 namespace bentur {
 namespace {
@@ -13,7 +18,7 @@ std::vector<double> per_storey(const TomlView& view, const std::string& key, std
   const auto value = view.get(key);
   if (!value) return {};
   std::vector<double> values = value->as_number_or_numbers(Rule::positive, {storeys, "one per storey"});
-  if (values.size() == 1) values.assign(storeys, values.front());
+  if (values.size() == 1) values.resize(storeys, double{values.front()});
   return values;
 }
 
@@ -23,10 +28,60 @@ double ratio_of(const std::string& system) {
   return system == "dual" ? 4 : 12;
 }
 
+/// Shapes of a table beside the case: a row a floor, a column a mode; with one column more the first holds elevations,
+/// and rows stand in any order. Empty (and an error) where something is wrong.
+std::vector<std::vector<double>> read_shapes_file(const TomlView& file, const CaseFiles& files,
+                                                  const ModalBuilding& modal, BuildingSpec& spec) {
+  const auto name = file.as_text();
+  if (!name) return {};
+  const std::filesystem::path path = files.folder / *name;
+  const std::string problem = input_problem(path, table_input);
+  if (!problem.empty()) {
+    file.error_value(problem + " (names are relative to the case file)");
+    return {};
+  }
+  spec.shapes_path = path.string();
+  const auto table = read_number_table(path, files.diagnostics);
+  if (!table) return {};
+  const std::size_t floors = modal.elevations.size(), modes = modal.periods.size();
+  const auto complain = [&](int line, const std::string& message) {
+    files.diagnostics.error({path.string(), line, line > 0 ? 1 : 0}, message);
+    return std::vector<std::vector<double>>{};
+  };
+  if (table->columns() != modes && table->columns() != modes + 1) {
+    return complain(table->lines.front(),
+                    fmt::format("has {}, expected {} (one per period of the case), or {} with the elevations first",
+                                counted(table->columns(), "column"), modes, modes + 1));
+  }
+  if (table->rows.size() != floors) {
+    return complain(0, fmt::format("has {} of numbers, expected {} (one per floor of the case)",
+                                   counted(table->rows.size(), "row"), floors));
+  }
+  const bool elevations_first = table->columns() == modes + 1;
+  std::vector<std::vector<double>> shapes(modes, std::vector<double>(floors));
+  std::vector<bool> seen(floors, false);
+  for (std::size_t i = 0; i < floors; ++i) {
+    std::size_t floor = i;
+    const std::vector<double>& row = table->rows[i];
+    if (elevations_first) {
+      const auto at = [&](double elevation) { return std::abs(elevation - row[0]) <= 1e-6 * modal.elevations.back(); };
+      const auto found = std::find_if(modal.elevations.begin(), modal.elevations.end(), at);
+      if (found == modal.elevations.end()) {
+        return complain(table->lines[i], fmt::format("elevation {} is of no floor of the case", row[0]));
+      }
+      floor = static_cast<std::size_t>(found - modal.elevations.begin());
+      if (seen[floor]) return complain(table->lines[i], fmt::format("elevation {} stands here twice", row[0]));
+      seen[floor] = true;
+    }
+    for (std::size_t mode = 0; mode < modes; ++mode) shapes[mode][floor] = row[mode + (elevations_first ? 1 : 0)];
+  }
+  return shapes;
+}
+
 }  // namespace
 
-void read_modal(const TomlView& view, ReadBuilding& building) {
-  if (!view.is_table_of({"elevations", "masses", "periods", "shapes"})) return;
+void read_modal(const TomlView& view, const CaseFiles& files, ReadBuilding& building) {
+  if (!view.is_table_of({"elevations", "masses", "periods", "shapes", "shapes_file"})) return;
   ModalBuilding modal;
   const auto elevations = view.get("elevations");
   if (elevations) modal.elevations = elevations->as_numbers(Rule::positive);
@@ -40,8 +95,13 @@ void read_modal(const TomlView& view, ReadBuilding& building) {
   if (periods && floors > 0 && modal.periods.size() > floors) {
     periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
   }
-  if (const auto shapes = view.get("shapes");
-      shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
+  const auto kind = view.exactly_one({"shapes", "shapes_file"});
+  if (kind == "shapes_file") {
+    if (ascends && floors > 0 && !modal.periods.empty()) {
+      modal.shapes = read_shapes_file(*view.find("shapes_file"), files, modal, building.spec);
+    }
+  } else if (const auto shapes = view.find("shapes");
+             shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
     for (const TomlView& shape : shapes->items()) {
       modal.shapes.push_back(shape.as_numbers(Rule::finite, {floors, "one per floor"}));
     }

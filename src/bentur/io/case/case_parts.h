@@ -33,8 +33,14 @@ struct ReadBuilding {
 
 [[nodiscard]] Units read_units(const TomlView& root);
 
+/// Where the files that a case names are, and where what is wrong in them goes.
+struct CaseFiles {
+  const std::filesystem::path& folder;
+  Diagnostics& diagnostics;
+};
+
 /// case_buildings.cpp. What `memo` holds is not read again.
-[[nodiscard]] std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units,
+[[nodiscard]] std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseFiles& files,
                                                        const CaseMemo* memo = nullptr);
 
 /// case_frame.cpp: [building.frame] into `building`. Gravity [length/s²] turns a unit weight into a density.
@@ -44,14 +50,12 @@ void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
 
 /// case_known.cpp: [building.modal], [building.generic], and what rigid = true goes with, into `building`.
-void read_modal(const TomlView& modal, ReadBuilding& building);
+void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
 void read_rigid(const TomlView& table, ReadBuilding& building);
 
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TomlView& table, double gravity, ReadBuilding& building);
-void read_isolation(const TomlView& isolation, ReadBuilding& building);
-void read_soil(const TomlView& soil, ReadBuilding& building);
 
 /// case_gaps.cpp; columns that are struck between floors get nodes there.
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);
@@ -99,6 +103,14 @@ void read_damping_stiffness(const TomlView& building, ReadBuilding& read);
                                              const std::vector<ReadBuilding>& buildings,
                                              const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                              Diagnostics& diagnostics, CaseMemo* memo = nullptr);
+
+/// case_spectrum.cpp: excitation.kind = "spectrum", its keys, and what only shows once the whole case is right.
+[[nodiscard]] const std::vector<std::string>& spectrum_keys();
+[[nodiscard]] SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t buildings,
+                                         const std::filesystem::path& folder, Diagnostics& diagnostics);
+struct ReadCase;
+void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read);
+[[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
 /// The ways round that a record can be applied: as-recorded reversed.
 [[nodiscard]] const std::vector<std::string>& polarities();

@@ -15,7 +15,6 @@
 
 #include "bentur/contact/laws.h"
 #include "bentur/io/case/case_toml.h"
-#include "tests/support/awaited_cases.h"
 
 namespace bentur {
 namespace {
@@ -358,10 +357,6 @@ TEST(CaseReading, EveryReferenceCaseIsRead) {
     ++cases;
     Diagnostics diagnostics;
     const auto c = read_case(entry.path(), diagnostics);
-    if (test::awaited_cases.count(entry.path().stem().string()) != 0) {
-      EXPECT_FALSE(c.has_value()) << "no longer to be awaited";
-      continue;
-    }
     for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
     ASSERT_TRUE(c.has_value());
     EXPECT_NO_THROW((void)make_problem(*c));

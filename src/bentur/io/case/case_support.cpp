@@ -36,8 +36,6 @@ void read_gravity(const TomlView& view, ReadBuilding& building) {
   if (view.has("p_delta")) view.find("p_delta")->error("and gravity_loads exclude one another: give one of them");
 }
 
-}  // namespace
-
 void read_isolation(const TomlView& view, ReadBuilding& building) {
   if (!view.is_table_of(
           {"mass", "stiffness", "characteristic_strength", "yield_displacement", "damping", "friction_pendulum"})) {
@@ -91,6 +89,8 @@ void read_soil(const TomlView& view, ReadBuilding& building) {
   }
   building.spec.soil = spec;
 }
+
+}  // namespace
 
 void read_support(const TomlView& view, double gravity, ReadBuilding& building) {
   building.spec.gravity = gravity;

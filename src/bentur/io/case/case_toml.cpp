@@ -96,6 +96,7 @@ LimitsSpec read_limits(const TomlView& view) {
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
   if (excitation.record) analysis.duration = excitation.record->duration;
+  if (excitation.spectrum) analysis.duration = 1;  // [s] of nothing: no run is made
   // A record that could not be read would have given the duration.
   const auto source = root.find("excitation");
   const auto kind = source && source->is(TomlValue::Kind::table) ? source->find("kind") : std::nullopt;
@@ -211,11 +212,12 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
                          CaseMemo* memo) {
   ReadCase read;
   Case& c = read.c;
-  (void)root.is_table_of({"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code"});
+  (void)root.is_table_of(
+      {"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code", "screening"});
   c.title = root.text("title", Need::optional).value_or("");
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
-  buildings = read_buildings(root, c.units, memo);
+  buildings = read_buildings(root, c.units, {folder, diagnostics}, memo);
   c.gaps = read_gaps(root, buildings);
   c.links = read_links(root, buildings);
   c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);
@@ -223,9 +225,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.initial = read_initial(root, buildings, moves);
   c.analysis = read_analysis(root, c.excitation);
   c.code = read_code(root, buildings);
+  c.screening = read_screening(root);
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
   if (!diagnostics.ok()) return read;
-  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !moves) {
+  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !c.excitation.spectrum && !moves) {
     root.find("excitation")
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
@@ -236,6 +239,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   if (diagnostics.ok()) {
     check_overlaps(root, read);
     check_times(root, views, read);
+    if (c.excitation.spectrum) check_spectrum(root, views, read);
   }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
@@ -295,9 +299,9 @@ std::optional<Case> read_case_text(const std::string& text, const std::filesyste
 
 std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
                                              Diagnostics& diagnostics) {
-  return read_parsed(text, file, diagnostics, [](TomlValue& root, const std::string& name, Diagnostics& found) {
+  return read_parsed(text, file, diagnostics, [&](TomlValue& root, const std::string& name, Diagnostics& found) {
     const bool taken = take_record_out(root);
-    Case c = read_case_parts(TomlView(root, "", name, found), {}, found).c;
+    Case c = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
     if (taken) c.excitation.motion = NoMotion{};
     return c;
   });

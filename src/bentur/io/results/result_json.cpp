@@ -22,8 +22,32 @@ Json units_json(const Units& units) { return {{"length", units.length}, {"force"
 
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+Json spectrum_json(const SpectrumSpec& spec) {
+  Json json = {{"kind", "spectrum"}, {"shape", spec.shape}};
+  if (!spec.file.empty()) json["file"] = spec.file;
+  if (const auto* shape = std::get_if<TwoPeriodSpectrum>(&spec.spectrum.shape)) {
+    json["short_period"] = shape->short_period;
+    json["one_second"] = shape->one_second;
+    json["long_period"] = shape->long_period;
+  } else if (const auto* eurocode = std::get_if<EurocodeSpectrum>(&spec.spectrum.shape)) {
+    json["ground_acceleration"] = eurocode->ground_acceleration;
+    json["soil_factor"] = eurocode->soil_factor;
+    json["corner_periods"] = {eurocode->corner_b, eurocode->corner_c, eurocode->corner_d};
+  } else {
+    const auto& table = std::get<TableSpectrum>(spec.spectrum.shape);
+    json["periods"] = table.periods;
+    json["accelerations"] = table.accelerations;
+  }
+  json["damping_ratio"] = spec.spectrum.damping_ratio;
+  json["damping_correction"] = spec.spectrum.corrects_damping ? "en-1998-1" : "none";
+  json["modal_combination"] = spec.combination == ModalCombination::cqc ? "cqc" : "srss";
+  if (!spec.reduction.empty()) json["reduction"] = spec.reduction;
+  return json;
+}
+
 Json excitation_json(const ExcitationSpec& excitation) {
   Json json;
+  if (excitation.spectrum) return spectrum_json(*excitation.spectrum);
   if (excitation.record) {
     json = {{"kind", "record"}};
     put_record(*excitation.record, json);
@@ -77,7 +101,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
 
 /// Springs and dashpots of the soil, given and derived.
 Json soil_json(const SoilSpec& spec) {
-  const Soil soil = spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
+  const Soil soil = soil_of(spec);
   Json json = {{"sway", {{"stiffness", soil.sway.stiffness}, {"damping", soil.sway.damping}}},
                {"rocking", {{"stiffness", soil.rocking.stiffness}, {"damping", soil.rocking.damping}}},
                {"foundation", {{"mass", soil.mass}, {"inertia", soil.inertia}}}};
@@ -264,7 +288,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
 std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
   Json all = Json::array();
   for (const Building& building : buildings) {
-    const ModalProperties properties = modal_properties(building.modes, building.model.load);
+    const ModalProperties properties = modal_properties(building);
     Json shapes = Json::array();
     for (Eigen::Index mode = 0; mode < building.modes.shapes.cols(); ++mode) {
       shapes.push_back(list(building.modes.shapes.col(mode)));
@@ -300,10 +324,67 @@ Json rules_json(const CodeSpec& code) {
   for (const CodeRuleSpec& spec : code.rules) {
     const CodeRule* const rule = find_code_rule(spec.rule);
     if (rule == nullptr) continue;
-    json.push_back(
-        {{"rule", rule->name}, {"title", rule->title}, {"clause", rule->clause}, {"wording", rule->wording}});
+    json.push_back({{"rule", rule->name},
+                    {"title", rule->title},
+                    {"clause", rule->clause},
+                    {"wording", rule->wording},
+                    {"assumes", rule->assumes}});
   }
   return json;
+}
+
+Json screening_json(const Case& c, const Problem& problem, Eigen::Index gap) {
+  Json json = Json::array();
+  for (const ScreeningFinding& found : screening(problem, gap, c.screening, c.units)) {
+    json.push_back({{"rule", found.rule->name},
+                    {"value", found.value},
+                    {"limit", or_null(found.limit)},
+                    {"unit", found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit)},
+                    {"verdict", verdict_text(found.verdict)},
+                    {"source", found.rule->source},
+                    {"wording", found.rule->wording}});
+  }
+  return json;
+}
+
+/// Each number the largest of some points'.
+PointSeparation largest_of(const std::vector<PointSeparation>& separations, const std::vector<Eigen::Index>& points) {
+  PointSeparation largest;
+  for (const Eigen::Index i : points) {
+    const PointSeparation& separation = separations.at(i);
+    largest.simulated = std::max(largest.simulated, separation.simulated);
+    largest.abs = std::max(largest.abs, separation.abs);
+    largest.srss = std::max(largest.srss, separation.srss);
+    largest.ddc = std::max(largest.ddc, separation.ddc);
+    if (largest.codes.empty()) largest.codes = separation.codes;
+    for (std::size_t k = 0; k < separation.codes.size(); ++k) {
+      CodeSeparation& code = largest.codes[k];
+      code.gap = std::max(code.gap, separation.codes[k].gap);
+      code.to_left = std::max(code.to_left, separation.codes[k].to_left);
+      code.to_right = std::max(code.to_right, separation.codes[k].to_right);
+    }
+  }
+  return largest;
+}
+
+/// What a gap or a point needs; `needed` names the number that no rule gives.
+Json separation_json(const PointSeparation& separation, const char* needed) {
+  return {{needed, separation.simulated},
+          {"abs", separation.abs},
+          {"srss", separation.srss},
+          {"ddc", separation.ddc},
+          {"codes", codes_json(separation.codes)}};
+}
+
+Json points_json(const Problem& problem, const std::vector<PointSeparation>& separations, const Gap& gap,
+                 const char* needed) {
+  Json points = Json::array();
+  for (const Eigen::Index i : gap.points) {
+    Json json = {{"elevation", problem.points[i].elevation}, {"width", problem.points[i].width}};
+    json.update(separation_json(separations.at(i), needed));
+    points.push_back(json);
+  }
+  return points;
 }
 
 }  // namespace
@@ -313,44 +394,60 @@ std::string gap_json(const RunResults& results, const std::vector<PointSeparatio
   const Problem& problem = results.problem;
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(problem)) {
-    Json points = Json::array();
-    PointSeparation largest;
+    PointSeparation largest = largest_of(separations, gap.points);
     largest.simulated = gap_needed(problem, results.response, gap.left);
-    for (const Eigen::Index i : gap.points) {
-      const ContactPoint& point = problem.points[i];
-      const PointSeparation& separation = separations.at(i);
-      points.push_back({{"elevation", point.elevation},
-                        {"width", point.width},
-                        {"simulated", separation.simulated},
-                        {"abs", separation.abs},
-                        {"srss", separation.srss},
-                        {"ddc", separation.ddc},
-                        {"codes", codes_json(separation.codes)}});
-      largest.abs = std::max(largest.abs, separation.abs);
-      largest.srss = std::max(largest.srss, separation.srss);
-      largest.ddc = std::max(largest.ddc, separation.ddc);
-      if (largest.codes.empty()) largest.codes = separation.codes;
-      for (std::size_t k = 0; k < separation.codes.size(); ++k) {
-        CodeSeparation& code = largest.codes[k];
-        code.gap = std::max(code.gap, separation.codes[k].gap);
-        code.to_left = std::max(code.to_left, separation.codes[k].to_left);
-        code.to_right = std::max(code.to_right, separation.codes[k].to_right);
-      }
-    }
-    gaps.push_back({{"between", between(problem, gap.left)},
-                    {"simulated", largest.simulated},
-                    {"abs", largest.abs},
-                    {"srss", largest.srss},
-                    {"ddc", largest.ddc},
-                    {"codes", codes_json(largest.codes)},
-                    {"points", points},
-                    {"watched_floors", watched_list(problem, results.response, gap, false)}});
+    Json json = {{"between", between(problem, gap.left)}};
+    json.update(separation_json(largest, "simulated"));
+    json["points"] = points_json(problem, separations, gap, "simulated");
+    json["watched_floors"] = watched_list(problem, results.response, gap, false);
+    json["screening"] = screening_json(results.c, problem, gap.left);
+    gaps.push_back(json);
   }
   return dump({{"title", results.c.title},
                {"units", units_json(results.c.units)},
                {"version", version},
                {"excitation", excitation_json(results.c.excitation)},
                {"code_rules", rules_json(results.c.code)},
+               {"gaps", gaps}});
+}
+
+std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                              std::string_view version) {
+  constexpr const char* needed = "spectral_difference";
+  Json buildings = Json::array(), gaps = Json::array();
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    const SpectralModes& modes = spectral.modes.at(b);
+    buildings.push_back({{"name", building.name},
+                         {"elevations", building.model.elevations},
+                         {"periods", list(modal_properties(building.modes, building.model.load).periods)},
+                         {"damping_ratios", list(modes.damping)},
+                         {"spectral_displacement", list(modes.displacement)},
+                         {"peak_displacement_srss", list(spectral.peaks.at(b).srss)},
+                         {"peak_displacement_cqc", list(spectral.peaks.at(b).cqc)}});
+  }
+  for (const Gap& gap : gaps_of(problem)) {
+    PointSeparation largest = largest_of(spectral.points, gap.points);
+    Json watched = Json::array();
+    for (const Eigen::Index i : gap.watched) {
+      Json json = watched_json(problem, problem.watched[i]);
+      json[needed] = spectral.watched.at(i);
+      largest.simulated = std::max(largest.simulated, spectral.watched.at(i));
+      watched.push_back(json);
+    }
+    Json json = {{"between", between(problem, gap.left)}};
+    json.update(separation_json(largest, needed));
+    json["points"] = points_json(problem, spectral.points, gap, needed);
+    json["watched_floors"] = watched;
+    json["screening"] = screening_json(c, problem, gap.left);
+    gaps.push_back(json);
+  }
+  return dump({{"title", c.title},
+               {"units", units_json(c.units)},
+               {"version", version},
+               {"excitation", excitation_json(c.excitation)},
+               {"code_rules", rules_json(c.code)},
+               {"buildings", buildings},
                {"gaps", gaps}});
 }
 

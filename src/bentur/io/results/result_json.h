@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -21,5 +22,10 @@ namespace bentur {
 /// values are the largest of its points', the simulated one of its watched floors too.
 [[nodiscard]] std::string gap_json(const RunResults& results, const std::vector<PointSeparation>& separations,
                                    std::string_view version);
+
+/// The same by the case's spectrum: of each building periods, spectral displacements and peaks by SRSS and CQC; of each
+/// gap the spectral difference in place of what is simulated.
+[[nodiscard]] std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                                            std::string_view version);
 
 }  // namespace bentur

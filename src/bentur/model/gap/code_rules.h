@@ -87,6 +87,7 @@ struct CodeKey {
 struct CodeRule {
   std::string_view name, title, clause;
   std::string_view wording;  ///< "checked", "to check", or which part of it
+  std::string_view assumes;  ///< which displacement u is, and what the factors make of it
   std::vector<CodeKey> keys;
   CodeSeparation (*separation)(const CodePair&, const CodeRuleSpec&);
 };

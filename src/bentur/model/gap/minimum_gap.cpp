@@ -12,10 +12,10 @@
 namespace bentur {
 namespace {
 
-SeparationInput separation_input(const Building& building, const BuildingPeaks& peaks, Eigen::Index floor) {
+SeparationInput separation_input(const Building& building, double displacement) {
   if (building.is_rigid()) return {.displacement = 0, .period = 1, .damping_ratio = 0};  // whatever its period
   const double omega = building.first_omega();
-  return {.displacement = peaks.displacement_no_contact(floor),
+  return {.displacement = displacement,
           .period = 2 * std::numbers::pi / omega,
           .damping_ratio = building.modal_damping(0, 0) / (2 * omega)};
 }
@@ -24,9 +24,9 @@ double height_of(const StructuralModel& model) {
   return std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
 }
 
-CodeSide code_side(const Building& building, const BuildingPeaks& peaks, Eigen::Index floor) {
+CodeSide code_side(const Building& building, double displacement, Eigen::Index floor) {
   const auto& storeys = building.model.storey_heights;
-  return {.displacement = peaks.displacement_no_contact(floor),
+  return {.displacement = displacement,
           .level = std::accumulate(storeys.begin(), storeys.begin() + floor + 1, 0.0),
           .height = height_of(building.model)};
 }
@@ -47,32 +47,33 @@ bool floors_aligned(const Building& left, const Building& right) {
   return below == lower.size() && std::all_of(lower.begin(), lower.end(), matched);
 }
 
-std::vector<PointSeparation> separations(const Problem& problem, const Response& response, const CodeSpec& code,
+std::vector<PointSeparation> separations(const Problem& problem, const PeaksForRules& peaks, const CodeSpec& code,
                                          const Units& units) {
-  if (response.buildings.size() != problem.buildings.size() || response.points.size() != problem.points.size()) {
-    throw InvalidParameter("response", std::to_string(response.points.size()) + " points",
-                           "must be the response of this problem");
+  const std::size_t buildings = problem.buildings.size();
+  if (peaks.peaks.size() != buildings || peaks.of_codes.size() != buildings ||
+      peaks.needed.size() != problem.points.size()) {
+    throw InvalidParameter("peaks", std::to_string(peaks.needed.size()) + " points", "must be those of this problem");
   }
   std::vector<PointSeparation> result;
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const ContactPoint& point = problem.points[i];
     const auto left = static_cast<std::size_t>(point.left);
+    const Building& left_building = problem.buildings[left];
+    const Building& right_building = problem.buildings[left + 1];
     // Of a node in a column the rules look at the floor above.
-    const Eigen::Index left_floor = problem.buildings[left].model.floor_at_or_above(point.left_floor);
-    const Eigen::Index right_floor = problem.buildings[left + 1].model.floor_at_or_above(point.right_floor);
-    const SeparationInput a = separation_input(problem.buildings[left], response.buildings[left], left_floor);
-    const SeparationInput b = separation_input(problem.buildings[left + 1], response.buildings[left + 1], right_floor);
+    const Eigen::Index left_floor = left_building.model.floor_at_or_above(point.left_floor);
+    const Eigen::Index right_floor = right_building.model.floor_at_or_above(point.right_floor);
+    const SeparationInput a = separation_input(left_building, peaks.peaks[left](left_floor));
+    const SeparationInput b = separation_input(right_building, peaks.peaks[left + 1](right_floor));
     result.push_back({.point = static_cast<int>(i),
-                      .simulated = response.points[i].minimum_gap_no_contact,
+                      .simulated = peaks.needed[i],
                       .abs = separation_abs(a, b),
                       .srss = separation_srss(a, b),
                       .ddc = separation_ddc(a, b),
                       .codes = {}});
     if (code.rules.empty()) continue;
-    const Building& left_building = problem.buildings[left];
-    const Building& right_building = problem.buildings[left + 1];
-    const CodePair pair{.left = code_side(left_building, response.buildings[left], left_floor),
-                        .right = code_side(right_building, response.buildings[left + 1], right_floor),
+    const CodePair pair{.left = code_side(left_building, peaks.of_codes[left](left_floor), left_floor),
+                        .right = code_side(right_building, peaks.of_codes[left + 1](right_floor), right_floor),
                         .left_building = left,
                         .floors_aligned = code.floors_aligned ? code.floors_aligned->at(left)
                                                               : floors_aligned(left_building, right_building),
@@ -81,6 +82,19 @@ std::vector<PointSeparation> separations(const Problem& problem, const Response&
     for (const CodeRuleSpec& rule : code.rules) result.back().codes.push_back(code_separation(pair, rule));
   }
   return result;
+}
+
+std::vector<PointSeparation> separations(const Problem& problem, const Response& response, const CodeSpec& code,
+                                         const Units& units) {
+  if (response.buildings.size() != problem.buildings.size() || response.points.size() != problem.points.size()) {
+    throw InvalidParameter("response", std::to_string(response.points.size()) + " points",
+                           "must be the response of this problem");
+  }
+  PeaksForRules peaks;
+  for (const BuildingPeaks& building : response.buildings) peaks.peaks.push_back(building.displacement_no_contact);
+  for (const PointSummary& point : response.points) peaks.needed.push_back(point.minimum_gap_no_contact);
+  peaks.of_codes = peaks.peaks;
+  return separations(problem, peaks, code, units);
 }
 
 }  // namespace bentur

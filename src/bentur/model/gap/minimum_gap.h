@@ -18,7 +18,18 @@ struct PointSeparation {
   std::vector<CodeSeparation> codes = {};  ///< one per rule of the case's [code], in its order
 };
 
+/// What the rules combine, wherever it comes from.
+struct PeaksForRules {
+  std::vector<Eigen::VectorXd> peaks;     ///< per building, of its floors [length]
+  std::vector<Eigen::VectorXd> of_codes;  ///< those that rules of codes amplify, likewise
+  std::vector<double> needed;             ///< per contact point [length], PointSeparation::simulated
+};
 /// One entry per contact point of the problem. `units` are those of the problem.
+/// @throws InvalidParameter when sizes disagree, or a code rule lacks something.
+[[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const PeaksForRules& peaks,
+                                                       const CodeSpec& code, const Units& units);
+
+/// The same from the free response.
 /// @throws InvalidParameter when the response is not that of the problem, or a code rule lacks something.
 [[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const Response& response,
                                                        const CodeSpec& code = {}, const Units& units = {});

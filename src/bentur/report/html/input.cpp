@@ -50,7 +50,7 @@ std::string damping_text(const Damping& damping, const Words& say) {
 }
 
 std::vector<double> reversed(std::vector<double> values, std::size_t size) {
-  if (values.size() == 1) values.assign(size, values.front());
+  if (values.size() == 1) values.resize(size, double{values.front()});
   std::reverse(values.begin(), values.end());
   return values;
 }
@@ -206,9 +206,7 @@ void support_echo(const BuildingSpec& spec, const Story& story, Rows& rows) {
     }
   }
   if (!spec.soil) return;
-  const Soil soil = spec.soil->half_space
-                        ? soil_of(*spec.soil->half_space, spec.soil->soil.mass, spec.soil->soil.inertia)
-                        : spec.soil->soil;
+  const Soil soil = soil_of(*spec.soil);
   rows.emplace_back(say("input.sway"), quantity(soil.sway.stiffness, spring) + ", " +
                                            quantity(soil.sway.damping, units.force + "·s/" + units.length));
   rows.emplace_back(say("input.rocking"), quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
@@ -222,7 +220,7 @@ std::vector<double> first_modes(const Eigen::VectorXd& values) {
 
 Html modes_table(const Building& building, const Story& story) {
   const Words& say = story.say;
-  const ModalProperties properties = modal_properties(building.modes, building.model.load);
+  const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> numbers = storey_numbers(static_cast<std::size_t>(shown));
   std::reverse(numbers.begin(), numbers.end());

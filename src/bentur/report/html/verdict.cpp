@@ -259,6 +259,41 @@ Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
   return table.markup();
 }
 
+/// What rules of thumb say of how the neighbours stand; nothing where one of them is a wall.
+Html screening_table(const Story& story, Eigen::Index gap) {
+  const Words& say = story.say;
+  const std::vector<ScreeningFinding> findings = screening(story.problem, gap, story.c.screening, story.c.units);
+  if (findings.empty()) return {};
+  using Verdict = ScreeningFinding::Verdict;
+  const auto verdict = [&](Verdict of) {
+    return say(of == Verdict::fine               ? "screening.fine"
+               : of == Verdict::attention        ? "screening.attention"
+               : of == Verdict::needs_seismicity ? "screening.needs_seismicity"
+                                                 : "screening.not_applicable");
+  };
+  HtmlTable table;
+  std::vector<std::string> rules, values, limits, units, verdicts, sources;
+  for (const ScreeningFinding& found : findings) {
+    const ScreeningRule& rule = *found.rule;
+    const bool yes_or_no = rule.name == "end-of-row" || rule.name == "pounding";
+    const bool open = yes_or_no && found.verdict == Verdict::needs_seismicity;
+    if (found.verdict == Verdict::attention) table.mark(rules.size());
+    rules.push_back(say("screening." + std::string(rule.name)));
+    values.push_back(open ? "–" : yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
+    limits.emplace_back(found.limit ? number(*found.limit) : "–");
+    units.emplace_back(rule.unit == "length" ? story.c.units.length : std::string(rule.unit));
+    verdicts.push_back(verdict(found.verdict));
+    sources.emplace_back(rule.wording == "ours" ? say("screening.ours") : std::string(rule.source));
+  }
+  table.add(say("screening.rule"), "", rules, false);
+  table.add(say("screening.value"), "", values);
+  table.add(say("screening.limit"), "", limits);
+  table.add(say("screening.unit"), "", units, false);
+  table.add(say("screening.verdict"), "", verdicts, false);
+  table.add(say("screening.source"), "", sources, false);
+  return element("h4", say("screening.heading")) + table.markup();
+}
+
 }  // namespace
 
 namespace {
@@ -380,8 +415,10 @@ Html gap_section(const Story& story) {
       codes = true;
       content += code_table(story, points);
     }
+    if (story.from_case()) content += screening_table(story, gap);
   }
   content += element("p", say("gap.note"), "class=\"note\"");
+  if (story.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p",
                      say(!story.from_case() ? "gap.no_case"
                          : codes            ? "gap.codes_note"

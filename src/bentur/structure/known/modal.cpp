@@ -70,9 +70,10 @@ ModalModel modal_model(const ModalBuilding& building, double base_elevation) {
       const double product = std::abs(products(i, j));
       result.largest_product = std::max(result.largest_product, product);
       if (product <= most_product) continue;
-      throw InvalidParameter("shapes",
-                             fmt::format("{:.3g} between modes {} and {}", product, order[j] + 1, order[i] + 1),
-                             "must be orthogonal over the masses to within 0.02: are they of these masses?");
+      throw InvalidParameter(
+          "shapes", fmt::format("{:.3g} between modes {} and {}", product, order[j] + 1, order[i] + 1),
+          "must be orthogonal over the masses to within 0.02: are they of these masses, the lowest floor "
+          "first?");
     }
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(products);

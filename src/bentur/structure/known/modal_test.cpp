@@ -83,6 +83,18 @@ TEST(Modal, FewerModesThanFloors) {
   EXPECT_NEAR(sum, 1, 1e-12) << "one mode, of unit modal mass";
 }
 
+TEST(Modal, FractionsAreOfAllMassWhateverModesAreKnown) {
+  const auto building = [](Index count) {
+    ModalModel known = modal_model(told(three, count));
+    return Building{"A", std::move(known.model), std::move(known.modes), {}};
+  };
+  const Eigen::VectorXd all = modal_properties(building(3)).effective_mass_fraction;
+  const Eigen::VectorXd one = modal_properties(building(1)).effective_mass_fraction;
+  EXPECT_NEAR(all.sum(), 1, 1e-12);
+  EXPECT_NEAR(one(0), all(0), 1e-12);
+  EXPECT_LT(one(0), 0.99);
+}
+
 TEST(Modal, ShapesOfOtherMassesAreRefused) {
   ModalBuilding building = told(three, 3);
   building.shapes[1][2] *= 1.2;

@@ -77,14 +77,11 @@ class Work {
         needs.records.push_back(need(choices, records));
         progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
       }
-      for (Eigen::Index gap = 0; gap + 1 < std::ssize(facts_.problem.buildings); ++gap) {
-        GapOverRecords over{quantile_of_needs(needs, gap, 1), quantile_of_needs(needs, gap, 0.5), {}, {}};
-        for (const double p : told_quantiles) over.quantiles.push_back({p, quantile_of_needs(needs, gap, p)});
-        needs.gaps.push_back(std::move(over));
-      }
+      tell_quantiles(needs);
       compare_with_given(widths, choices, needs);
       result_.needs.push_back(std::move(needs));
     }
+    if (blocks > 1) put_together();
   }
 
  private:
@@ -113,6 +110,33 @@ class Work {
       if (axes.has(vary.axis)) result.emplace_back(vary.name, value_text(vary, choices[vary.axis]));
     }
     return result;
+  }
+
+  void tell_quantiles(RecordNeeds& needs) const {
+    for (Eigen::Index gap = 0; gap + 1 < std::ssize(facts_.problem.buildings); ++gap) {
+      GapOverRecords over{quantile_of_needs(needs, gap, 1), quantile_of_needs(needs, gap, 0.5), {}, {}};
+      for (const double p : told_quantiles) over.quantiles.push_back({p, quantile_of_needs(needs, gap, p)});
+      needs.gaps.push_back(std::move(over));
+    }
+  }
+
+  /// Of all choices of whatever else varies. Widths do not, so that those given are the same for all.
+  void put_together() {
+    RecordNeeds all;
+    for (const RecordNeeds& one : result_.needs) {
+      all.records.insert(all.records.end(), one.records.begin(), one.records.end());
+    }
+    tell_quantiles(all);
+    for (std::size_t gap = 0; gap < all.gaps.size(); ++gap) {
+      all.gaps[gap].given = result_.needs.front().gaps[gap].given;
+      for (std::size_t i = 0; i < all.gaps[gap].given.size(); ++i) {
+        all.gaps[gap].given[i].beyond = 0;
+        for (const RecordNeeds& one : result_.needs) {
+          all.gaps[gap].given[i].beyond += one.gaps[gap].given.at(i).beyond;
+        }
+      }
+    }
+    result_.together = std::move(all);
   }
 
   /// How many records need more than is given, for every choice of widths.

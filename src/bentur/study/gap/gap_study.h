@@ -64,6 +64,9 @@ struct GapStudy {
   std::optional<double> at;  ///< with [ida]: intensity that every record is scaled to
   std::string intensity, intensity_unit;
   std::vector<RecordNeeds> needs;
+  /// All of them together, each record with each choice of whatever else varies as likely as any other: what is not
+  /// known of a building adds to what is not known of the earthquake. Nothing where nothing else varies.
+  std::optional<RecordNeeds> together = {};
 };
 
 /// Whether a file is a study, which names a case, rather than a case.

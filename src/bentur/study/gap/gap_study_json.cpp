@@ -28,21 +28,8 @@ Json need_json(const GapNeed& need, const CodeSpec& code) {
   return json;
 }
 
-Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
-  const auto left = static_cast<int>(gap);
-  Json records = Json::array();
-  for (const RecordNeed& record : needs.records) {
-    records.push_back({{"record", record.record}});
-    records.back().update(need_json(record.gaps[gap], study.code));
-    Json points = Json::array();
-    for (const PointSeparation& one : record.separations) {
-      const ContactPoint& point = study.problem.points.at(static_cast<std::size_t>(one.point));
-      if (point.left != left) continue;
-      points.push_back({{"elevation", point.elevation}});
-      points.back().update(numbers_json(one));
-    }
-    records.back()["points"] = points;
-  }
+/// Over the records, without them.
+Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
   const GapOverRecords& over = needs.gaps[gap];
   Json quantiles = Json::array(), given = Json::array();
   for (const GapQuantile& one : over.quantiles) {
@@ -59,8 +46,27 @@ Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) 
           {"largest", need_json(over.largest, study.code)},
           {"median", need_json(over.median, study.code)},
           {"quantiles", quantiles},
-          {"given", given},
-          {"records", records}};
+          {"given", given}};
+}
+
+Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
+  const auto left = static_cast<int>(gap);
+  Json records = Json::array();
+  for (const RecordNeed& record : needs.records) {
+    records.push_back({{"record", record.record}});
+    records.back().update(need_json(record.gaps[gap], study.code));
+    Json points = Json::array();
+    for (const PointSeparation& one : record.separations) {
+      const ContactPoint& point = study.problem.points.at(static_cast<std::size_t>(one.point));
+      if (point.left != left) continue;
+      points.push_back({{"elevation", point.elevation}});
+      points.back().update(numbers_json(one));
+    }
+    records.back()["points"] = points;
+  }
+  Json json = over_json(study, needs, gap);
+  json["records"] = records;
+  return json;
 }
 
 }  // namespace
@@ -69,8 +75,11 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
   Json rules = Json::array();
   for (const CodeRuleSpec& spec : study.code.rules) {
     const CodeRule* const rule = find_code_rule(spec.rule);
-    rules.push_back(
-        {{"rule", rule->name}, {"title", rule->title}, {"clause", rule->clause}, {"wording", rule->wording}});
+    rules.push_back({{"rule", rule->name},
+                     {"title", rule->title},
+                     {"clause", rule->clause},
+                     {"wording", rule->wording},
+                     {"assumes", rule->assumes}});
   }
   Json all = Json::array();
   for (const RecordNeeds& needs : study.needs) {
@@ -80,9 +89,16 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
   }
   Json intensity = nullptr;
   if (study.at) intensity = {{"name", study.intensity}, {"unit", study.intensity_unit}, {"value", *study.at}};
-  const Json json = {{"title", study.title}, {"units", {{"length", study.units.length}, {"force", study.units.force}}},
-                     {"version", version},   {"intensity", intensity},
-                     {"code_rules", rules},  {"studied", all}};
+  Json json = {{"title", study.title}, {"units", {{"length", study.units.length}, {"force", study.units.force}}},
+               {"version", version},   {"intensity", intensity},
+               {"code_rules", rules},  {"studied", all}};
+  if (study.together) {
+    Json gaps = Json::array();
+    for (std::size_t gap = 0; gap < study.together->gaps.size(); ++gap) {
+      gaps.push_back(over_json(study, *study.together, gap));
+    }
+    json["together"] = {{"runs", study.together->records.size()}, {"gaps", gaps}};
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -43,6 +43,10 @@ class Trial {
       }
     }
     if (!found.ok()) return false;
+    if (const auto& spectrum = read.c.excitation.spectrum) {
+      diagnostics_.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
+      return false;
+    }
     try {
       facts_.problem = read.problem();
     } catch (const InvalidParameter& error) {
@@ -111,6 +115,9 @@ class Trial {
   ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
     ReadCase read = read_chosen(study_, chosen_case(study_, choices), memo_, found);
     if (found.ok() && read.c.excitation.record) note(study_.case_file.parent_path() / read.c.excitation.record->file);
+    for (const BuildingSpec& building : read.c.buildings) {
+      if (found.ok() && !building.shapes_path.empty()) note(building.shapes_path);
+    }
     return read;
   }
 

@@ -119,7 +119,7 @@ std::optional<double> number_of(std::string_view text, bool decimal_comma) {
     if (c == ',' && decimal_comma) c = '.';
   }
   double value = 0;
-  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
+  const auto [end, failure] = from_chars(number.data(), number.data() + number.size(), value);
   if (end != number.data() + number.size()) return std::nullopt;
   if (failure == std::errc::result_out_of_range) {  // 1e-400 is zero, 1e400 is beyond any double
     const std::size_t exponent = number.find_first_of("eE");

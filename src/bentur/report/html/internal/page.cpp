@@ -59,7 +59,9 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-" +
       nonce + "'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n";
   Html content = body;
-  if (with_script) content += element("script", Html::markup(asset("report.js")), "nonce=\"" + nonce + "\"");
+  if (with_script)
+    content += element("script", Html::markup(std::string(asset("motion.js")) + std::string(asset("report.js"))),
+                       "nonce=\"" + nonce + "\"");
   const Html document = element("head", Html::markup(head) + element("title", title) +
                                             element("style", Html::markup(asset("report.css")))) +
                         Html::markup("\n") + element("body", content);

@@ -99,14 +99,14 @@ void let_push(const std::vector<ModalSystem::Block>& blocks, ModalSystem::Relati
   if (relation.right_size > 0) relation.right_push(blocks[relation.right].modes) = 0.0;
 }
 
-/// The drift of one storey.
-ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, const Building& of, Index storey) {
+/// The drift of one storey; `shape`: that of each mode.
+ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, const VectorXd& shape) {
   ModalSystem::Relation relation;
   relation.left = relation.right = building;
   relation.left_begin = relation.right_begin = block.begin;
   relation.left_size = block.padded_size;
   relation.left_row = VectorXd::Zero(block.padded_size);
-  relation.left_row.head(block.modes) = of.modes.shapes.transpose() * drift_rows(of.model).row(storey).transpose();
+  relation.left_row.head(block.modes) = shape;
   return relation;
 }
 
@@ -163,20 +163,24 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Building& building = problem.buildings[b];
     if (!building.has_gravity_loads) continue;
+    const MatrixXd drifts = drift_rows(building.model);
     for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
       const auto at = static_cast<Index>(b);
-      elements.push_back({drift(blocks[b], at, building, f)});
+      elements.push_back({drift(blocks[b], at, building.modes.shapes.transpose() * drifts.row(f).transpose())});
       limits.push_back({at, f});
     }
   }
   storeys = std::ssize(elements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Building& building = problem.buildings[b];
+    if (!building.can_yield()) continue;
+    const MatrixXd drifts = drift_rows(building.model);
     Index force = blocks[b].begin + blocks[b].modes + 1;
     for (Index f = 0; f < building.model.floors(); ++f) {
       const HystereticLaw* law = building.storey_law(f);
       if (law == nullptr) continue;
-      elements.push_back({drift(blocks[b], static_cast<Index>(b), building, f), law->initial_stiffness(),
+      const VectorXd shape = building.modes.shapes.transpose() * drifts.row(f).transpose();
+      elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), law->initial_stiffness(),
                           building.tangent_damping, force++});
     }
   }

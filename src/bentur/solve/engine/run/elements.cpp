@@ -47,8 +47,8 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system,
 Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle, const Scales& scales, double accuracy,
                    State& state)
     : system_(&system),
-      laws_(laws_of(problem)),
-      offsets_(offsets_of(problem)),
+      laws_(laws_of(problem, system)),
+      offsets_(offsets_of(problem, system)),
       idle_(idle),
       tolerances_(laws_.size(), 0.0),
       least_speeds_(laws_.size(), 0.0),
@@ -77,7 +77,7 @@ Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle
 }
 
 /// From rest to the initial state in one direction, slowly: what guards end on the way.
-void Elements::load(Index i, State& state) {
+void Elements::load(Index i, const State& state) {
   const double end = deformation(i, state);
   const double sense = end < 0.0 ? -1.0 : 1.0;
   double at = 0.0;
@@ -95,12 +95,10 @@ void Elements::load(Index i, State& state) {
     }
     if (!failed) break;
     take_work(i, where);
-    states_[i] = law(i).next(states_[i], *failed, 0.0, where, sense);
-    branches_[i] = law(i).branch(states_[i]);
+    enter(i, law(i).next(states_[i], *failed, 0.0, where, sense));
     at = where;
   }
   take_work(i, end);
-  enter(i, states_[i]);
   initial_work_ += accounts_[i].work - 0.5 * system_->elements[i].stiffness * end * end;
 }
 

@@ -148,7 +148,7 @@ class Elements {
   [[nodiscard]] double tolerance(Eigen::Index element, const Guard& guard, const State& state) const;
   [[nodiscard]] Polynomial guarded(Eigen::Index element, const Guard& guard, const Polynomial& deformation, double h,
                                    double time) const;
-  void load(Eigen::Index element, State& state);
+  void load(Eigen::Index element, const State& state);
   void enter(Eigen::Index element, const LawState& law_state);
   void set(Eigen::Index element, const LawState& law_state, State& state);
   void gather(State& state);

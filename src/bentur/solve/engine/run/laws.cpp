@@ -4,17 +4,13 @@
 
 namespace bentur::engine {
 
-using Eigen::Index;
-
-std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem) {
+std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem, const ModalSystem& system) {
   std::vector<std::shared_ptr<const Law>> laws;
   for (const ContactPoint& point : problem.points) laws.push_back(point.law);
   for (const Link& link : problem.links) laws.push_back(link.law);
-  for (const Building& building : problem.buildings) {
-    if (!building.has_gravity_loads) continue;
-    for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
-      laws.push_back(std::make_shared<DeformationLimit>(problem.collapse_drift * building.model.storey_heights[f]));
-    }
+  for (const ModalSystem::DriftLimit& limit : system.limits) {
+    const double height = problem.buildings[limit.building].model.storey_heights[limit.storey];
+    laws.push_back(std::make_shared<DeformationLimit>(problem.collapse_drift * height));
   }
   for (const Building& building : problem.buildings) {
     for (const auto& law : building.storey_laws) {
@@ -24,8 +20,8 @@ std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem) {
   return laws;
 }
 
-std::vector<double> offsets_of(const Problem& problem) {
-  std::vector<double> offsets(laws_of(problem).size(), 0.0);
+std::vector<double> offsets_of(const Problem& problem, const ModalSystem& system) {
+  std::vector<double> offsets(system.elements.size(), 0.0);
   for (std::size_t i = 0; i < problem.points.size(); ++i) offsets[i] = -problem.points[i].width;
   return offsets;
 }

@@ -23,8 +23,8 @@ constexpr const char* not_finite = "the response is no longer a finite number";
 Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales)
     : system_(setup.system),
       problem_(setup.problem),
-      stepper_(setup.system, offsets_of(setup.problem), setup.solver),
-      motion_(setup.system, offsets_of(setup.problem)),
+      stepper_(setup.system, offsets_of(setup.problem, setup.system), setup.solver),
+      motion_(setup.system, offsets_of(setup.problem, setup.system)),
       state_{system_.initial_q, system_.initial_v},
       inputs_(system_.blocks.size()),
       elements_(system_, setup.problem, idle, scales, stepper_.accuracy(), state_),

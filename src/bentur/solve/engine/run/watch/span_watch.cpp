@@ -74,12 +74,8 @@ void SpanWatch::take(const StepBuffer& buffer) {
       const StepBuffer::Step& at = buffer.step(step);
       if (at.flights == nullptr) {
         const ModalSystem::Relation& first = relations_[group.first];
-        const auto block = [&](Index begin) -> const ModalSystem::Block& {
-          return *std::find_if(system_->blocks.begin(), system_->blocks.end(),
-                               [&](const ModalSystem::Block& one) { return one.begin == begin; });
-        };
-        search(group, buffer.curves(block(first.left_begin), step), buffer.curves(block(first.right_begin), step),
-               start(step));
+        const std::vector<ModalSystem::Block>& blocks = system_->blocks;
+        search(group, buffer.curves(blocks[first.left], step), buffer.curves(blocks[first.right], step), start(step));
         continue;
       }
       const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_->size); };

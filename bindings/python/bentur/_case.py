@@ -1,0 +1,242 @@
+"""A case: what is asked."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core, _model
+
+# What stands in the case where a law of Python's own takes its place.
+_STAND_IN = {"law": "linear", "stiffness": 1.0}
+
+
+class Case:
+    """A case, read and checked. It does not change: :meth:`replace` makes another one.
+
+    Made from the tables of a case file, as classes (:class:`bentur.Building` and so on) or as dictionaries, under the
+    file's names, which docs/case-file.md explains::
+
+        case = bentur.Case(
+            units=bentur.Units(length="m", force="kN"),
+            building=[
+                bentur.Building(name="A", damping=0.05, stick=bentur.Stick(
+                    storey_heights=[3.0], masses=[30.0], stiffnesses=[4.0e4])),
+                bentur.Building(name="B", damping=0.05, stick=bentur.Stick(
+                    storey_heights=[3.0], masses=[30.0], stiffnesses=[9.0e4])),
+            ],
+            gap=[bentur.Gap(between=["A", "B"], width=0.02,
+                            contact=bentur.Contact(law="kelvin-voigt", stiffness=1.0e5, restitution=0.65))],
+            excitation=bentur.Excitation(kind="harmonic", period=0.5, displacement_amplitude=0.02),
+            analysis=bentur.Analysis(duration=10.0),
+        )
+
+    :param folder: the folder that record files are relative to.
+    :raises CaseError: with all that is wrong. Values made in Python have no line; the key says where.
+    """
+
+    def __init__(
+        self,
+        *,
+        building: Sequence[_model.Building | _model.Table],
+        gap: Sequence[_model.Gap | _model.Table],
+        excitation: _model.Excitation | _model.Table,
+        title: str | None = None,
+        units: _model.Units | _model.Table | None = None,
+        link: Sequence[_model.Link | _model.Table] | None = None,
+        initial: _model.Initial | _model.Table | None = None,
+        analysis: _model.Analysis | _model.Table | None = None,
+        code: _model.Table | None = None,
+        folder: str | PathLike[str] = ".",
+    ) -> None:
+        given = {
+            "title": title,
+            "units": units,
+            "building": building,
+            "gap": gap,
+            "link": link,
+            "excitation": excitation,
+            "initial": initial,
+            "analysis": analysis,
+            "code": code,
+        }
+        made = Case.from_dict(given, folder=folder)
+        self._made, self._laws, self._files = made._made, made._laws, made._files
+
+    _made: _core.Case
+    _laws: list[tuple[int, _core.ContactLaw]]
+    _files: list[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
+
+    @classmethod
+    def _of(
+        cls,
+        core: _core.Case,
+        laws: list[tuple[int, _core.ContactLaw]] | None = None,
+        files: list[tempfile.TemporaryDirectory[str]] | None = None,
+    ) -> Case:
+        case = cls.__new__(cls)
+        case._made, case._laws, case._files = core, laws or [], files or []
+        return case
+
+    @classmethod
+    def from_file(cls, file: str | PathLike[str]) -> Case:
+        """Reads a case file (TOML) and the record it names.
+
+        :raises CaseError: with every error, each with file, line and column.
+        """
+        return cls._of(_core.Case.from_file(file))
+
+    @classmethod
+    def from_text(cls, text: str, *, name: str = "case.toml", folder: str | PathLike[str] = ".") -> Case:
+        """The same of a text; `name` is what messages call it, `folder` the one that record files are relative to."""
+        return cls._of(_core.Case.from_text(text, name, folder))
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any], *, folder: str | PathLike[str] = ".") -> Case:
+        """A case from the tables of a case file, as dictionaries or classes or both."""
+        tables = _model.table_of({key: value for key, value in values.items() if key != "gap"})
+        laws: list[tuple[int, _core.ContactLaw]] = []
+        gaps: list[Any] = []
+        for number, gap in enumerate(values.get("gap") or []):
+            contact = gap.get("contact") if isinstance(gap, Mapping) else gap.contact
+            table = _model.table_of(gap)
+            if isinstance(contact, _model.ForceLaw | _model.BranchLaw):
+                laws.append((number, contact._made()))
+                table["contact"] = dict(_STAND_IN)
+            gaps.append(table)
+        if "gap" in values:
+            tables["gap"] = gaps
+        files: list[tempfile.TemporaryDirectory[str]] = []
+        _write_values(tables, files)
+        where = files[0].name if files else folder
+        return cls._of(_core.Case.from_values(tables, "", where), laws, files)
+
+    def replace(self, values: Mapping[str, Any]) -> Case:
+        """The same case with other values, by their keys: ``case.replace({"gap[0].width": 0.03})``.
+
+        Keys are those of a study's ``parameter``; entries of a list count from 0, and those with a name can be named:
+        ``building["A"].stick.masses[0]``.
+
+        :raises CaseError: where that makes no case.
+        """
+        laws = list(self._laws)
+        plain: dict[str, Any] = {}
+        for key, value in values.items():
+            if isinstance(value, _model.ForceLaw | _model.BranchLaw):
+                if not (key.startswith("gap[") and key.endswith("].contact")):
+                    raise ValueError(f"{key} cannot be a law of Python's own: only gap[N].contact can")
+                number = int(key[4 : key.index("]")])
+                laws = [one for one in laws if one[0] != number] + [(number, value._made())]
+                plain[key] = dict(_STAND_IN)
+            else:
+                plain[key] = _model.table_of(value)
+                if key.startswith("gap[") and key.endswith("].contact"):
+                    laws = [one for one in laws if one[0] != int(key[4 : key.index("]")])]
+        return Case._of(self._made.with_values(plain), laws, self._files)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The tables of the case as they were given. A law of Python's own is not among them."""
+        return self._made.values()
+
+    @property
+    def title(self) -> str:
+        return self._made.title
+
+    @property
+    def text(self) -> str | None:
+        """The case file, where there is one."""
+        return self._made.text
+
+    @property
+    def folder(self) -> Path:
+        return Path(self._made.folder)
+
+    @property
+    def length(self) -> str:
+        """The case's unit of length."""
+        return self._made.length
+
+    @property
+    def force(self) -> str:
+        """The case's unit of force."""
+        return self._made.force
+
+    @property
+    def gravity(self) -> float:
+        """[length/s²]"""
+        return self._made.gravity
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return self._made.duration
+
+    @property
+    def buildings(self) -> list[str]:
+        """Names, from left to right."""
+        return self._made.buildings
+
+    def matrices(self, building: str | int) -> dict[str, NDArray[np.float64]]:
+        """``mass`` [mass] and ``stiffness`` [force/length] of a building as the solver has them, condensed and
+        calibrated, and ``elevations`` [length] of its floors."""
+        number = self.buildings.index(building) if isinstance(building, str) else building
+        return self._made.matrices(number)
+
+    @property
+    def acceleration(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Times [s] and accelerations [length/s²] of the record as applied, scaled; empty without a record."""
+        found = self._made.excitation
+        if "acceleration" not in found:
+            return np.empty(0), np.empty(0)
+        values: NDArray[np.float64] = found["acceleration"]
+        return float(found["time_step"]) * np.arange(len(values), dtype=np.float64), values
+
+    def __repr__(self) -> str:
+        return f"<bentur.Case {self.title or ' | '.join(self.buildings)!r}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._laws:
+            raise TypeError("a case with a law of Python's own cannot be pickled")
+        if self.text is not None:
+            return _unpickled, (self.text, self._made.name, str(self.folder))
+        return _unpickled, (_with_record(self), "", str(self.folder))
+
+
+def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
+    if isinstance(content, str):
+        return Case.from_text(content, name=name, folder=folder)
+    return Case.from_dict(content, folder=folder)
+
+
+def _with_record(case: Case) -> dict[str, Any]:
+    """The tables, with a record that was given as an array put back."""
+    tables = case.to_dict()
+    if case._files:
+        excitation = tables["excitation"]
+        excitation["values"] = np.loadtxt(Path(case._files[0].name) / excitation.pop("file"))
+        del excitation["format"]
+    return tables
+
+
+def _write_values(tables: dict[str, Any], files: list[tempfile.TemporaryDirectory[str]]) -> None:
+    """A record that is given as an array becomes a file, to the last digit: one reader, one set of checks."""
+    excitation = tables.get("excitation")
+    if not isinstance(excitation, dict) or "values" not in excitation:
+        return
+    values = np.asarray(excitation.pop("values"), dtype=float).ravel()
+    folder = tempfile.TemporaryDirectory(prefix="bentur-")
+    files.append(folder)
+    text = "\n".join(map(repr, values.tolist())) + "\n"
+    (Path(folder.name) / "values.txt").write_text(text, encoding="ascii")
+    excitation["file"] = "values.txt"
+    excitation.setdefault("format", "one-column")
+
+
+def as_case(case: Case | str | PathLike[str]) -> Case:
+    return case if isinstance(case, Case) else Case.from_file(case)

@@ -1,0 +1,220 @@
+"""What is done with a case or a record."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._case import Case, as_case
+from ._errors import missing
+from ._result import Result
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = bool | Callable[[float], object] | None
+
+
+@contextmanager
+def shown(progress: Progress, what: str) -> Iterator[Callable[[float], object] | None]:
+    """A function to call with the fraction done: the caller's own, a bar of tqdm, or nothing."""
+    if progress is None or progress is False:
+        yield None
+    elif progress is True:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            yield None
+            return
+        with tqdm(total=100, desc=what, unit="%", delay=1, leave=False) as bar:
+            yield lambda fraction: bar.update(100 * fraction - bar.n)
+    else:
+        yield progress
+
+
+def run(
+    case: Case | str | PathLike[str], *, histories: bool = True, output_step: float | None = None, progress: Progress = None
+) -> Result:
+    """Simulates a case, as ``bentur run`` does and with the same numbers.
+
+    The interpreter's lock is released meanwhile, so that threads run side by side; Ctrl-C stops the run.
+
+    :param case: a case, or the name of a case file.
+    :param histories: whether samples are kept; they change nothing else.
+    :param output_step: [s] of the samples; default ``analysis.output_step``.
+    :param progress: ``True``: a bar after one second, where tqdm is installed; or a function of the fraction done.
+    :raises CaseError: where the case is not right, or takes more than its limits.
+    :raises SolveError: where the numbers fail.
+    """
+    asked = as_case(case)
+    step = (output_step or asked._made.output_step) if histories else 0.0
+    with shown(progress, asked.title or "run") as told:
+        return Result(_core.solve(asked._made, step, asked._laws, told), asked, asked._laws)
+
+
+def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
+    """Periods, participation, effective masses and shapes of each building, as ``bentur modes CASE --json`` has them.
+
+    :param method: ``"library"``, or ``"jacobi"`` as in the monograph.
+    :returns: by names of buildings; lists became arrays, ``shapes`` is modes × degrees of freedom.
+    """
+    if method not in ("library", "jacobi"):
+        raise ValueError(f'method = "{method}", must be "library" or "jacobi"')
+    told = json.loads(_core.modes_json(as_case(case)._made, method == "jacobi"))
+    return {one["name"]: {k: np.array(v) if isinstance(v, list) else v for k, v in one.items()} for one in told["buildings"]}
+
+
+def minimum_gap(
+    case: Case | str | PathLike[str], *, at: float | None = None, progress: Progress = None
+) -> dict[str, Any]:
+    """The gap that keeps the buildings apart, simulated and by the rules, as ``bentur gap --json`` has it.
+
+    :param case: a case or its file; or the file of a study: then over all of its records.
+    :param at: for a study with ``[ida]``: the intensity; default its highest level.
+    """
+    with shown(progress, "gap") as told:
+        found: dict[str, Any]
+        if not isinstance(case, Case) and _core.is_study(case):
+            found = json.loads(_core.gap_study_json(case, at, told))
+            return found
+        if at is not None:
+            raise ValueError("at is for a study with [ida]")
+        asked = as_case(case)
+        found = json.loads(_core.solve(asked._made, 0.0, asked._laws, told).gap_json())
+        return found
+
+
+@dataclass(frozen=True)
+class Record:
+    """A ground motion as its file has it.
+
+    `values` are in `unit` (empty where the file does not say it), every `time_step` [s].
+    """
+
+    file: str
+    format: str
+    unit: str
+    time_step: float
+    values: NDArray[np.float64]
+    header_lines: int = 0
+    channel: str = ""
+    mean_removed: float = 0.0
+
+    @property
+    def time(self) -> NDArray[np.float64]:
+        """[s]"""
+        return self.time_step * np.arange(len(self.values), dtype=np.float64)
+
+    @property
+    def peak(self) -> float:
+        """Largest absolute value, in `unit`."""
+        return float(np.abs(self.values).max())
+
+
+def read_record(
+    file: str | PathLike[str],
+    *,
+    format: str = "auto",
+    time_step: float | None = None,
+    column: int | None = None,
+    channel: int | None = None,
+    skip_lines: int = 0,
+) -> Record:
+    """Reads a strong-motion file in any of the formats of docs/record-files.md.
+
+    :raises CaseError: with what is wrong, where.
+    """
+    return Record(**_core.read_record(file, format, time_step, column, channel, skip_lines))
+
+
+def logarithmic_periods(first: float = 0.05, last: float = 5.0, count: int = 41) -> NDArray[np.float64]:
+    """`count` periods from `first` to `last` [s], evenly spaced on a logarithmic scale."""
+    return _core.logarithmic_periods(first, last, count)
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """A response spectrum; all arrays have one entry per period. Accelerations are in length/s²."""
+
+    period: NDArray[np.float64]
+    displacement: NDArray[np.float64]
+    pseudo_velocity: NDArray[np.float64]
+    pseudo_acceleration: NDArray[np.float64]
+    absolute_acceleration: NDArray[np.float64]
+    damping_ratio: float
+    length: str
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """The same with units. :raises ImportError: without xarray."""
+        try:
+            import xarray
+        except ImportError:
+            raise missing("xarray", "the Dataset of a spectrum") from None
+        units = {
+            "displacement": self.length,
+            "pseudo_velocity": f"{self.length} s-1",
+            "pseudo_acceleration": f"{self.length} s-2",
+            "absolute_acceleration": f"{self.length} s-2",
+        }
+        return xarray.Dataset(
+            {name: ("period", getattr(self, name), {"units": unit}) for name, unit in units.items()},
+            coords={"period": ("period", self.period, {"units": "s", "long_name": "period of linear oscillators"})},
+            attrs={"damping_ratio": self.damping_ratio},
+        )
+
+
+def response_spectrum(
+    record: Record | ArrayLike | str | PathLike[str],
+    periods: Sequence[float] | NDArray[np.float64] | None = None,
+    *,
+    damping: float = 0.05,
+    unit: str | None = None,
+    time_step: float | None = None,
+    length: str = "m",
+) -> Spectrum:
+    """Peaks of linear oscillators under a record, as ``bentur spectrum`` has them: of the continuous response, without
+    any error of time stepping.
+
+    :param record: a record, its file, or accelerations, which need `unit` and `time_step`.
+    :param periods: [s]; default 41 from 0.05 to 5.
+    :param unit: of the accelerations, where the file does not say it: g m/s2 cm/s2 mm/s2 in/s2 ft/s2.
+    :param length: unit of length of the results.
+    """
+    if isinstance(record, str | PathLike):
+        record = read_record(record, time_step=time_step)
+    if isinstance(record, Record):
+        if record.unit and unit and record.unit != unit:
+            raise ValueError(f'unit is {unit} but the file says "{record.unit}"')
+        values, step, unit = record.values, record.time_step, record.unit or unit
+    elif time_step is None:
+        raise ValueError("time_step is needed for accelerations that are no Record")
+    else:
+        values, step = np.asarray(record, dtype=float), time_step
+    if not unit:
+        raise ValueError("the unit of the accelerations is not known: give unit")
+    at = logarithmic_periods() if periods is None else np.asarray(periods, dtype=float)
+    peaks = _core.response_spectrum(values, step, _core.acceleration_factor(unit, length), at.tolist(), damping)
+    return Spectrum(at, peaks[:, 0], peaks[:, 1], peaks[:, 2], peaks[:, 3], damping, length)
+
+
+def examples() -> list[str]:
+    """Names of the cases that come with the package."""
+    return sorted(file.stem for file in (Path(__file__).parent / "examples").glob("*.toml"))
+
+
+def example(name: str = "m12-el-centro") -> Case:
+    """One of them."""
+    file = Path(__file__).parent / "examples" / f"{name}.toml"
+    if not file.exists():
+        raise ValueError(f'there is no example "{name}"; there are {", ".join(examples())}')
+    return Case.from_file(file)

@@ -1,0 +1,299 @@
+"""Many runs: sweeps, incremental dynamic analyses, fragilities."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._case import Case
+from ._errors import CaseError, missing
+from ._functions import Progress, shown
+
+if TYPE_CHECKING:
+    import xarray
+
+_TOGETHER = 16  # runs given to a thread at a time: enough for runs of one group to share their work
+
+
+def sweep(
+    study: str | PathLike[str], *, threads: int | None = None, progress: Progress = None
+) -> xarray.Dataset:
+    """Runs a study file (docs/studies.md), as ``bentur sweep`` does and with the same numbers, into a Dataset with the
+    names, dimensions and units of its file of results. Everything is kept in memory; a study that is to be resumed,
+    or to run on a cluster, is for the command.
+
+    :param threads: default: one per processor. Ctrl-C stops them all.
+    :raises CaseError: with all that is wrong in study, case and records.
+    :raises ImportError: without xarray.
+    """
+    found: xarray.Dataset = _run(study, False, threads, progress)
+    return found
+
+
+def ida(study: str | PathLike[str], *, threads: int | None = None, progress: Progress = None) -> xarray.Dataset:
+    """An incremental dynamic analysis: a study with ``[ida]``, as ``bentur ida`` runs it. See :func:`sweep`."""
+    found: xarray.Dataset = _run(study, True, threads, progress)
+    return found
+
+
+def _run(study: str | PathLike[str], is_ida: bool, threads: int | None, progress: Progress) -> Any:
+    try:
+        import xarray
+    except ImportError:
+        raise missing("xarray", "a study") from None
+    core = _core.Study(study)
+    told = core.description()
+    if told["ida"] != is_ida:
+        message = (
+            "[ida] makes this an incremental dynamic analysis: use bentur.ida"
+            if told["ida"]
+            else "[ida] is missing, with intensity and levels; without it use bentur.sweep"
+        )
+        raise CaseError([(os.fspath(study), 0, 0, message)])
+    with shown(progress, told["title"] or "runs") as show:
+        rows, status, messages = _solved(core, told["runs"], threads, show)
+    return _dataset(xarray, told, rows, status, messages)
+
+
+def _solved(
+    core: _core.Study, runs: int, threads: int | None, show: Callable[[float], object] | None
+) -> tuple[NDArray[np.float64], NDArray[np.int8], list[str]]:
+    status = np.zeros(runs, dtype=np.int8)
+    messages = [""] * runs
+    rows: NDArray[np.float64] | None = None
+    done = 0
+    # Work is handed out piece by piece, so that no more than some results wait at a time and Ctrl-C is heard at once.
+    starts = iter(range(0, runs, _TOGETHER))
+    workers = threads or len(os.sched_getaffinity(0))
+    with ThreadPoolExecutor(workers) as pool:
+        at_work: set[Future[Any]] = set()
+        try:
+            while True:
+                for start in starts:
+                    at_work.add(pool.submit(core.solve, start, min(_TOGETHER, runs - start)))
+                    if len(at_work) >= 2 * workers:
+                        break
+                if not at_work:
+                    break
+                ended, at_work = wait(at_work, return_when=FIRST_COMPLETED)
+                for one in ended:
+                    numbers, ends, why, values = one.result()
+                    if rows is None:
+                        rows = np.empty((runs, values.shape[1]))
+                    rows[numbers] = values
+                    status[numbers] = ends
+                    for number, message in zip(numbers.tolist(), why, strict=True):
+                        messages[number] = message
+                    done += len(numbers)
+                if show is not None:
+                    show(done / runs)
+        except BaseException:
+            core.stop()
+            raise
+    assert rows is not None
+    return rows, status, messages
+
+
+def _dataset(xarray: Any, told: dict[str, Any], rows: Any, status: Any, messages: list[str]) -> Any:
+    dimensions, sizes = list(told["dimensions"]), list(told["sizes"])
+    coordinates = {name: (dims, np.asarray(values), attributes) for name, dims, values, attributes in told["coordinates"]}
+    for name, size in zip(dimensions, sizes, strict=True):
+        if name in coordinates or name == "sample":
+            continue
+        # What moves together goes by its first labels, or by numbers.
+        labels = [v for d, v, _ in coordinates.values() if d == [name] and v.dtype.kind == "U"]
+        coordinates[name] = ([name], labels[0] if labels else np.arange(size), {"long_name": _core.index_title()})
+    variables: dict[str, Any] = {}
+    for name, along, first, count, attributes in told["parts"]:
+        values = rows[:, first : first + count]
+        shape = [*sizes, count] if along else sizes
+        variables[name] = ([*dimensions, along] if along else dimensions, values.reshape(shape), attributes)
+    flags = {"long_name": "how the run ended", "flag_values": np.array([0, 1, 2], dtype=np.int8)}
+    flags["flag_meanings"] = "done numbers_failed not_a_case"
+    variables["status"] = (dimensions, status.reshape(sizes), flags)
+    variables["message"] = (dimensions, np.array(messages).reshape(sizes), {"long_name": "why a run failed"})
+    records = "".join(f"{value}  {name}\n" for name, value in told["records"].items())
+    return xarray.Dataset(
+        variables,
+        coords=coordinates,
+        attrs={
+            "title": told["title"],
+            "bentur_version": _core.version,
+            "study": told["study"],
+            "case": told["case"],
+            **({"records": records} if records else {}),
+        },
+    )
+
+
+def vary(
+    case: Case,
+    values: Mapping[str, Sequence[Any] | NDArray[Any]],
+    *,
+    labels: Mapping[str, Sequence[str]] | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> xarray.Dataset:
+    """A sweep made in Python: the full grid of all values, by the keys of the case.
+
+    ``bentur.vary(case, {"gap[0].width": [0.0, 0.01, 0.02], "excitation.pga": [2.0, 4.0]})``
+
+    :param labels: what the results call values that are no numbers, by the same keys.
+    :returns: as :func:`sweep`.
+    """
+    if case._laws:
+        raise ValueError("a case with a law of Python's own cannot be varied: run it value by value")
+    with tempfile.TemporaryDirectory(prefix="bentur-") as folder:
+        tables = case.to_dict()
+        excitation = tables.get("excitation", {})
+        if "file" in excitation:
+            where = Path(case._files[0].name) if case._files else case.folder
+            excitation["file"] = str((where / excitation["file"]).resolve())
+        (Path(folder) / "case.toml").write_text(_toml(tables), encoding="utf-8")
+        study: dict[str, Any] = {"case": "case.toml", "vary": []}
+        for key, given in values.items():
+            one: dict[str, Any] = {"parameter": key, "values": np.asarray(given).tolist() if not isinstance(given, list) else given}
+            if labels and key in labels:
+                one["labels"] = list(labels[key])
+            study["vary"].append(one)
+        file = Path(folder) / "study.toml"
+        file.write_text(_toml(study), encoding="utf-8")
+        return sweep(file, threads=threads, progress=progress)
+
+
+def _toml(table: Mapping[str, Any]) -> str:
+    return "".join(f"{json.dumps(key)} = {_toml_value(value)}\n" for key, value in table.items())
+
+
+def _toml_value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(k)} = {_toml_value(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_toml_value, value)) + "]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    return repr(value)
+
+
+def fragility(
+    results: xarray.Dataset,
+    event: str = "impacts > 0",
+    *,
+    at: float | None = None,
+    probabilities: Sequence[float] = (),
+    along: str = "",
+    resamples: int = 1000,
+    confidence: float = 0.95,
+    seed: int = 1,
+) -> dict[str, Any]:
+    """Fragility curves, and the gap for a pounding probability, as ``bentur fragility --json`` has them.
+
+    :param results: of :func:`ida`, or of ``bentur ida`` by ``xarray.open_dataset``.
+    :param event: ``"QUANTITY > NUMBER"`` (also >= < <=) in the units of the results; true of a run where any point,
+        floor or gap has it.
+    :param at: intensity for the gaps, in the unit of the levels; goes with `probabilities`, each in (0, 1).
+    :param along: the gap width that is meant, where several vary.
+    :raises ValueError: where the results do not have what is asked for.
+    """
+    if (at is None) != (len(probabilities) == 0):
+        raise ValueError("at and probabilities go together")
+    if not all(0 < p < 1 for p in probabilities):
+        raise ValueError("probabilities must be in (0, 1)")
+    told = _outcomes(results, event)
+    asked = {
+        "resamples": resamples,
+        "confidence": confidence,
+        "seed": seed,
+        "at": at,
+        "probabilities": [float(p) for p in probabilities],
+        "along": along,
+    }
+    found: dict[str, Any] = json.loads(_core.fragility_json(told, event, asked))
+    return found
+
+
+def _outcomes(results: Any, event: str) -> dict[str, Any]:
+    """Whether each run has the event: cases × records × levels, as the command finds them in its file of results."""
+    quantity, comparison, threshold = _core.parse_event(event)
+    for name in ("intensity", "record_intensity", "status"):
+        if name not in results.variables:
+            raise ValueError("these are not the results of an incremental dynamic analysis")
+    status = results["status"]
+    dims = list(status.dims)
+    level = results["intensity"].dims[0]
+    record_dims = [d for d in dims if d in results["record_intensity"].dims]
+    other = [d for d in dims if d not in record_dims and d != level]
+    wanted = "peak_drift_ratio" if quantity == "drift" else quantity
+    names = [n for n in results.data_vars if list(results[n].dims[: len(dims)]) == dims and n not in ("status", "message")]
+    chosen = [n for n in names if wanted in (n, _without_number(n))]
+    compare = {">": np.greater, ">=": np.greater_equal, "<": np.less, "<=": np.less_equal}[comparison]
+    if wanted == "impacts" and compare(1, threshold) and not compare(0, threshold):
+        chosen.append("unmodelled_contacts")
+    if not chosen:
+        known = ", ".join(sorted({_without_number(n) for n in names}))
+        raise ValueError(f'no quantity "{quantity}" for the event; there are {known}')
+    order = [*other, *record_dims, level]
+    events = np.zeros(status.transpose(*order).shape, dtype=bool)
+    for name in ["collapsed", *chosen]:
+        if name not in results:
+            continue
+        values = results[name].transpose(*order, ...).to_numpy()
+        if results[name].attrs.get("compared_by") == "size":
+            values = np.abs(values)
+        with np.errstate(invalid="ignore"):
+            found = values > 0 if name == "collapsed" else compare(values, threshold)
+        events |= found.reshape(*events.shape, -1).any(axis=-1)
+    ends = status.transpose(*order).to_numpy()
+    outcome = np.where(ends == 2, 2, (events | (ends == 1)).astype(int))
+    last = record_dims[-1] if record_dims else ""
+    both_ways = last in results.coords and results[last].attrs.get("parameter") == "excitation.polarity"
+    sizes = dict(results.sizes)
+    intensity = results["intensity"]
+    return {
+        "title": results.attrs.get("title", ""),
+        "intensity": intensity.attrs["long_name"],
+        "units": intensity.attrs["units"],
+        "study_unit": intensity.attrs["study_unit"],
+        "quantity_units": results[chosen[0]].attrs.get("units", ""),
+        "levels": intensity.to_numpy().tolist(),
+        "cases": int(np.prod([sizes[d] for d in other], dtype=int)),
+        "records": int(np.prod([sizes[d] for d in record_dims], dtype=int)),
+        "together": sizes[last] if both_ways else 1,
+        "outcomes": outcome.ravel().tolist(),
+        "axes": [_axis(results, d) for d in other],
+    }
+
+
+def _axis(results: Any, dimension: str) -> dict[str, Any]:
+    coordinates = []
+    for name, values in results.coords.items():
+        if values.dims != (dimension,) or values.attrs.get("long_name") == _core.index_title():
+            continue
+        text = values.dtype.kind in "UO"
+        coordinates.append(
+            {
+                "name": name,
+                "units": values.attrs.get("units", ""),
+                "parameter": values.attrs.get("parameter", ""),
+                "numbers": [] if text else values.to_numpy().astype(float).tolist(),
+                "texts": values.to_numpy().astype(str).tolist() if text else [],
+            }
+        )
+    return {"name": dimension, "size": results.sizes[dimension], "coordinates": coordinates}
+
+
+def _without_number(name: str) -> str:
+    base, _, number = name.rpartition("_")
+    return base if base and number.isdigit() else name

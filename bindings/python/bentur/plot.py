@@ -1,0 +1,213 @@
+"""Figures with matplotlib, in the palette and size of the program's own (docs/figures.md).
+
+Each function draws into `ax`, or makes a figure of a journal's column, and returns the axes, to be changed further and
+saved: ``bentur.plot.force(result).figure.savefig("force.pdf")``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import missing
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+    from ._case import Case
+    from ._functions import Spectrum
+    from ._result import Result
+
+#: Dark to light, so that they differ in print without colour too.
+BLACK, BLUE, ORANGE, GREY, PALE = "#000000", "#1f5fa8", "#e08214", "#8c8c8c", "#d9d9d9"
+TONES = (BLUE, ORANGE, BLACK, GREY)
+LINES = ("-", "--", "-.", ":")
+#: Width of a journal's column [in]; the figures of the program are 8.8 cm wide.
+COLUMN = 8.8 / 2.54
+
+STYLE: dict[str, Any] = {
+    "font.family": "sans-serif",
+    "font.size": 8,
+    "axes.linewidth": 0.6,
+    "axes.labelsize": 8,
+    "lines.linewidth": 0.9,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.top": True,
+    "ytick.right": True,
+    "legend.frameon": False,
+    "legend.fontsize": 7,
+    "savefig.bbox": "tight",
+    "pdf.fonttype": 42,
+}
+
+
+def _axes(ax: Axes | None, height: float = 2.2) -> Axes:
+    if ax is not None:
+        return ax
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError:
+        raise missing("matplotlib", "a figure") from None
+    style: Any = STYLE
+    with plt.rc_context(style):
+        _, made = plt.subplots(figsize=(COLUMN, height), layout="constrained")
+    return made
+
+
+def _legend(ax: Axes, **more: Any) -> None:
+    if len(ax.get_legend_handles_labels()[0]) > 1:
+        ax.legend(frameon=False, fontsize=7, **more)
+
+
+def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> Axes:
+    """Displacement of one floor of each building against time; -1: the highest. Impacts of the run along the top."""
+    ax = _axes(ax)
+    histories = result.histories
+    for b, name in enumerate(result.case.buildings):
+        ax.plot(histories["time"], histories["displacement"][b][:, floor], LINES[b % 4], color=TONES[b % 4], label=name)
+    starts = result.impact_arrays["start"]
+    if len(starts):
+        ax.plot(starts, np.full(len(starts), 0.98), "|", color=GREY, transform=ax.get_xaxis_transform(), ms=4)
+    ax.set(xlabel="time $t$ [s]", ylabel=f"displacement $x$ [{result.case.length}]", xlim=_ends(histories["time"]))
+    _legend(ax)
+    return ax
+
+
+def force(result: Result, *, ax: Axes | None = None) -> Axes:
+    """Contact force against time, a line for each contact point that is hit."""
+    ax = _axes(ax)
+    histories = result.histories
+    elevations = [point["elevation"] for gap in result.summary["gaps"] for point in gap["points"]]
+    shown = [i for i in range(len(elevations)) if histories["force"][:, i].any()]
+    for n, i in enumerate(reversed(shown)):
+        label = f"{elevations[i]:g} {result.case.length}"
+        ax.plot(histories["time"], histories["force"][:, i], LINES[n % 4], color=TONES[n % 4], label=label)
+    ax.set(xlabel="time $t$ [s]", ylabel=f"contact force $F$ [{result.case.force}]", xlim=_ends(histories["time"]))
+    ax.set_ylim(bottom=0)
+    _legend(ax)
+    return ax
+
+
+def opening(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
+    """Opening of one contact point against time, negative in contact; -1: the last, the highest of the last gap."""
+    ax = _axes(ax)
+    histories = result.histories
+    ax.axhline(0, color=GREY, lw=0.6)
+    ax.plot(histories["time"], histories["opening"][:, point], color=BLUE)
+    ax.set(xlabel="time $t$ [s]", ylabel=f"opening $g$ [{result.case.length}]", xlim=_ends(histories["time"]))
+    return ax
+
+
+def loop(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
+    """Contact force against penetration of one contact point, as sampled: choose a small ``output_step``."""
+    ax = _axes(ax)
+    histories = result.histories
+    penetration = -histories["opening"][:, point]
+    touching = penetration > 0
+    ax.plot(np.where(touching, penetration, np.nan), histories["force"][:, point], color=BLUE)
+    ax.set(xlabel=f"penetration $δ$ [{result.case.length}]", ylabel=f"contact force $F$ [{result.case.force}]")
+    return ax
+
+
+def envelope(result: Result, quantity: str = "peak_displacement", *, ax: Axes | None = None) -> Axes:
+    """Peaks over the height of each building; of displacements also without contact (dashed)."""
+    ax = _axes(ax, 2.8)
+    for b, building in enumerate(result.summary["buildings"]):
+        if building[quantity] is None:
+            continue
+        levels = building["elevations"]
+        ax.plot(building[quantity], levels, "-o", ms=3, color=TONES[b % 4], label=building["name"])
+        alone = building.get(quantity + "_no_contact")
+        if alone:
+            ax.plot(alone, levels, "--o", ms=3, mfc="white", color=TONES[b % 4], label=building["name"] + ", alone")
+    unit = {"peak_displacement": f" [{result.case.length}]", "peak_storey_shear": f" [{result.case.force}]"}.get(quantity, "")
+    if quantity == "peak_acceleration":
+        unit = f" [{result.case.length}/s²]"
+    ax.set(xlabel=quantity.replace("_", " ") + unit, ylabel=f"elevation $z$ [{result.case.length}]")
+    ax.set_xlim(left=0)
+    _legend(ax)
+    return ax
+
+
+def modes(case: Case, building: str | int = 0, count: int = 3, *, ax: Axes | None = None) -> Axes:
+    """The first mode shapes of a building at its floors, the largest sway 1."""
+    from ._functions import modes as modes_of
+
+    ax = _axes(ax, 2.8)
+    name = building if isinstance(building, str) else case.buildings[building]
+    elevations = case.matrices(name)["elevations"]
+    found = modes_of(case)[name]
+    ax.axvline(0, color=GREY, lw=0.6)
+    for n in range(min(count, len(found["periods"]))):
+        shape = found["shapes"][n][: len(elevations)]
+        shape = shape / np.abs(shape).max()
+        label = f"{n + 1}: {found['periods'][n]:.3g} s"
+        ax.plot([0, *shape], [elevations[0] * 0, *elevations], LINES[n % 4], marker="o", ms=3, color=TONES[n % 4], label=label)
+    ax.set(xlabel="sway, largest 1", ylabel=f"elevation $z$ [{case.length}]", title=name)
+    _legend(ax)
+    return ax
+
+
+def spectrum(*found: Spectrum, labels: Sequence[str] = (), ax: Axes | None = None) -> Axes:
+    """Pseudo-acceleration spectra over a logarithmic axis of periods."""
+    ax = _axes(ax)
+    for n, one in enumerate(found):
+        label = labels[n] if n < len(labels) else f"damping {100 * one.damping_ratio:g} %"
+        ax.semilogx(one.period, one.pseudo_acceleration, LINES[n % 4], color=TONES[n % 4], label=label)
+    ax.set(xlabel="period $T$ [s]", ylabel=f"pseudo-acceleration $S_a$ [{found[0].length}/s²]")
+    ax.set_ylim(bottom=0)
+    _legend(ax)
+    return ax
+
+
+def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | None = None) -> Axes:
+    """A quantity of a study against one of its dimensions, the largest over places; a line for each other value."""
+    ax = _axes(ax)
+    values = results[quantity]
+    places = [d for d in values.dims if str(d) in ("point", "gap", "link") or str(d).startswith("elevation_")]
+    values = values.max(places, keep_attrs=True)
+    others = [d for d in values.dims if d != along]
+    lines = values.stack(other=others).transpose("other", along) if others else values.expand_dims("other")
+    for n in range(lines.sizes["other"]):
+        label = ", ".join(str(x) for x in np.atleast_1d(lines["other"].values[n])) if others else None
+        ax.plot(results[along], lines[n], LINES[n % 4], color=TONES[n % 4], label=label)
+    unit, of = values.attrs.get("units", ""), results[along].attrs.get("units", "")
+    ax.set(
+        xlabel=along.replace("_", " ") + (f" [{of}]" if of not in ("", "1") else ""),
+        ylabel=quantity.replace("_", " ") + (f" [{unit}]" if unit not in ("", "1") else ""),
+    )
+    _legend(ax)
+    return ax
+
+
+def fragility(found: dict[str, Any], *, ax: Axes | None = None) -> Axes:
+    """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to."""
+    from math import erf, sqrt
+
+    ax = _axes(ax)
+    shown = [curve for curve in found["curves"] if curve["median"] is not None]
+    most = max(found["intensity"]["levels"])
+    x = np.linspace(most / 400, most, 400)
+    for n, curve in enumerate(shown):
+        z = np.log(x / curve["median"]) / curve["dispersion"]
+        probability = [0.5 * (1 + erf(one / sqrt(2))) for one in z]
+        label = ", ".join(f"{k} = {v:g}" if isinstance(v, float) else f"{k} = {v}" for k, v in curve["case"].items())
+        ax.plot(x, probability, LINES[n % 4], color=TONES[n % 4], label=label or None)
+        counts = [c for c in curve["counts"] if c["runs"] > 0]
+        at, parts = [c["intensity"] for c in counts], [c["events"] / c["runs"] for c in counts]
+        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 4])
+    ax.set(
+        xlabel=f"{found['intensity']['name'].split(',')[0]} [{found['intensity']['units'].replace('gravity', 'g')}]",
+        ylabel=f"P({found['event']})",
+        ylim=(-0.02, 1.02),
+    )
+    _legend(ax)
+    return ax
+
+
+def _ends(time: Any) -> tuple[float, float]:
+    return float(time[0]), float(time[-1])

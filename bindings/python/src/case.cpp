@@ -1,0 +1,135 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/file_identity.h"
+#include "bentur/io/input_file.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/io/toml/toml_view.h"
+#include "case_run.h"
+#include "toml_python.h"
+
+namespace py = pybind11;
+
+namespace bentur::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::path& folder,
+                             std::optional<CaseSource> source) {
+  Diagnostics found;
+  auto made = std::make_shared<PyCase>();
+  ReadCase parts = read_case_parts(TomlView(root, "", name, found), folder, found);
+  if (found.ok()) {
+    try {
+      made->problem = parts.problem();
+    } catch (const InvalidParameter& error) {
+      found.error({name, 0, 0}, error.what());
+    }
+  }
+  if (!found.ok()) raise_case_error(found);
+  made->c = std::move(parts.c);
+  made->c.source = std::move(source);
+  made->root = std::move(root);
+  made->name = name;
+  made->folder = folder;
+  return made;
+}
+
+std::shared_ptr<PyCase> from_text(const std::string& text, const std::string& name, const fs::path& folder) {
+  Diagnostics found;
+  std::optional<TomlValue> root = parse_toml(text, name, found);
+  if (!root) raise_case_error(found);
+  return read(std::move(*root), name, folder,
+              CaseSource{.file = fs::path(name).filename().string(), .text = text, .sha256 = sha256(text)});
+}
+
+std::shared_ptr<PyCase> from_file(const fs::path& file) {
+  Diagnostics found;
+  const std::optional<std::string> text = read_input(file, case_input, found);
+  if (!text) raise_case_error(found);
+  return from_text(*text, file.string(), file.parent_path());
+}
+
+std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values) {
+  TomlValue root = given.root;
+  Diagnostics found;
+  for (const auto& [key, value] : values) {
+    const std::string text = py::str(key);
+    std::string error;
+    const auto path = parse_path(text, error);
+    const auto place = path ? resolved(root, *path, error) : std::nullopt;
+    if (!place) {
+      found.error({"", 0, 0}, text + ": " + error);
+      continue;
+    }
+    put_value(root, *place, toml_of(value, text));
+  }
+  if (!found.ok()) raise_case_error(found);
+  return read(std::move(root), given.name, given.folder, std::nullopt);
+}
+
+py::dict excitation_of(const PyCase& given) {
+  py::dict found;
+  const ExcitationSpec& excitation = given.c.excitation;
+  if (const auto* sampled = std::get_if<SampledMotion>(&excitation.motion)) {
+    found["time_step"] = sampled->time_step;
+    found["acceleration"] = array_of(sampled->acceleration);
+  }
+  found["delays"] = excitation.delays;
+  return found;
+}
+
+}  // namespace
+
+void bind_case(py::module_& module) {
+  py::class_<PyCase, std::shared_ptr<PyCase>>(module, "Case")
+      .def_static("from_file", &from_file, py::arg("file"))
+      .def_static("from_text", &from_text, py::arg("text"), py::arg("name"), py::arg("folder"))
+      .def_static(
+          "from_values",
+          [](const py::dict& values, const std::string& name, const fs::path& folder) {
+            return read(toml_of(values), name, folder, std::nullopt);
+          },
+          py::arg("values"), py::arg("name"), py::arg("folder"))
+      .def("with_values", &with_values, py::arg("values"))
+      .def("values", [](const PyCase& c) { return python_of(c.root); })
+      .def_property_readonly("title", [](const PyCase& c) { return c.c.title; })
+      .def_property_readonly("folder", [](const PyCase& c) { return c.folder; })
+      .def_property_readonly("name", [](const PyCase& c) { return c.name; })
+      .def_property_readonly(
+          "text",
+          [](const PyCase& c) -> py::object { return c.c.source ? py::object(py::str(c.c.source->text)) : py::none(); })
+      .def_property_readonly("length", [](const PyCase& c) { return c.c.units.length; })
+      .def_property_readonly("force", [](const PyCase& c) { return c.c.units.force; })
+      .def_property_readonly("gravity", [](const PyCase& c) { return c.c.units.gravity; })
+      .def_property_readonly("duration", [](const PyCase& c) { return c.problem.duration; })
+      .def_property_readonly("output_step", [](const PyCase& c) { return c.c.analysis.output_step; })
+      .def_property_readonly("excitation", &excitation_of)
+      .def_property_readonly("buildings",
+                             [](const PyCase& c) {
+                               std::vector<std::string> names;
+                               for (const Building& building : c.problem.buildings) names.push_back(building.name);
+                               return names;
+                             })
+      .def("matrices", [](const PyCase& c, std::size_t b) {
+        const StructuralModel& model = c.problem.buildings.at(b).model;
+        py::dict found;
+        const auto matrix = [](const Eigen::MatrixXd& values) {
+          py::array_t<double> array({values.rows(), values.cols()});
+          auto view = array.mutable_unchecked<2>();
+          for (Eigen::Index i = 0; i < values.rows(); ++i) {
+            for (Eigen::Index j = 0; j < values.cols(); ++j) view(i, j) = values(i, j);
+          }
+          return array;
+        };
+        found["mass"] = matrix(model.mass);
+        found["stiffness"] = matrix(model.stiffness);
+        found["elevations"] = array_of(model.elevations);
+        return found;
+      });
+}
+
+}  // namespace bentur::python

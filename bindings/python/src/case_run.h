@@ -1,0 +1,62 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/model/run_results.h"
+#include "python_law.h"
+
+namespace bentur::python {
+
+/// A case with its problem, and the values it was read from, so that others can be put into it.
+struct PyCase {
+  Case c;
+  Problem problem;
+  TomlValue root;
+  std::string name;              ///< that messages carry
+  std::filesystem::path folder;  ///< that record files are relative to
+};
+
+/// A law in place of the case's, at all points of a gap.
+struct OwnLaw {
+  Eigen::Index gap = 0;
+  std::shared_ptr<ContactLaw> law;
+};
+
+/// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.
+struct PyRun {
+  RunResults results;
+};
+
+void bind_case(pybind11::module_& module);
+void bind_run(pybind11::module_& module);
+void bind_records(pybind11::module_& module);
+void bind_study(pybind11::module_& module);
+void bind_laws(pybind11::module_& module);
+
+/// Calls `progress` with the fraction done, no more than 20 times a second, and asks for Ctrl-C. What either raises
+/// stops the work and is raised by rethrow().
+class Watcher {
+ public:
+  explicit Watcher(pybind11::object progress) : progress_(std::move(progress)) {}
+  /// Without the lock. @return whether to go on.
+  bool operator()(double fraction);
+  /// With the lock.
+  void rethrow();
+
+ private:
+  pybind11::object progress_;
+  std::unique_ptr<pybind11::error_already_set> error_;
+  double asked_ = 0;  // [s]
+};
+
+/// An array of its own.
+[[nodiscard]] pybind11::array_t<double> array_of(const std::vector<double>& values);
+
+}  // namespace bentur::python

@@ -1,0 +1,89 @@
+#include "toml_python.h"
+
+#include <pybind11/stl.h>
+
+#include "bentur/io/toml/toml_view.h"
+
+namespace py = pybind11;
+
+namespace bentur::python {
+
+TomlValue toml_of(const py::handle& value, const std::string& path) {
+  TomlValue toml;
+  if (py::isinstance<py::dict>(value)) {
+    for (const auto& [key, member] : py::reinterpret_borrow<py::dict>(value)) {
+      if (member.is_none()) continue;
+      const std::string name = py::str(key);
+      toml.members.push_back({name, 0, 0, toml_of(member, key_path(path, name))});
+    }
+    return toml;
+  }
+  if (py::isinstance<py::bool_>(value)) {
+    toml.kind = TomlValue::Kind::boolean;
+    toml.boolean = value.cast<bool>();
+    return toml;
+  }
+  if (py::isinstance<py::int_>(value)) {
+    toml.kind = TomlValue::Kind::integer;
+    toml.integer = value.cast<std::int64_t>();
+    toml.real = static_cast<double>(toml.integer);
+    return toml;
+  }
+  if (PyFloat_CheckExact(value.ptr()) != 0) return toml_number(value.cast<double>());
+  if (py::isinstance<py::str>(value)) return toml_text(value.cast<std::string>());
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    toml.kind = TomlValue::Kind::list;
+    std::size_t index = 0;
+    for (const py::handle item : py::reinterpret_borrow<py::sequence>(value)) {
+      toml.items.push_back(toml_of(item, path + "[" + std::to_string(index++) + "]"));
+    }
+    return toml;
+  }
+  if (py::hasattr(value, "tolist")) return toml_of(value.attr("tolist")(), path);
+  if (py::hasattr(value, "__fspath__")) return toml_text(value.attr("__fspath__")().cast<std::string>());
+  throw py::type_error(path + " is a " + std::string(py::str(py::type::of(value).attr("__name__"))) +
+                       ", must be a number, text, true or false, a list or a table");
+}
+
+py::object python_of(const TomlValue& value) {
+  switch (value.kind) {
+    case TomlValue::Kind::table: {
+      py::dict table;
+      for (const TomlMember& member : value.members) table[py::str(member.key)] = python_of(member.value);
+      return table;
+    }
+    case TomlValue::Kind::list: {
+      py::list list;
+      for (const TomlValue& item : value.items) list.append(python_of(item));
+      return list;
+    }
+    case TomlValue::Kind::integer:
+      return py::int_(value.integer);
+    case TomlValue::Kind::real:
+      return py::float_(value.real);
+    case TomlValue::Kind::boolean:
+      return py::bool_(value.boolean);
+    case TomlValue::Kind::text:
+    case TomlValue::Kind::date:
+      break;
+  }
+  return py::str(value.text);
+}
+
+void raise_case_error(const Diagnostics& diagnostics) {
+  py::list errors;
+  for (const Diagnostic& one : diagnostics.errors()) {
+    errors.append(py::make_tuple(one.position.file, one.position.line, one.position.column, one.message));
+  }
+  const py::object type = py::module_::import("bentur._errors").attr("CaseError");
+  PyErr_SetObject(type.ptr(), type(errors).ptr());
+  throw py::error_already_set();
+}
+
+void raise_solve_error(const std::string& message) {
+  const py::object type = py::module_::import("bentur._errors").attr("SolveError");
+  PyErr_SetString(type.ptr(), message.c_str());
+  throw py::error_already_set();
+}
+
+}  // namespace bentur::python

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/io/toml/toml_value.h"
+
+namespace bentur::python {
+
+/// A value as Python has it, into what a case is read from: dict, list or tuple, str, bool, int, float, and whatever
+/// has tolist() (NumPy's arrays and numbers). Members that are None are left out.
+/// @throws a Python TypeError, naming the key, for anything else.
+[[nodiscard]] TomlValue toml_of(const pybind11::handle& value, const std::string& path = "");
+
+/// The same the other way round.
+[[nodiscard]] pybind11::object python_of(const TomlValue& value);
+
+/// Raises bentur.CaseError with all errors: (file, line, column, message) each.
+[[noreturn]] void raise_case_error(const Diagnostics& diagnostics);
+
+/// Raises bentur.SolveError.
+[[noreturn]] void raise_solve_error(const std::string& message);
+
+}  // namespace bentur::python

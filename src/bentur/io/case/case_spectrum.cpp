@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+#include "bentur/core/units.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/number_table.h"
+#include "bentur/io/records/record_files.h"
+#include "bentur/model/gap/spectral_gap.h"
+
+namespace bentur {
+namespace {
+
+constexpr double usual_damping = 0.05;  // of spectra of codes [-]
+
+const std::vector<std::string> two_period_keys = {"short_period", "one_second", "long_period"};
+const std::vector<std::string> eurocode_keys = {"ground_acceleration", "spectrum_type", "ground_type"};
+const std::vector<std::string> table_keys = {"periods", "accelerations", "file", "unit", "column"};
+
+/// Keys that another shape has.
+void refuse_others(const TomlView& view, const std::optional<std::string>& shape) {
+  if (!shape) return;
+  const auto refuse = [&](const std::vector<std::string>& keys, const std::string& owners, bool own) {
+    if (!own) view.refuse(keys, fmt::format("is for shape = {}, this spectrum has shape = \"{}\"", owners, *shape));
+  };
+  refuse(two_period_keys, "\"asce-7-22\" or \"sni-1726-2019\"", *shape == "asce-7-22" || *shape == "sni-1726-2019");
+  refuse(eurocode_keys, "\"en-1998-1\"", *shape == "en-1998-1");
+  refuse(table_keys, "\"table\"", *shape == "table");
+}
+
+TwoPeriodSpectrum read_two_periods(const TomlView& view, double gravity) {
+  TwoPeriodSpectrum shape;
+  const auto short_period = view.number("short_period", Rule::positive);
+  const auto one_second = view.number("one_second", Rule::positive);
+  const auto long_period = view.number("long_period", Rule::positive);
+  shape.short_period = short_period.value_or(0) * gravity;
+  shape.one_second = one_second.value_or(0) * gravity;
+  shape.long_period = long_period.value_or(0);
+  if (short_period && one_second && long_period && !(*long_period > *one_second / *short_period)) {
+    view.find("long_period")
+        ->error_value(
+            fmt::format("must be beyond T_S = one_second/short_period = {:.4g} s", *one_second / *short_period));
+  }
+  return shape;
+}
+
+EurocodeSpectrum read_eurocode(const TomlView& view, double gravity) {
+  const double ground = view.number("ground_acceleration", Rule::positive).value_or(1) * gravity;
+  const auto type = view.whole("spectrum_type", 1, 2);
+  const auto ground_type = view.word("ground_type", {"A", "B", "C", "D", "E"});
+  if (!type || !ground_type) return {};
+  return eurocode_spectrum(static_cast<int>(*type), ground_type->front(), ground);
+}
+
+void check_ascending(const std::vector<double>& periods, const std::function<void(std::size_t)>& complain) {
+  for (std::size_t i = 1; i < periods.size(); ++i) {
+    if (!(periods[i] > periods[i - 1])) return complain(i);
+  }
+}
+
+/// A table of its own file: periods in the first column.
+TableSpectrum read_table_file(const TomlView& view, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                              SpectrumSpec& spec) {
+  TableSpectrum shape;
+  const TomlView file = *view.find("file");
+  const auto name = file.as_text();
+  const auto column = view.whole("column", 2, 1000000, Need::optional);
+  if (!name) return shape;
+  const std::filesystem::path path = folder / *name;
+  const std::string problem = input_problem(path, table_input);
+  if (!problem.empty()) {
+    file.error_value(problem + " (names are relative to the case file)");
+    return shape;
+  }
+  spec.file = *name;
+  spec.path = path.string();
+  const auto table = read_number_table(path, diagnostics);
+  if (!table) return shape;
+  const std::size_t count = table->columns();
+  if (count < 2) {
+    file.error_value("has one column: the first is that of periods, the accelerations stand in another");
+    return shape;
+  }
+  if (count > 2 && !view.has("column")) {
+    view.error_missing("column", fmt::format("{} has {} columns: in which are the accelerations?", *name, count));
+    return shape;
+  }
+  if (column && static_cast<std::size_t>(*column) > count) {
+    view.find("column")->error_value(fmt::format("{} has {} columns", *name, count));
+    return shape;
+  }
+  const std::size_t chosen = column ? static_cast<std::size_t>(*column) - 1 : 1;
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    const auto complain = [&](std::size_t cell, const char* rule) {
+      diagnostics.error({path.string(), table->lines[i], 1},
+                        fmt::format("column {} = {}, {}", cell + 1, table->rows[i][cell], rule));
+    };
+    const double period = table->rows[i][0], acceleration = table->rows[i][chosen];
+    if (period < 0) complain(0, "must be >= 0");
+    if (i > 0 && period <= table->rows[i - 1][0]) complain(0, "periods must ascend");
+    if (acceleration < 0) complain(chosen, "must be >= 0");
+    shape.periods.push_back(period);
+    shape.accelerations.push_back(acceleration);
+  }
+  return shape;
+}
+
+TableSpectrum read_table(const TomlView& view, const Units& units, const std::filesystem::path& folder,
+                         Diagnostics& diagnostics, SpectrumSpec& spec) {
+  TableSpectrum shape;
+  const auto unit = view.word("unit", acceleration_units());
+  if (const auto kind = view.exactly_one({"periods", "file"})) {
+    if (*kind == "file") {
+      view.refuse({"accelerations"}, "goes with periods: a file holds both");
+      shape = read_table_file(view, folder, diagnostics, spec);
+    } else {
+      view.refuse({"column"}, "goes with file");
+      shape.periods = view.find("periods")->as_numbers(Rule::not_negative);
+      shape.accelerations = view.numbers("accelerations", Rule::not_negative, {shape.periods.size(), "one per period"});
+      check_ascending(shape.periods, [&](std::size_t i) { view.find("periods")->item(i).error("must ascend"); });
+    }
+  }
+  if (unit) {
+    for (double& one : shape.accelerations) one *= acceleration_factor(*unit, units);
+  }
+  return shape;
+}
+
+}  // namespace
+
+const std::vector<std::string>& spectrum_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all = {"shape", "damping_ratio", "damping_correction", "modal_combination", "reduction"};
+    for (const auto* of : {&two_period_keys, &eurocode_keys, &table_keys})
+      all.insert(all.end(), of->begin(), of->end());
+    return all;
+  }();
+  return keys;
+}
+
+SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t buildings,
+                           const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  SpectrumSpec spec;
+  spec.position = view.find("kind")->position();
+  view.refuse({"delays", "wave_velocity", "kinematics"},
+              "needs a course in time, which a spectrum has not: give a record to account for it");
+  const auto shape = view.word("shape", {"asce-7-22", "sni-1726-2019", "en-1998-1", "table"});
+  refuse_others(view, shape);
+  spec.shape = shape.value_or("");
+  if (shape == "en-1998-1") {
+    spec.spectrum.shape = read_eurocode(view, units.gravity);
+  } else if (shape == "table") {
+    spec.spectrum.shape = read_table(view, units, folder, diagnostics, spec);
+  } else if (shape) {
+    spec.spectrum.shape = read_two_periods(view, units.gravity);
+  }
+  if (shape && shape != "table") {
+    view.refuse({"damping_ratio"}, "is for shape = \"table\": spectra of codes are for 0.05");
+  } else {
+    spec.spectrum.damping_ratio = view.number("damping_ratio", Rule::ratio, Need::optional).value_or(usual_damping);
+  }
+  spec.spectrum.corrects_damping =
+      view.word("damping_correction", {"en-1998-1", "none"}, Need::optional).value_or("en-1998-1") != "none";
+  if (view.word("modal_combination", {"cqc", "srss"}, Need::optional) == "srss") {
+    spec.combination = ModalCombination::srss;
+  }
+  if (const auto reduction = view.find("reduction")) {
+    spec.reduction = reduction->as_number_or_numbers(Rule::positive, {buildings, "one per building"});
+    if (spec.reduction.size() == 1) spec.reduction.assign(buildings, spec.reduction.front());
+  }
+  return spec;
+}
+
+void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read) {
+  const SpectrumSpec& spec = *read.c.excitation.spectrum;
+  const TomlView excitation = *root.find("excitation");
+  if (root.has("initial")) root.find("initial")->error("is for runs: a spectrum gives peaks of buildings at rest");
+  if (const auto obstacle = spectral_obstacle(read.c)) {
+    const TomlView view = obstacle->building ? *views[*obstacle->building].find("isolation") : *root.find("link");
+    view.error(obstacle->what);
+  }
+  const auto* table = std::get_if<TableSpectrum>(&spec.spectrum.shape);
+  for (std::size_t b = 0; table != nullptr && b < read.buildings.size(); ++b) {
+    const Building& building = *read.buildings[b].made;
+    if (building.is_rigid()) continue;
+    const double period = 2 * std::numbers::pi / building.first_omega();
+    if (period <= table->periods.back()) continue;
+    excitation.find(spec.file.empty() ? "periods" : "file")
+        ->error(fmt::format("ends at {:.4g} s, before the first period of \"{}\", {:.4g} s: the spectrum must reach it",
+                            table->periods.back(), building.name, period));
+  }
+}
+
+ScreeningSpec read_screening(const TomlView& root) {
+  ScreeningSpec spec;
+  const auto view = root.find("screening");
+  if (!view || !view->is_table_of({"seismicity"})) return spec;
+  const auto word = view->word("seismicity", seismicity_words());
+  if (!word) return spec;
+  const auto& words = seismicity_words();
+  spec.seismicity = static_cast<Seismicity>(std::find(words.begin(), words.end(), *word) - words.begin());
+  return spec;
+}
+
+}  // namespace bentur

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/gap/minimum_gap.h"
+
+namespace bentur {
+
+/// The modes of a building under a spectrum: each at its own peak.
+struct SpectralModes {
+  Eigen::VectorXd omega;         ///< [rad/s]; of a rigid building none
+  Eigen::VectorXd damping;       ///< ζ_n [-], the diagonal of the modal damping
+  Eigen::VectorXd displacement;  ///< S_d(T_n, ζ_n) [length]
+  Eigen::MatrixXd motion;        ///< φ_n Γ_n S_d(T_n, ζ_n), dofs × modes [length, rad]
+};
+/// @throws InvalidParameter where a period is beyond the last of a table.
+[[nodiscard]] SpectralModes spectral_modes(const Building& building, const DesignSpectrum& spectrum);
+
+/// Peak displacements of the floors [length], by both combinations.
+struct SpectralPeaks {
+  Eigen::VectorXd srss, cqc;
+
+  [[nodiscard]] const Eigen::VectorXd& by(ModalCombination combination) const {
+    return combination == ModalCombination::srss ? srss : cqc;
+  }
+};
+[[nodiscard]] SpectralPeaks spectral_peaks(const Building& building, const SpectralModes& modes);
+
+/// The gaps needed under a spectrum.
+struct SpectralGaps {
+  std::vector<SpectralModes> modes;  ///< per building
+  std::vector<SpectralPeaks> peaks;  ///< per building
+  /// Per contact point; `simulated` is the spectral difference: the peak of x_left − x_right by the case's combination
+  /// over the modes of both buildings (with one mode each and CQC it is DDC). ABS, SRSS and DDC combine the two peaks.
+  /// Rules of codes take the peaks divided by `reduction` of their buildings.
+  std::vector<PointSeparation> points;
+  std::vector<double> watched;  ///< spectral difference [length] per watched floor
+};
+/// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.
+/// @throws InvalidParameter where a period is beyond the last of a table, or a code rule lacks something.
+[[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
+                                         const CodeSpec& code = {}, const Units& units = {});
+
+/// What keeps a case from having its gaps by a spectrum, in words; empty where nothing does: links couple the buildings
+/// (their modes are not those of each alone), bearings that yield have no stiffness of their own.
+struct SpectralObstacle {
+  std::optional<std::size_t> building;  ///< at fault; nothing: the links
+  std::string what;
+};
+[[nodiscard]] std::optional<SpectralObstacle> spectral_obstacle(const Case& c);
+
+}  // namespace bentur

@@ -1,0 +1,51 @@
+#include "bentur/model/limits.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+
+namespace bentur {
+
+std::string fastest_source(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
+  using By = Effort::Fastest::By;
+  switch (fastest.by) {
+    case By::motion:
+      return "the ground motion";
+    case By::damping:
+      return fmt::format("the damping of {}", problem.buildings[fastest.building].name);
+    case By::contact: {
+      const ContactPoint& point = problem.points[fastest.point];
+      return fmt::format("the contact of {} at elevation {} {}", gap_name(problem, point.left), number(point.elevation),
+                         c.units.length);
+    }
+    case By::mode:
+      break;
+  }
+  return fmt::format("mode {} of {}", fastest.mode + 1, problem.buildings[fastest.building].name);
+}
+
+std::string fastest_text(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
+  return fmt::format("{} Hz, {}", number(fastest.frequency), fastest_source(c, problem, fastest));
+}
+
+std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort) {
+  const LimitsSpec& limits = c.analysis.limits;
+  if (effort.certain_steps > limits.steps) {
+    return fmt::format(
+        "a run takes {:.3g} steps or more, over the limit of {:.3g}. The fastest motion is {}. "
+        "Is that meant? [analysis] limits = {{ steps = {:.1e} }} lets it run",
+        effort.certain_steps, limits.steps, fastest_text(c, problem, effort.apart), 2 * effort.most_steps);
+  }
+  if (effort.memory > 1e6 * limits.memory) {
+    return fmt::format(
+        "a run takes {:.3g} MB of memory, over the limit of {:.3g}, for {:.3g} steps and histories of "
+        "{:.3g} samples. Make output_step larger or duration shorter, or let it run with [analysis] "
+        "limits = {{ memory = {:.0f} }}",
+        effort.memory / 1e6, limits.memory, effort.steps, effort.samples, std::ceil(effort.memory / 1e6));
+  }
+  return {};
+}
+
+}  // namespace bentur

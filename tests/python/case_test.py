@@ -1,0 +1,242 @@
+"""Cases from files, texts and classes; results; records; own laws; Ctrl-C and threads."""
+
+import concurrent.futures
+import os
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import bentur
+
+
+def pair(**more):
+    def stick(stiffness):
+        return bentur.Stick(storey_heights=[3.0], masses=[1e5], stiffnesses=[stiffness])
+
+    given = {
+        "building": [
+            bentur.Building(name="soft", damping=0.05, stick=stick(4e6)),
+            bentur.Building(name="stiff", damping=0.05, stick=stick(9e6)),
+        ],
+        "gap": [bentur.Gap(between=["soft", "stiff"], width=0.02, contact=bentur.Contact(law="linear", stiffness=1e8))],
+        "excitation": bentur.Excitation(kind="harmonic", period=0.5, displacement_amplitude=0.02),
+        "analysis": bentur.Analysis(duration=10.0),
+    }
+    return bentur.Case(**{**given, **more})
+
+
+def same(a, b):
+    def numbers(result):
+        summary = {k: v for k, v in result.summary.items() if k != "case"}
+        summary["solver"] = {k: v for k, v in summary["solver"].items() if k != "wall_time"}
+        summary["excitation"] = {k: v for k, v in summary["excitation"].items() if k not in ("file", "sha256", "size")}
+        return summary
+
+    return numbers(a) == numbers(b)
+
+
+def test_classes_give_the_numbers_of_the_readme():
+    result = bentur.run(pair())
+    point = result.summary["gaps"][0]["points"][0]
+    assert point["impacts"] == 20  # as the README's program prints
+    assert f"{point['peak_force'] / 1e3:.0f}" == "3338"
+    assert f"{1e3 * point['minimum_gap_no_contact']:.1f}" == "82.5"
+
+
+@pytest.mark.parametrize("name", bentur.examples())
+def test_a_case_made_of_its_tables_is_the_same(name):
+    case = bentur.example(name)
+    again = bentur.Case.from_dict(case.to_dict(), folder=case.folder)
+    assert same(bentur.run(case, histories=False), bentur.run(again, histories=False))
+
+
+def test_errors_come_all_at_once_with_their_places():
+    text = bentur.example("kelvin-voigt-pair").text.replace("restitution = ", "restitutoin = ")
+    with pytest.raises(bentur.CaseError) as caught:
+        bentur.Case.from_text(text.replace("damping = 0.05", "damping = 5", 1), name="mine.toml")
+    errors = caught.value.errors
+    assert len(errors) >= 2
+    assert all(one.file == "mine.toml" and one.line > 0 and one.column > 0 for one in errors)
+    assert any('did you mean "restitution"?' in one.message for one in errors)
+    assert any(one.key.endswith(".damping") for one in errors)
+
+
+def test_errors_of_a_case_made_in_python_have_its_keys():
+    stick = bentur.Stick(storey_heights=[3.0, 3.0], masses=[1e5], stiffnesses=[4e6, -1.0])
+    with pytest.raises(bentur.CaseError) as caught:
+        pair(building=[bentur.Building(name="A", damping=0.05, stick=stick), {"name": "B", "dampin": 0.05}])
+    keys = {one.key for one in caught.value.errors}
+    assert {'building["A"].stick.masses', 'building["A"].stick.stiffnesses[1]', 'building["B"].dampin'} <= keys
+    assert all(one.line == 0 for one in caught.value.errors)
+    assert isinstance(pickle.loads(pickle.dumps(caught.value)).errors[0], bentur.Finding)
+
+
+def test_a_value_of_another_type_is_told_by_its_key():
+    with pytest.raises(TypeError, match=r"gap\[0\]\.width is a object"):
+        pair(gap=[{"between": ["soft", "stiff"], "width": object()}])
+
+
+def test_replace():
+    case = pair()
+    wide = case.replace({"gap[0].width": 0.2, 'building["soft"].stick.masses[0]': 2e5})
+    assert bentur.run(wide).impact_count == 0
+    assert case.to_dict()["gap"][0]["width"] == 0.02
+    with pytest.raises(bentur.CaseError, match="gap.0..width = -1, must be >= 0"):
+        case.replace({"gap[0].width": -1})
+    with pytest.raises(bentur.CaseError, match="gap"):
+        case.replace({"gap[3].width": 1})
+
+
+def test_a_record_given_as_an_array_is_the_record_of_the_file():
+    case = bentur.example("m12-el-centro")
+    tables = case.to_dict()
+    record = bentur.read_record(case.folder / tables["excitation"].pop("file"))
+    tables["excitation"] |= {"values": record.values, "time_step": record.time_step}
+    again = bentur.Case.from_dict(tables)
+    a, b = bentur.run(case), bentur.run(again)
+    assert a.summary["buildings"] == b.summary["buildings"]
+    assert a.summary["gaps"] == b.summary["gaps"]
+    assert same(b, bentur.run(pickle.loads(pickle.dumps(again))))
+    times, values = again.acceleration
+    assert len(times) == len(values) == 1560 and np.abs(values).max() == pytest.approx(341.7, rel=1e-15)
+
+
+def test_arrays_are_views_that_cannot_be_written_and_outlive_the_result():
+    result = bentur.run(pair())
+    moved = result.histories["displacement"][0]
+    assert moved.shape == (1001, 1) and not moved.flags.owndata and not moved.flags.writeable
+    largest = np.abs(moved).max()
+    del result
+    assert np.abs(moved).max() == largest
+    peaks = bentur.run(pair()).summary["buildings"][0]["peak_displacement"]
+    assert largest <= peaks[0]
+
+
+def test_save(tmp_path):
+    written = bentur.run(bentur.example("row-of-three")).save(tmp_path / "results")
+    assert {file.name for file in written} >= {"summary.json", "impacts.csv", "case.toml"}
+    assert not list(tmp_path.glob("**/*.new"))
+
+
+def test_report_and_notebook():
+    result = bentur.run(pair())
+    page = result.report("id")
+    assert page.startswith("<!DOCTYPE html>") or page.startswith("<!doctype html>")
+    shown = result._repr_html_()
+    assert shown.startswith("<iframe srcdoc=") and shown.count('"') == 8
+
+
+def test_limits_refuse_before_any_work():
+    with pytest.raises(bentur.CaseError, match="over the limit"):
+        bentur.run(pair(analysis={"duration": 10.0, "limits": {"memory": 1e-6}}))
+
+
+def hertz(penetration, speed):
+    return 2e9 * penetration**1.5
+
+
+def test_a_force_of_python_is_the_law_it_copies():
+    inner = pair(analysis={"duration": 3.0, "solver": "adaptive", "tolerance": 1e-11})
+    own = inner.replace({"gap[0].contact": bentur.ForceLaw(force=hertz, name="mine")})
+    expected = bentur.run(inner.replace({"gap[0].contact": {"law": "hertz", "stiffness": 2e9}}))
+    found = bentur.run(own)
+    a, b = (r.summary["gaps"][0]["points"][0] for r in (expected, found))
+    assert b["contact"]["law"] == "mine"
+    assert a["impacts"] == b["impacts"] > 0
+    for key in ("peak_force", "peak_penetration", "impulse", "contact_duration"):
+        assert a[key] == pytest.approx(b[key], rel=1e-6)
+    # what a spring gives back is the work of its force, here by quadrature
+    assert abs(b["energy_lost"]) < 1e-6 * 0.4 * b["peak_force"] * b["peak_penetration"]
+
+
+def test_what_a_force_raises_is_raised():
+    def broken(penetration, speed):
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        bentur.run(pair().replace({"gap[0].contact": bentur.ForceLaw(force=broken)}))
+    with pytest.raises(TypeError, match="must be a number"):
+        bentur.run(pair().replace({"gap[0].contact": bentur.ForceLaw(force=lambda d, v: "much")}))
+
+
+def test_branches_are_exact():
+    """Kelvin and Voigt's contact with release at zero force, as branches: the same to round-off."""
+    mass = 1e5 * 1e5 / 2e5
+    damping = 2 * 0.1 * np.sqrt(1e8 * mass)
+    touching = bentur.Branch(
+        stiffness=1e8,
+        damping=damping,
+        guards=[bentur.Guard(penetration=1e8, speed=damping, then=2)],
+    )
+    # the force is zero until the surfaces are apart, or until it would push again
+    free = bentur.Branch(
+        guards=[bentur.Guard(penetration=1.0, then=0), bentur.Guard(penetration=-1e8, speed=-damping, then=1)],
+        unloading_stiffness=1e8,
+    )
+    own = bentur.BranchLaw(branches=[touching, free])
+    expected = bentur.run(pair(gap=[{"between": ["soft", "stiff"], "width": 0.02,
+                                     "contact": {"law": "kelvin-voigt", "stiffness": 1e8, "damping_ratio": 0.1}}]))
+    found = bentur.run(pair().replace({"gap[0].contact": own}))
+    a, b = (r.summary["gaps"][0]["points"][0] for r in (expected, found))
+    assert a["impacts"] == b["impacts"] > 0
+    for key in ("peak_force", "peak_penetration", "impulse"):
+        assert a[key] == pytest.approx(b[key], rel=1e-9)
+
+
+def test_branches_that_cannot_be_are_refused():
+    with pytest.raises(ValueError, match="branches"):
+        pair().replace({"gap[0].contact": bentur.BranchLaw(branches=[])})
+    with pytest.raises(ValueError, match="then = 4"):
+        pair().replace({"gap[0].contact": bentur.BranchLaw(branches=[bentur.Branch(guards=[bentur.Guard(then=4)])])})
+
+
+def long_case():
+    return pair(analysis={"duration": 2e5, "output_step": 1.0, "solver": "adaptive", "limits": {"steps": 1e12}})
+
+
+def test_ctrl_c_stops_a_run():
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        bentur.run(long_case(), histories=False)
+    assert time.monotonic() - began < 5
+
+
+def test_the_lock_is_released():
+    steps = []
+    done = threading.Event()
+
+    def count():
+        while not done.is_set():
+            steps.append(None)
+            time.sleep(0.001)
+
+    def stop(fraction):
+        if len(steps) > 50:
+            raise InterruptedError
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        with pytest.raises(InterruptedError):
+            bentur.run(long_case(), histories=False, progress=stop)
+    finally:
+        done.set()
+        thread.join()
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        results = list(pool.map(lambda _: bentur.run(pair()), range(8)))
+    assert all(same(one, results[0]) for one in results)
+
+
+def test_vary():
+    pytest.importorskip("xarray")
+    found = bentur.vary(pair(), {"gap[0].width": [0.0, 0.02, 0.2], "building[0].damping": np.array([0.02, 0.05])})
+    assert dict(found.sizes) | {"width": 3, "damping": 2} == dict(found.sizes)
+    expected = bentur.run(pair()).summary["gaps"][0]["points"][0]["peak_force"]
+    assert float(found.peak_force.sel(width=0.02, damping=0.05).squeeze()) == expected
+    assert found.peak_force.attrs["units"] == "N"

@@ -1,0 +1,23 @@
+"""BENTUR_PROGRAM: the command line to compare with. The package is the one on PYTHONPATH, or the one installed."""
+
+import os
+import pathlib
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "doors"))
+
+
+@pytest.fixture(scope="session")
+def program():
+    path = os.environ.get("BENTUR_PROGRAM", "")
+    if not path:
+        pytest.skip("BENTUR_PROGRAM does not name the command line to compare with")
+    return path
+
+
+@pytest.fixture(scope="session")
+def root():
+    return ROOT

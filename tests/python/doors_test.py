@@ -1,0 +1,150 @@
+"""The command line and Python give the same numbers, to the bit."""
+
+import csv
+import io
+import json
+import subprocess
+
+import doors
+import numpy as np
+import pytest
+
+import bentur
+
+NAMES = [case.stem for case in doors.EXAMPLES]
+
+
+def output(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+@pytest.fixture(scope="module")
+def results(root):
+    return {name: bentur.run(root / "examples" / f"{name}.toml") for name in NAMES}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_summary(name, results, program):
+    expected = doors.numbers(doors.command_line(program, doors.ROOT / "examples" / f"{name}.toml"))
+    found = doors.numbers(json.loads(results[name].to_json()))
+    assert list(doors.differences(expected, found)) == []
+    assert doors.count(found) > 50
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_impacts_and_histories(name, results, program, root, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    subprocess.run([program, "run", root / "examples" / f"{name}.toml", "-q", "-o", tmp_path], check=True)
+    rows = list(csv.reader(io.StringIO((tmp_path / "impacts.csv").read_text())))
+    table = results[name].impacts
+    assert len(table) == len(rows) - 1
+    for row, (_, found) in zip(rows[1:], table.iterrows()):
+        for cell, value in zip(row, found):
+            expected = value if isinstance(value, str) else float(cell) if cell else None
+            assert cell == value if isinstance(value, str) else (expected == value or (expected is None and np.isnan(value)))
+    with xarray.open_dataset(tmp_path / "histories.nc") as expected:
+        found = results[name].dataset
+        for variable in expected.variables:
+            if variable.startswith(("period_", "shape_", "mode_", "point_width", "building_delay")):
+                continue
+            a, b = expected[variable], found[variable]
+            assert a.dims == b.dims, variable
+            assert a.attrs.get("units") == b.attrs.get("units"), variable
+            np.testing.assert_array_equal(a.to_numpy(), b.to_numpy(), err_msg=variable)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_gap_and_modes(name, root, program):
+    case = root / "examples" / f"{name}.toml"
+    expected = json.loads(output(program, "gap", case, "--json"))
+    found = bentur.minimum_gap(case)
+    assert list(doors.differences(expected["gaps"], found["gaps"])) == []
+    for building in json.loads(output(program, "modes", case, "--json"))["buildings"]:
+        one = bentur.modes(case)[building["name"]]
+        for key, value in building.items():
+            if isinstance(value, list):
+                np.testing.assert_array_equal(np.array(value), one[key])
+            else:
+                assert one[key] == value
+
+
+def test_spectrum(root, program):
+    record = root / "data" / "el-centro-1940-ns.csv"
+    expected = json.loads(output(program, "spectrum", record, "--unit", "g", "--damping", "0.02", "--length", "cm", "--json"))
+    found = bentur.response_spectrum(record, damping=0.02, unit="g", length="cm")
+    for name in ("period", "displacement", "pseudo_velocity", "pseudo_acceleration", "absolute_acceleration"):
+        np.testing.assert_array_equal(np.array(expected[name]), getattr(found, name))
+
+
+def datasets_are_equal(expected, found):
+    assert set(expected.variables) - {"message"} == set(found.variables) - {"message"}
+    for name in set(expected.variables) - {"message"}:
+        a, b = expected[name], found[name]
+        assert a.dims == b.dims, name
+        for attribute in ("units", "long_name", "symbol", "parameter", "study_unit", "compared_by"):
+            assert a.attrs.get(attribute) == b.attrs.get(attribute), (name, attribute)
+        np.testing.assert_array_equal(a.to_numpy(), b.to_numpy(), err_msg=name)
+    for name in ("title", "study", "case", "records"):
+        assert expected.attrs.get(name) == found.attrs.get(name)
+
+
+STUDY = """
+case = "{case}"
+
+[[vary]]
+parameter = "gap[0].width"
+values = [0.0, 0.2, 0.4]
+
+[[vary]]
+parameter = "excitation.polarity"
+values = ["as-recorded", "reversed"]
+"""
+
+SAMPLES = """
+case = "{case}"
+
+[[vary]]
+parameter = "gap[0].width"
+from = 0.0
+to = 1.0
+
+[[vary]]
+parameter = "building[0].damping"
+distribution = {{ lognormal = {{ median = 0.05, cov = 0.3, high = 0.2 }} }}
+
+[sampling]
+method = "sobol"
+count = 8
+"""
+
+IDA = STUDY + """
+[ida]
+intensity = "pga"
+unit = "g"
+levels = [0.1, 0.2, 0.3, 0.4]
+"""
+
+
+@pytest.mark.parametrize("kind, text", [("sweep", STUDY), ("sweep", SAMPLES), ("ida", IDA)])
+def test_studies(kind, text, root, program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("netCDF4")
+    study = tmp_path / "study.toml"
+    if kind == "ida":  # [ida] asks for the polarity itself
+        text = text.split("[[vary]]")[0] + "[[vary]]" + text.split("[[vary]]")[1] + text[text.index("[ida]") :]
+        text += 'polarity = "both"\n'
+    study.write_text(text.format(case=root / "examples" / "m12-el-centro.toml"))
+    subprocess.run([program, kind, study, "-o", tmp_path / "results.nc", "-q"], check=True)
+    found = getattr(bentur, kind)(study, threads=2)
+    with xarray.open_dataset(tmp_path / "results.nc") as expected:
+        datasets_are_equal(expected, found)
+        if kind != "ida":
+            return
+        asked = {"at": 0.25, "probabilities": [0.1, 0.5], "resamples": 200, "seed": 7}
+        line = ["--at", 0.25, "--probability", "0.1,0.5", "--resamples", 200, "--seed", 7]
+        for event in ("impacts > 0", "drift > 0.001", "peak_force > 2000"):
+            told = json.loads(output(program, "fragility", tmp_path / "results.nc", "--event", event, "--json", *line))
+            for results in (found, expected):
+                assert list(doors.differences(told, bentur.fragility(results, event, **asked))) == []
+    gaps = json.loads(output(program, "gap", study, "--json"))
+    assert list(doors.differences(gaps, bentur.minimum_gap(study))) == []

@@ -1,0 +1,62 @@
+"""Every function of bentur.plot draws what it is given, with units on its axes; types hold."""
+
+import importlib.util
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import bentur
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+import bentur.plot  # noqa: E402
+
+ROOT = pathlib.Path(__file__).parents[2]
+CASE = bentur.example("kelvin-voigt-pair")
+
+
+@pytest.fixture(scope="module")
+def result():
+    return bentur.run(CASE)
+
+
+@pytest.mark.parametrize("name", ["displacement", "force", "opening", "loop", "envelope"])
+def test_of_a_run(name, result):
+    ax = getattr(bentur.plot, name)(result)
+    assert "[m]" in ax.get_xlabel() + ax.get_ylabel() or "[kN]" in ax.get_ylabel()
+    drawn = [line for line in ax.get_lines() if len(line.get_xdata()) > 2]
+    assert drawn and {line.get_color() for line in drawn} <= {*bentur.plot.TONES, bentur.plot.PALE}
+    assert ax.figure.get_size_inches()[0] == pytest.approx(8.8 / 2.54)
+    matplotlib.pyplot.close(ax.figure)
+
+
+def test_force_is_the_history(result):
+    ax = bentur.plot.force(result)
+    largest = max(np.max(line.get_ydata()) for line in ax.get_lines())
+    assert largest == result.histories["force"].max() > 0
+
+
+def test_others():
+    ax = bentur.plot.modes(CASE, "New", count=2)
+    assert len(ax.get_lines()) == 3 and ax.get_title() == "New"
+    spectra = [bentur.response_spectrum(ROOT / "data/el-centro-1940-ns.csv", unit="g", damping=z) for z in (0.02, 0.05)]
+    ax = bentur.plot.spectrum(*spectra)
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["damping 2 %", "damping 5 %"]
+    assert ax.get_ylabel().endswith("[m/s²]")
+
+
+def test_types():
+    """mypy, strict, over the package and the examples, where it is installed."""
+    if importlib.util.find_spec("mypy") is None:
+        pytest.skip("mypy is not installed")
+    files = [ROOT / "bindings/python/bentur", *(ROOT / "examples/python").glob("*.py")]
+    mypy = [shutil.which("mypy")] if shutil.which("mypy") else [sys.executable, "-m", "mypy"]
+    run = subprocess.run(
+        [*mypy, "--config-file", ROOT / "pyproject.toml", "--cache-dir", "/dev/null", *files],
+        capture_output=True, text=True, cwd=ROOT, env={"MYPYPATH": str(ROOT / "bindings/python"), "PATH": "/usr/bin:/bin"},
+    )
+    assert run.returncode == 0, run.stdout

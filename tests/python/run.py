@@ -1,0 +1,13 @@
+"""run.py ARGUMENTS: pytest with these arguments; status 77 (skipped) where a package is missing that the tests need."""
+
+import importlib.util
+import sys
+
+missing = [name for name in ("numpy", "pytest", "xarray", "pandas", "netCDF4") if importlib.util.find_spec(name) is None]
+if missing:
+    print(f"skipped: without {', '.join(missing)} (Debian: {', '.join('python3-' + m.lower() for m in missing)})")
+    sys.exit(77)
+
+import pytest  # noqa: E402
+
+sys.exit(pytest.main(sys.argv[1:]))

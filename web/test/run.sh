@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# run.sh core|units|page: builds that part of the studio and tests it; 77 where something for it is missing.
+set -eu
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+here=$root/web/test
+export BENTUR_WASM=$root/build/web/bentur_web.mjs
+"$root/web/build.sh" "$1"
+case $1 in
+  core) node --test "$here/core.test.mjs" ;;
+  units)
+    for program in "$root"/build/web/bentur/src/bentur/*/*_test.js; do
+      echo "== $(basename "$program" .js)"
+      node "$program" --gtest_brief=1
+    done
+    ;;
+  page)
+    command -v chromium >/dev/null || { echo "skipped: chromium is not installed"; exit 77; }
+    node --test "$here/page.test.mjs"
+    ;;
+esac

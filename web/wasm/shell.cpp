@@ -1,0 +1,320 @@
+#include "shell.h"
+
+#include <emscripten/bind.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/remark_text.h"
+#include "bentur/solve/effort.h"
+
+namespace bentur::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const fs::path folder = "/case";
+
+// A page must not stand still: what a run may take here, where the case itself allows more.
+constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
+constexpr double most_memory = 300e6;  // [byte]
+constexpr std::size_t most_text = std::size_t{1} << 20;
+constexpr Eigen::Index most_floors = 300;  // of all buildings: 0.3 s for their modes
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// "gap[0].contact.restitution" of "gap[0].contact.restitution = 1.4, must be in (0, 1]"; empty where there is no key.
+std::string key_of(const std::string& message) {
+  const std::string key = message.substr(0, message.find_first_of(" :,"));
+  const bool is_key = key.find_first_of(".[") != std::string::npos || message.find(key + " = ") == 0;
+  return is_key ? key : "";
+}
+
+Json failure(const std::string& message) {
+  return {{"ok", false},
+          {"errors", {{{"file", ""}, {"line", 0}, {"column", 0}, {"key", key_of(message)}, {"message", message}}}}};
+}
+
+/// What may go wrong becomes an answer.
+template <typename Work>
+std::string guarded(const Work& work) {
+  try {
+    return text_of(work());
+  } catch (const std::bad_alloc&) {
+    return text_of(failure("there is not enough memory for this case in a browser; bentur run has more"));
+  } catch (const std::exception& error) {
+    return text_of(failure(error.what()));
+  }
+}
+
+/// The largest displacement over that without contact, of floors that move; 0 where none does.
+double largest_amplification(const Response& response) {
+  double largest = 0;
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (Eigen::Index floor = 0; floor < peaks.displacement.size(); ++floor) {
+      const double alone = peaks.displacement_no_contact(floor);
+      if (alone > 0) largest = std::max(largest, peaks.displacement(floor) / alone);
+    }
+  }
+  return largest;
+}
+
+double largest_force(const Response& response) {
+  double largest = 0;
+  for (const PointSummary& point : response.points) largest = std::max(largest, point.peak_force);
+  return largest;
+}
+
+Json list(const Eigen::VectorXd& values) {
+  Json all = Json::array();
+  for (const double value : values) all.push_back(std::isfinite(value) ? Json(value) : Json());
+  return all;
+}
+
+Json numbers_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json gap_overview(const RunResults& run, Eigen::Index gap, const std::vector<PointSeparation>& separations) {
+  const GapOutcome found = gap_outcome(run.problem, run.response, gap);
+  Json one = {
+      {"name", gap_name(run.problem, gap)},     {"impacts", found.impacts},       {"touched", found.touched},
+      {"points", found.gap.points.size()},      {"width", found.governing.width}, {"needed", found.governing.needed},
+      {"elevation", found.governing.elevation}, {"unmodelled", Json::array()},    {"rules", Json::object()}};
+  if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
+    const PointSummary& worst = run.response.points[*found.hardest];
+    one["hardest"] = {{"force", worst.peak_force},
+                      {"elevation", run.problem.points[*found.hardest].elevation},
+                      {"time", *worst.peak_force_time}};
+  }
+  for (const Eigen::Index i : found.unmodelled) {
+    const WatchedFloor& floor = run.problem.watched[i];
+    one["unmodelled"].push_back({{"floor", floor_text(run.problem, floor)},
+                                 {"faced", faced_text(run.problem, floor)},
+                                 {"elevation", floor.elevation},
+                                 {"depth", -run.response.watched[i].least_opening},
+                                 {"time", run.response.watched[i].least_time},
+                                 {"remedy", remedy_text(run.problem, floor, run.c.units.length)}});
+  }
+  double abs = 0, srss = 0, ddc = 0;
+  for (const PointSeparation& point : separations) {
+    if (run.problem.points[point.point].left != gap) continue;
+    abs = std::max(abs, point.abs);
+    srss = std::max(srss, point.srss);
+    ddc = std::isnan(point.ddc) ? ddc : std::max(ddc, point.ddc);
+  }
+  if (!separations.empty()) one["rules"] = {{"abs", abs}, {"srss", srss}, {"ddc", ddc}};
+  return one;
+}
+
+}  // namespace
+
+void Studio::put_file(const std::string& path, const std::string& bytes) {
+  std::error_code ignored;  // a case that names it is told that it is not there
+  const fs::path file = (folder / "cases" / path).lexically_normal();
+  fs::create_directories(file.parent_path(), ignored);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::string Studio::open(const std::string& text, const std::string& file) {
+  return guarded([&]() -> Json {
+    case_.reset(), problem_.reset(), run_.reset(), free_.reset();
+    if (text.size() > most_text) return failure("the case is longer than 1 MiB, which is more than a page reads");
+    Diagnostics diagnostics;
+    std::optional<Case> c = read_case_text(text, folder / "cases" / file, diagnostics);
+    if (!c) {
+      Json errors = Json::array();
+      for (const Diagnostic& one : diagnostics.errors()) {
+        const bool here = fs::path(one.position.file).filename() == file;
+        errors.push_back({{"file", here ? "" : fs::path(one.position.file).filename().string()},
+                          {"line", one.position.line},
+                          {"column", one.position.column},
+                          {"key", key_of(one.message)},
+                          {"message", one.message}});
+        if (errors.size() == 200) break;
+      }
+      return {{"ok", false}, {"errors", errors}};
+    }
+    Problem problem = make_problem(*c);
+    case_ = std::move(c);
+    problem_ = std::move(problem);
+    return {{"ok", true}, {"errors", Json::array()}};
+  });
+}
+
+std::string Studio::solve(const emscripten::val& output_step, const emscripten::val& progress) {
+  return guarded([&]() -> Json {
+    run_.reset();
+    if (!problem_) return failure("no case is open");
+    const Case& c = *case_;
+    SolveOptions options;
+    if (!output_step.isNull()) options.output_step = output_step.as<double>();
+    if (output_step.isNull()) options.output_step = report_output_step(*problem_);
+    if (options.output_step < 0) options.output_step = c.analysis.output_step;
+    options.energy_audit = c.analysis.energy_audit;
+    options.most_steps = static_cast<long>(std::min(c.analysis.limits.steps, most_steps));
+    if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
+    const Effort needed = effort(*problem_, c.analysis.solver, options);
+    if (needed.certain_steps > static_cast<double>(options.most_steps)) {
+      return failure(
+          fmt::format("a run takes {:.3g} steps or more, over the limit of {:.3g} of a page. Is a motion so "
+                      "fast meant? bentur run may take longer",
+                      needed.certain_steps, static_cast<double>(options.most_steps)));
+    }
+    if (needed.memory > std::min(most_memory, 1e6 * c.analysis.limits.memory)) {
+      return failure(
+          fmt::format("a run takes {:.3g} MB of memory, over the limit of a page. Make the duration shorter, "
+                      "or take bentur run",
+                      needed.memory / 1e6));
+    }
+    Response response = bentur::solve(*problem_, c.analysis.solver, options);
+    if (response.status == Status::stopped) return failure("stopped");
+    if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
+    const double seconds = response.wall_time;
+    run_ = run_results(c, *problem_, std::move(response));
+    return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
+  });
+}
+
+std::string Studio::summary() const { return run_ ? summary_json(*run_, BENTUR_VERSION) : ""; }
+
+std::string Studio::impacts() const { return run_ ? impacts_csv(run_->view()) : ""; }
+
+std::string Studio::gaps() const {
+  if (!run_) return "";
+  return gap_json(*run_, separations(run_->problem, run_->response, run_->c.code, run_->c.units), BENTUR_VERSION);
+}
+
+std::string Studio::modes() const { return run_ ? modes_json(run_->problem.buildings, run_->c.units) : ""; }
+
+std::string Studio::motion(const std::string& language) const {
+  if (!run_) return "";
+  const html::Words say(language);
+  const html::Story story{run_->view(), run_->c, run_->problem, run_->response, say, {}, {}};
+  std::vector<Eigen::Index> listed(std::min(run_->response.impacts.size(), html::most_impacts));
+  for (std::size_t k = 0; k < listed.size(); ++k) listed[k] = static_cast<Eigen::Index>(k);
+  return html::animation_json(story, listed);
+}
+
+std::string Studio::report(const std::string& language) const {
+  return run_ ? report_html(*run_, {.language = language, .version = BENTUR_VERSION}) : "";
+}
+
+std::string Studio::overview(const std::string& language) const {
+  return guarded([&]() -> Json {
+    if (!run_) return failure("nothing was run");
+    static_cast<void>(language);
+    const RunResults& run = *run_;
+    const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
+    Json gaps = Json::array();
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left, rules));
+    Json buildings = Json::array();
+    for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+      const Building& building = run.problem.buildings[b];
+      const BuildingPeaks& peaks = run.response.buildings[b];
+      buildings.push_back(
+          {{"name", building.name},
+           {"rigid", building.is_rigid()},
+           {"period", building.is_rigid() ? Json() : Json(2 * std::acos(-1.0) / building.first_omega())},
+           {"elevations", building.model.elevations},
+           {"heights", building.model.storey_heights},
+           {"yields", peaks.yielding.ductility.size() > 0},
+           {"displacement", list(peaks.displacement)},
+           {"alone", list(peaks.displacement_no_contact)},
+           {"drift", list(peaks.drift_ratio)},
+           {"acceleration", list(peaks.acceleration)},
+           {"shear", list(peaks.storey_shear)},
+           {"ductility", list(peaks.yielding.ductility)}});
+    }
+    Json impacts = Json::array();
+    for (const Impact& one : run.response.impacts) {
+      if (impacts.size() == html::most_impacts) break;
+      const ContactPoint& point = run.problem.points[one.point];
+      const std::optional<double> e = one.restitution();
+      impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,
+                         one.peak_penetration, e ? numbers_or_null(*e) : Json()});
+    }
+    Json points = Json::array();
+    for (const ContactPoint& point : run.problem.points) {
+      points.push_back({{"gap", point.left}, {"elevation", point.elevation}, {"width", point.width}});
+    }
+    Json answer = {{"ok", true},
+                   {"title", run.c.title},
+                   {"duration", run.problem.duration},
+                   {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
+                   {"gaps", gaps},
+                   {"buildings", buildings},
+                   {"points", points},
+                   {"impacts", impacts},
+                   {"impactCount", run.response.impacts.size()},
+                   {"force", largest_force(run.response)},
+                   {"amplification", largest_amplification(run.response)},
+                   {"remarks", remark_texts(run.remarks)},
+                   {"milliseconds", 1e3 * run.response.wall_time}};
+    if (run.response.collapse) {
+      answer["collapse"] = {{"building", run.problem.buildings[run.response.collapse->building].name},
+                            {"time", run.response.collapse->time}};
+    }
+    return answer;
+  });
+}
+
+std::string Studio::at_width(int gap, double width) {
+  return guarded([&]() -> Json {
+    if (!problem_) return failure("no case is open");
+    Case c = *case_;
+    if (gap < 0 || gap >= static_cast<int>(c.gaps.size()))
+      throw InvalidParameter("gap", std::to_string(gap), "is no gap");
+    std::vector<double>& widths = c.gaps[static_cast<std::size_t>(gap)].widths;
+    const double narrowest = *std::min_element(widths.begin(), widths.end());
+    for (double& one : widths) one = width + (one - narrowest);
+    SolveOptions options;
+    options.most_steps = static_cast<long>(std::min(c.analysis.limits.steps, most_steps));
+    if (!free_) {
+      free_ = std::make_unique<FreeResponse>(*problem_, c.analysis.solver, nullptr, options.most_steps);
+    }
+    const Response response = free_->solve(make_problem(c, problem_->buildings), options);
+    if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
+    long impacts = 0;
+    for (const PointSummary& point : response.points) impacts += point.impacts;
+    return {{"ok", true},
+            {"errors", Json::array()},
+            {"force", largest_force(response)},
+            {"amplification", largest_amplification(response)},
+            {"impacts", impacts}};
+  });
+}
+
+}  // namespace bentur::web
+
+EMSCRIPTEN_BINDINGS(bentur) {
+  using bentur::web::Studio;
+  emscripten::class_<Studio>("Studio")
+      .constructor<>()
+      .function("putFile", &Studio::put_file)
+      .function("open", &Studio::open)
+      .function("solve", &Studio::solve)
+      .function("summary", &Studio::summary)
+      .function("impacts", &Studio::impacts)
+      .function("gaps", &Studio::gaps)
+      .function("modes", &Studio::modes)
+      .function("motion", &Studio::motion)
+      .function("report", &Studio::report)
+      .function("overview", &Studio::overview)
+      .function("histories", &Studio::histories)
+      .function("atWidth", &Studio::at_width);
+}

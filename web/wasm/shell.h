@@ -1,0 +1,51 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bentur/model/run_results.h"
+
+namespace bentur::web {
+
+/// What stands between a page and the library: the case that is open, and its run. Everything a page gets is text, JSON
+/// or arrays of numbers; no exception leaves a public function. Answers that may fail are JSON objects with "ok", and
+/// where that is false "errors": [{file, line, column, key, message}], line and column 0 for the whole file.
+class Studio {
+ public:
+  /// A file that cases may name, at a path relative to the case.
+  void put_file(const std::string& path, const std::string& bytes);
+
+  /// Reads a case. @return {ok, errors}
+  [[nodiscard]] std::string open(const std::string& text, const std::string& file);
+
+  /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
+  /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
+  /// answers false the run ends. @return {ok, errors, seconds}
+  [[nodiscard]] std::string solve(const emscripten::val& output_step, const emscripten::val& progress);
+
+  // Of the run. @throws nothing; empty before there is one.
+  [[nodiscard]] std::string summary() const;                              ///< summary.json
+  [[nodiscard]] std::string impacts() const;                              ///< impacts.csv
+  [[nodiscard]] std::string gaps() const;                                 ///< as bentur gap --json
+  [[nodiscard]] std::string modes() const;                                ///< as bentur modes --json
+  [[nodiscard]] std::string motion(const std::string& language) const;    ///< what motion.js draws
+  [[nodiscard]] std::string report(const std::string& language) const;    ///< report.html, without figures
+  [[nodiscard]] std::string overview(const std::string& language) const;  ///< what the page tells first, JSON
+  [[nodiscard]] emscripten::val histories() const;                        ///< {time, buildings, points, ground}
+
+  /// Peak force and largest amplification of the case that is open with gap `gap` (0 the first) this wide [length]: its
+  /// narrowest point, the others wider by as much as they are. Buildings move freely once for all widths.
+  /// @return {ok, errors, force, amplification, impacts}
+  [[nodiscard]] std::string at_width(int gap, double width);
+
+ private:
+  std::optional<Case> case_;
+  std::optional<Problem> problem_;
+  std::optional<RunResults> run_;
+  std::unique_ptr<FreeResponse> free_;
+};
+
+}  // namespace bentur::web
