@@ -149,7 +149,7 @@ py::list quantities_at(const PyRun& run, Owner owner, const std::vector<Quantity
   py::list found;
   const RunView view = run.results.view();
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (!places.empty() && !is_told(*quantity, view, places.front().item)) continue;
+    if (!is_told_at_any(*quantity, view, places)) continue;
     std::vector<double> values;
     values.reserve(places.size());
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, view, at));
