@@ -224,6 +224,11 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
     curves.push_back(style);
     curves.back().x = run.response.histories.time;
     curves.back().y = row_of(forces, 6 * struck.node + row);
+    // What acts on the foot of a piece has the other sign than on its head: drawn is the same sign for the same
+    // bending.
+    if (row == 1 || row == 2 || row == 4) {
+      for (double& y : curves.back().y) y = -y;
+    }
   }
   // Impacts are shorter than samples: the largest is told as it was.
   std::vector<Rule> rules;
