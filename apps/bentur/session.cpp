@@ -7,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -116,6 +118,7 @@ Loaded load_example(const std::string& name) {
 RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
+  options.course = output_step > 0;
   options.energy_audit = loaded.c.analysis.energy_audit;
   options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
@@ -218,11 +221,44 @@ std::string harmless(const std::string& text) {
   return shown;
 }
 
+namespace {
+
+/// Whether colours may be used: on a terminal, unless NO_COLOR says otherwise (no-color.org).
+bool has_colours() {
+  const char* const none = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return (none == nullptr || *none == '\0') && ::isatty(STDOUT_FILENO) == 1 &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+/// Verdicts, which begin a sentence in capitals, in bold and red or green.
+std::string with_colours(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> verdicts[] = {
+      {"NO POUNDING.", "\x1b[1;32m"},
+      {"POUNDING,", "\x1b[1;31m"},
+      {"POUNDING THAT IS NOT MODELLED:", "\x1b[1;31m"},
+      {"COLLAPSE:", "\x1b[1;31m"}};
+  for (const auto& [words, colour] : verdicts) {
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+      const bool begins = at == 0 || text[at - 1] == '\n' || (at > 1 && text.compare(at - 2, 2, ": ") == 0);
+      const std::string shown = begins ? fmt::format("{}{}\x1b[0m", colour, words) : std::string(words);
+      text.replace(at, words.size(), shown);
+      at += shown.size();
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 void print(const std::string& text) {
-  const std::string shown = harmless(text);
+  const std::string shown = has_colours() ? with_colours(harmless(text)) : harmless(text);
   std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
-void message(const std::string& text) { fmt::print(stderr, "{}\n", harmless(text)); }
+void message(const std::string& text) {
+  std::fflush(stdout);  // what was printed before stands before it, also where both go to one place
+  fmt::print(stderr, "{}\n", harmless(text));
+}
 
 }  // namespace bentur::cli

@@ -397,6 +397,31 @@ class Run(CommandLine):
             self.assertIn(word, text)
         self.assertLess(text.index("POUNDING"), text.index("Level  "), "the verdict comes first")
 
+    def test_tables_fit_the_width_asked_for(self):
+        for width in 60, 80, 100:
+            environment = {**os.environ, "COLUMNS": str(width)}
+            for case in "m12-el-centro", "row-of-three", "yielding-pair":
+                shown = subprocess.run([BENTUR, "run", str(SOURCE / "examples" / f"{case}.toml")], capture_output=True, text=True,
+                                       env=environment, timeout=60).stdout
+                self.assertLessEqual(max(map(len, shown.splitlines())), width, f"{case} at {width}")
+                self.assertNotIn("\x1b", shown, "no colour but on a terminal")
+
+    def test_verdicts_are_coloured_on_a_terminal_alone(self):
+        for environment, coloured in ({}, True), ({"NO_COLOR": "1"}, False):
+            leader, follower = pty.openpty()
+            with os.fdopen(leader, "rb") as stream:
+                run = subprocess.Popen([BENTUR, "run"], stdout=follower, stderr=subprocess.DEVNULL,
+                                       env={**os.environ, "TERM": "xterm", **environment})
+                os.close(follower)
+                shown = b""
+                try:
+                    while part := stream.read1(4096):
+                        shown += part
+                except OSError:  # the end of a terminal
+                    pass
+                self.assertEqual(run.wait(60), 0)
+            self.assertEqual(b"\x1b[1;31mPOUNDING," in shown, coloured)
+
     def test_json_has_every_key(self):
         result = self.done("run", "--json")
         summary = json.loads(result.stdout)
@@ -410,8 +435,13 @@ class Run(CommandLine):
         for building in summary["buildings"]:
             self.assertEqual(set(building), {
                 "name", "elevations", "periods", "peak_displacement", "peak_displacement_no_contact", "amplification",
-                "peak_drift_ratio", "peak_acceleration", "peak_storey_shear", "weight", "base_shear_coefficient",
-                "period_per_storey", "first_period"})
+                "peak_drift_ratio", "peak_acceleration", "peak_acceleration_no_contact", "acceleration_ratio",
+                "peak_storey_shear", "peak_storey_shear_no_contact", "storey_shear_ratio", "weight",
+                "base_shear_coefficient", "period_per_storey", "first_period"})
+            for key in "acceleration", "storey_shear":
+                for ratio, with_contact, without in zip(*(building[name] for name in (
+                        f"{key}_ratio", f"peak_{key}", f"peak_{key}_no_contact"))):
+                    self.assertAlmostEqual(ratio, with_contact / without, delta=1e-12 * ratio)
             self.assertEqual({len(values) for values in building.values() if isinstance(values, list)}, {3})
         self.assertAlmostEqual(summary["buildings"][0]["periods"][0], 0.1440, places=4)
         self.assertAlmostEqual(summary["buildings"][1]["periods"][0], 0.1627, places=4)
@@ -1141,7 +1171,7 @@ duration = 5.0
         text = html.unescape(page.read_text()).replace("\u00a0", " ")
         self.assertIn(f"The buildings collide in {met} of 3 runs.", text)
         needed = self.summary(self.with_width(0.01))["gap_needed"]
-        self.assertIn(f"a gap of up to {needed:.4g} m", text)
+        self.assertIn(f"a gap of up to {needed:.3g} m", text)
         self.with_width(0.01)
         of_study = json.loads(self.done("gap", study, "--json").stdout)["studied"][0]["gaps"][0]["largest"]
         self.assertEqual(of_study["simulated"], needed)
@@ -1283,8 +1313,9 @@ class Report(CommandLine):
         self.assertTrue(0 < colliding < 5)
         self.assertIn(f"The buildings collide in {colliding} of 5 runs.", text)
         hardest = max(forces, key=forces.get)
-        self.assertIn(f"The largest contact force is {forces[hardest]:.0f} kgf, at width = {hardest:g}.", text)
-        self.assertIn("a gap of up to 0.7262 cm.", text)
+        force = float(f"{forces[hardest]:.3g}")
+        self.assertIn(f"The largest contact force is {force:g} kgf, at gap {hardest:g} cm.", text)
+        self.assertIn("a gap of up to 0.726 cm.", text)
         self.assertIn(study.read_text(), text)
         self.assertIn("bentur report: ", self.fails(2, "report", self.folder / "none.nc", "-o", page).stderr)
 
