@@ -12,8 +12,19 @@
 namespace bentur::cli {
 namespace {
 
+/// Whether a word is another one without one of its letters.
+bool lacks_one(const std::string& word, const std::string& whole) {
+  for (std::size_t i = 0; word.size() + 1 == whole.size() && i < whole.size(); ++i) {
+    if (whole.substr(0, i) + whole.substr(i + 1) == word) return true;
+  }
+  return false;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = nearest(word, known);
+  std::string near = nearest(word, known);
+  for (std::size_t i = 0; near.empty() && word.size() > 1 && i < known.size(); ++i) {  // "rn" of "run"
+    if (lacks_one(word, known[i])) near = known[i];
+  }
   return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
 }
 

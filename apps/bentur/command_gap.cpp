@@ -156,7 +156,7 @@ std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<Po
     return problem.points[static_cast<std::size_t>(s.point)];
   };
   const GoverningLevel governing = governing_level(problem, run.response, gap.left);
-  const bool too_close = governing.needed > governing.width;
+  const bool too_close = governing.is_short();
   std::string text =
       fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap.left),
                   too_close ? "too close" : "wide enough", number(governing.needed), length,

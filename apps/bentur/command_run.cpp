@@ -62,6 +62,14 @@ std::string yielding_table(const RunView& run, Eigen::Index building) {
                      table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}).text());
 }
 
+/// Accelerations and storey shears of a building with and without contact, storeys by the floor above them.
+std::string force_table(const RunView& run, Eigen::Index building) {
+  const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
+  return "\n" +
+         table_of(force_columns(run, floors_from_top(run.problem, building)), run, {levels.rbegin(), levels.rend()})
+             .text();
+}
+
 /// The contact points of a gap from the top down.
 std::vector<Eigen::Index> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
 
@@ -231,6 +239,7 @@ std::string summary_text(const RunResults& run) {
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
     text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
                         quantity_table(view, Owner::floor, floors_from_top(problem, b)).text());
+    text += force_table(view, b);
     if (building.is_rigid()) {
       text += "  Moves with the ground\n";
       continue;
@@ -335,7 +344,7 @@ void execute(const RunArguments& arguments) {
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
-    print(summary_text(run));
+    print(fitted(summary_text(run)));
   }
   if (output && !arguments.quiet) {
     message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",

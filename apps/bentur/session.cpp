@@ -7,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -15,6 +17,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/report/utf8.h"
@@ -115,6 +118,7 @@ Loaded load_example(const std::string& name) {
 RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
   SolveOptions options;
   options.output_step = output_step;
+  options.course = output_step > 0;
   options.energy_audit = loaded.c.analysis.energy_audit;
   options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
@@ -162,34 +166,6 @@ std::string record_line(const RecordEcho& record) {
                      echo_notes(record), record.count, number(record.time_step), number(record.duration));
 }
 
-namespace {
-
-std::string spectrum_line(const SpectrumSpec& spec, const Units& units) {
-  const double g = units.gravity;
-  struct Shape {
-    double g;
-    std::string operator()(const TwoPeriodSpectrum& shape) const {
-      return fmt::format("S_DS {} g, S_D1 {} g, T_L {} s", number(shape.short_period / g), number(shape.one_second / g),
-                         number(shape.long_period));
-    }
-    std::string operator()(const EurocodeSpectrum& shape) const {
-      return fmt::format("a_g {} g, S {}, T_B, T_C, T_D {}, {}, {} s", number(shape.ground_acceleration / g),
-                         number(shape.soil_factor), number(shape.corner_b), number(shape.corner_c),
-                         number(shape.corner_d));
-    }
-    std::string operator()(const TableSpectrum& shape) const {
-      return fmt::format("{} periods from {} to {} s", shape.periods.size(), number(shape.periods.front()),
-                         number(shape.periods.back()));
-    }
-  };
-  return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}", spec.file.empty() ? spec.shape : spec.file,
-                     std::visit(Shape{g}, spec.spectrum.shape), number(spec.spectrum.damping_ratio),
-                     spec.spectrum.corrects_damping ? ", corrected for others" : "",
-                     spec.combination == ModalCombination::cqc ? "CQC" : "SRSS");
-}
-
-}  // namespace
-
 std::string excitation_line(const Case& c) {
   std::string line;
   const std::string acceleration = c.units.length + "/s²";
@@ -203,7 +179,12 @@ std::string excitation_line(const Case& c) {
                        number(harmonic->displacement_amplitude), c.units.length,
                        number(peak_acceleration(c.excitation.motion)), acceleration);
   } else if (c.excitation.spectrum) {
-    return spectrum_line(*c.excitation.spectrum, c.units);
+    const SpectrumSpec& spectrum = *c.excitation.spectrum;
+    return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}",
+                       spectrum.file.empty() ? spectrum.shape : spectrum.file, spectrum_parameters(spectrum, c.units),
+                       number(spectrum.spectrum.damping_ratio),
+                       spectrum.spectrum.corrects_damping ? ", corrected for others" : "",
+                       spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS");
   } else {
     return "No ground motion: free vibration";
   }
@@ -240,11 +221,44 @@ std::string harmless(const std::string& text) {
   return shown;
 }
 
+namespace {
+
+/// Whether colours may be used: on a terminal, unless NO_COLOR says otherwise (no-color.org).
+bool has_colours() {
+  const char* const none = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return (none == nullptr || *none == '\0') && ::isatty(STDOUT_FILENO) == 1 &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+/// Verdicts, which begin a sentence in capitals, in bold and red or green.
+std::string with_colours(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> verdicts[] = {
+      {"NO POUNDING.", "\x1b[1;32m"},
+      {"POUNDING,", "\x1b[1;31m"},
+      {"POUNDING THAT IS NOT MODELLED:", "\x1b[1;31m"},
+      {"COLLAPSE:", "\x1b[1;31m"}};
+  for (const auto& [words, colour] : verdicts) {
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+      const bool begins = at == 0 || text[at - 1] == '\n' || (at > 1 && text.compare(at - 2, 2, ": ") == 0);
+      const std::string shown = begins ? fmt::format("{}{}\x1b[0m", colour, words) : std::string(words);
+      text.replace(at, words.size(), shown);
+      at += shown.size();
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 void print(const std::string& text) {
-  const std::string shown = harmless(text);
+  const std::string shown = has_colours() ? with_colours(harmless(text)) : harmless(text);
   std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
-void message(const std::string& text) { fmt::print(stderr, "{}\n", harmless(text)); }
+void message(const std::string& text) {
+  std::fflush(stdout);  // what was printed before stands before it, also where both go to one place
+  fmt::print(stderr, "{}\n", harmless(text));
+}
 
 }  // namespace bentur::cli

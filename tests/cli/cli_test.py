@@ -397,6 +397,31 @@ class Run(CommandLine):
             self.assertIn(word, text)
         self.assertLess(text.index("POUNDING"), text.index("Level  "), "the verdict comes first")
 
+    def test_tables_fit_the_width_asked_for(self):
+        for width in 60, 80, 100:
+            environment = {**os.environ, "COLUMNS": str(width)}
+            for case in "m12-el-centro", "row-of-three", "yielding-pair":
+                shown = subprocess.run([BENTUR, "run", str(SOURCE / "examples" / f"{case}.toml")], capture_output=True, text=True,
+                                       env=environment, timeout=60).stdout
+                self.assertLessEqual(max(map(len, shown.splitlines())), width, f"{case} at {width}")
+                self.assertNotIn("\x1b", shown, "no colour but on a terminal")
+
+    def test_verdicts_are_coloured_on_a_terminal_alone(self):
+        for environment, coloured in ({}, True), ({"NO_COLOR": "1"}, False):
+            leader, follower = pty.openpty()
+            with os.fdopen(leader, "rb") as stream:
+                run = subprocess.Popen([BENTUR, "run"], stdout=follower, stderr=subprocess.DEVNULL,
+                                       env={**os.environ, "TERM": "xterm", **environment})
+                os.close(follower)
+                shown = b""
+                try:
+                    while part := stream.read1(4096):
+                        shown += part
+                except OSError:  # the end of a terminal
+                    pass
+                self.assertEqual(run.wait(60), 0)
+            self.assertEqual(b"\x1b[1;31mPOUNDING," in shown, coloured)
+
     def test_json_has_every_key(self):
         result = self.done("run", "--json")
         summary = json.loads(result.stdout)
@@ -410,8 +435,13 @@ class Run(CommandLine):
         for building in summary["buildings"]:
             self.assertEqual(set(building), {
                 "name", "elevations", "periods", "peak_displacement", "peak_displacement_no_contact", "amplification",
-                "peak_drift_ratio", "peak_acceleration", "peak_storey_shear", "weight", "base_shear_coefficient",
-                "period_per_storey", "first_period"})
+                "peak_drift_ratio", "peak_acceleration", "peak_acceleration_no_contact", "acceleration_ratio",
+                "peak_storey_shear", "peak_storey_shear_no_contact", "storey_shear_ratio", "weight",
+                "base_shear_coefficient", "period_per_storey", "first_period"})
+            for key in "acceleration", "storey_shear":
+                for ratio, with_contact, without in zip(*(building[name] for name in (
+                        f"{key}_ratio", f"peak_{key}", f"peak_{key}_no_contact"))):
+                    self.assertAlmostEqual(ratio, with_contact / without, delta=1e-12 * ratio)
             self.assertEqual({len(values) for values in building.values() if isinstance(values, list)}, {3})
         self.assertAlmostEqual(summary["buildings"][0]["periods"][0], 0.1440, places=4)
         self.assertAlmostEqual(summary["buildings"][1]["periods"][0], 0.1627, places=4)
@@ -905,7 +935,7 @@ kind = "spectrum"
         study = self.folder / "study.toml"
         study.write_text(f'case = "{case}"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.1, 0.2]\n')
         line = next(i for i, text in enumerate(case.read_text().splitlines(), 1) if text.startswith("kind ="))
-        for command in (["run", case], ["report", case, "-o", self.folder / "r.html"], ["gap", study],
+        for command in (["run", case], ["run", case, "-o", self.folder / "r"], ["gap", study],
                         ["sweep", study, "-o", self.folder / "r.nc"]):
             message = self.fails(2, *command).stderr
             self.assertIn(f"design-spectrum.toml:{line}:8: error: excitation.kind = \"spectrum\"", message)
@@ -913,6 +943,19 @@ kind = "spectrum"
         self.assertEqual([file.name for file in self.folder.iterdir()], ["study.toml"])
         self.assertIn("no errors", self.done("check", case).stdout)
         self.assertIn("Eight storeys", self.done("modes", case).stdout)
+
+    def test_a_report_of_gaps_peaks_and_screening(self):
+        case = self.FOLDER / "spectrum-table.toml"
+        gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
+        for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated"]),
+                                ("id", ["Selisih", "Penapisan", "kurang 0.004232 m", "tidak ada yang disimulasikan"])):
+            output = self.folder / "r.html"
+            self.done("report", case, "-o", output, "--lang", language)
+            page = html.unescape(output.read_text()).replace("\u00a0", " ")
+            for word in [*words, "CQC", "ASCE 7-16, IBC", "FEMA P-154", "site-spectrum.csv", "Six | Four",
+                         f"{gap['spectral_difference']:.4g}", f"{gap['abs']:.4g}"]:
+                self.assertIn(word, page)
+            self.assertIn('<meta http-equiv="Content-Security-Policy"', page)
 
     def test_srss_and_cqc_are_told_and_one_is_combined(self):
         text = (self.FOLDER / "design-spectrum.toml").read_text()
@@ -933,7 +976,7 @@ class Screening(CommandLine):
     def test_in_table_json_and_report(self):
         case = SOURCE / "examples" / "gaps" / "design-spectrum.toml"
         text = self.done("gap", case).stdout
-        for words in (r"floors apart in height +1\.5 +0\.6096 +m +attention +FEMA P-154", r"storeys more +3 +2 +attention",
+        for words in (r"floors apart in height +1\.5 +0\.6096 +m +attention +FEMA P-154", r"difference in storeys +3 +2 +attention",
                       r"pounding to be scored +yes", r"gap over height +0\.5714 +1\.5 +% +attention +ASCE 41-17",
                       r"mass ratio +2\.048 +2 +attention +ours", "by memory: check the text"):
             self.assertRegex(text, words)
@@ -1127,7 +1170,7 @@ duration = 5.0
         text = html.unescape(page.read_text()).replace("\u00a0", " ")
         self.assertIn(f"The buildings collide in {met} of 3 runs.", text)
         needed = self.summary(self.with_width(0.01))["gap_needed"]
-        self.assertIn(f"a gap of up to {needed:.4g} m", text)
+        self.assertIn(f"a gap of up to {needed:.3g} m", text)
         self.with_width(0.01)
         of_study = json.loads(self.done("gap", study, "--json").stdout)["studied"][0]["gaps"][0]["largest"]
         self.assertEqual(of_study["simulated"], needed)
@@ -1269,8 +1312,9 @@ class Report(CommandLine):
         self.assertTrue(0 < colliding < 5)
         self.assertIn(f"The buildings collide in {colliding} of 5 runs.", text)
         hardest = max(forces, key=forces.get)
-        self.assertIn(f"The largest contact force is {forces[hardest]:.0f} kgf, at width = {hardest:g}.", text)
-        self.assertIn("a gap of up to 0.7262 cm.", text)
+        force = float(f"{forces[hardest]:.3g}")
+        self.assertIn(f"The largest contact force is {force:g} kgf, at gap {hardest:g} cm.", text)
+        self.assertIn("a gap of up to 0.726 cm.", text)
         self.assertIn(study.read_text(), text)
         self.assertIn("bentur report: ", self.fails(2, "report", self.folder / "none.nc", "-o", page).stderr)
 

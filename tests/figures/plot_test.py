@@ -19,7 +19,7 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
-WITH_IMPACTS = ["displacement", "opening", "force", "impact", "loop", "envelope", "amplification", "modes", "spectrum"]
+WITH_IMPACTS = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "modes", "spectrum"]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
          "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a\n!touch pwned", "'.system('touch pwned').'"]
 
@@ -98,6 +98,30 @@ class Run(Figures):
                                delta=1e-3 * hardest["peak_penetration"])
         self.assertAlmostEqual(max(row[1] for row in force), hardest["peak_force"], delta=1e-3 * hardest["peak_force"])
 
+    def test_the_area_under_every_force_is_the_impulse(self):
+        """Of every impact that is drawn, of laws with short and with long contacts, in the whole run and in a part of it."""
+        for name in "m12-el-centro", "kelvin-voigt-pair", "restitution-asked", "yielding-pair", "isolated-moat":
+            self.bentur(0, "run", SOURCE / f"examples/{name}.toml", "-q", "-o", name, "--figures", "svg")
+            with (self.folder / name / "impacts.csv").open() as file:
+                impacts = list(csv.DictReader(file))
+            pick = lambda impact, key: float(next(v for k, v in impact.items() if k.split(" ")[0] == key))
+            forced = [impact for impact in impacts if pick(impact, "peak_force") > 0]
+            hardest = max(forced, key=lambda impact: pick(impact, "peak_force"))
+            place = ("left", "elevation")
+            shown = [i for i in forced if all(i[k] == hardest[k] for k in i if k.split(" ")[0] in place)]
+            for table in blocks(self.folder / name / "figures/force.dat"):
+                checked = 0
+                for impact in shown:
+                    start, end, slack = pick(impact, "start"), pick(impact, "end"), 1e-9
+                    if start < table[0][0] or end > table[-1][0] - slack:
+                        continue
+                    inside = [row for row in table if start - slack <= row[0] <= end + slack]
+                    area = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(inside, inside[1:]))
+                    impulse = pick(impact, "impulse")
+                    self.assertAlmostEqual(area, impulse, delta=1e-3 * impulse, msg=f"{name} at {start}")
+                    checked += 1
+                self.assertGreater(checked, 0, name)
+
     def test_without_gnuplot_everything_else_is_there(self):
         result = self.bentur(0, "run", EL_CENTRO, "-o", "out", "--figures", "svg", env={"PATH": "/nonexistent"})
         self.assertIn("gnuplot is not installed", result.stderr)
@@ -115,7 +139,7 @@ class Run(Figures):
         case = self.folder / "m12-el-centro.toml"
         case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
         self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
-        quiet = ["displacement", "opening", "envelope", "amplification", "modes", "spectrum"]
+        quiet = ["displacement", "opening", "envelope", "modes", "spectrum"]
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}.{ending}" for kind in quiet for ending in ("dat", "gp", "svg")} | {"mine.svg"})
 
@@ -156,7 +180,7 @@ class Plot(Figures):
     def test_list_and_suggestion(self):
         results = self.run_of("kelvin-voigt-pair")
         listed = [line.split()[0] for line in self.bentur(0, "plot", results, "--list").stdout.splitlines()]
-        self.assertEqual(listed, ["displacement", "opening", "force", "envelope", "amplification", "modes", "energy"])
+        self.assertEqual(listed, ["displacement", "opening", "force", "forces", "envelope", "amplification", "modes", "energy"])
         message = self.bentur(2, "plot", results, "enrgy").stderr
         self.assertIn('did you mean "energy"?', message)
         self.assertIn("--figures", self.bentur(2, "plot", results, "impact").stderr)
@@ -212,7 +236,8 @@ class Plot(Figures):
         self.assertIn("output_step = 0.0001", text)
         case.write_text(text)
         summary = json.loads(self.bentur(0, "run", case, "-o", "out", "--figures", "svg", "--json").stdout)
-        self.assertLess((self.folder / "out/figures/displacement.svg").stat().st_size, 150_000)
+        # The exact course, whatever the samples are: some 70 points a vibration.
+        self.assertLess((self.folder / "out/figures/displacement.svg").stat().st_size, 250_000)
         peak = summary["buildings"][0]["peak_displacement"][-1]
         seen = max(abs(row[1]) for row in blocks(self.folder / "out/figures/displacement.dat")[0])
         self.assertAlmostEqual(seen, peak, delta=1e-4 * peak)
@@ -255,7 +280,7 @@ class Sweep(Figures):
         results = self.sweep("two", self.GAPS, self.DAMPING)
         self.bentur(0, "plot", results, "contact-duration", "-o", "f.svg")
         self.assertEqual(len(blocks(self.folder / "f.dat")), 2)
-        self.assertIn("damping = 0.02", self.texts(self.folder / "f.svg"))
+        self.assertIn("damping 0.02", self.texts(self.folder / "f.svg"))
         self.bentur(0, "plot", results, "contact-duration", "--at", "damping=0.05", "-o", "g.svg")
         points = blocks(self.folder / "g.dat")
         sums = [sum(curve[i][1] for curve in points) for i in range(5)]

@@ -116,8 +116,10 @@ class Browser:
             raise RuntimeError(json.dumps(result["exceptionDetails"])[:2000])
         return result["result"].get("value")
 
-    def screenshot(self, path):
-        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
+    def screenshot(self, path, height=None):
+        """All of the page, or its upper part."""
+        size = dict(self.call("Page.getLayoutMetrics")["cssContentSize"])
+        size["height"] = height or size["height"]
         image = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True,
                           clip={"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1})
         pathlib.Path(path).write_bytes(base64.b64decode(image["data"]))

@@ -7,6 +7,7 @@ screenshots of every example at phone and A4 width and its pages as PDF in DIR, 
 
 import csv
 import json
+import math
 import os
 import pathlib
 import re
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -23,6 +25,36 @@ import browser  # noqa: E402
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 PHONE, A4 = 390, 794  # CSS pixels
+AXE = SOURCE / "build" / "axe" / "node_modules" / "axe-core" / "axe.min.js"  # fetched by ./dev test
+FONTS = "DejaVu Sans", "Liberation Sans"
+# Texts that leave their picture, and pairs that lie on one another, of every figure of the page in one font.
+MISPLACED = """(font => { const style = document.createElement('style');
+    style.textContent = `figure svg text, figure svg tspan { font-family: '${font}' !important }`;
+    document.head.append(style); const found = [];
+    for (const svg of document.querySelectorAll('figure svg')) {
+      const frame = svg.getBoundingClientRect(), scale = frame.width / svg.viewBox.baseVal.width, boxes = [];
+      const name = svg.getAttribute('aria-label');
+      for (const text of svg.querySelectorAll('text')) {
+        const box = text.getBoundingClientRect(); if (!text.textContent.trim() || !box.width) continue;
+        const slack = 1.5 * scale;
+        if (box.left < frame.left - slack || box.right > frame.right + slack || box.top < frame.top - slack ||
+            box.bottom > frame.bottom + slack) found.push(`${name}: "${text.textContent}" leaves it`);
+        boxes.push([text.textContent, box]); }
+      for (let i = 0; i < boxes.length; ++i) for (let j = 0; j < i; ++j) {
+        const [a, b] = [boxes[i][1], boxes[j][1]], slack = 2.5 * scale;
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+        const along = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        if (across > slack && along > slack) found.push(`${name}: "${boxes[i][0]}" on "${boxes[j][0]}"`); } }
+    style.remove(); return found; })"""
+
+
+def leaves(table, key=""):
+    """Key and texts of every text of the catalogue."""
+    if "en" in table and isinstance(table["en"], str):
+        yield key, {language: table[language] for language in ("en", "id")}
+    for name, inner in table.items():
+        if isinstance(inner, dict):
+            yield from leaves(inner, f"{key}.{name}" if key else name)
 
 
 class Reports(unittest.TestCase):
@@ -78,7 +110,44 @@ class Reports(unittest.TestCase):
         self.assertEqual(self.browser.requests(), [page.resolve().as_uri()], "the page asks for nothing but itself")
 
 
+    def well_drawn(self):
+        """Figures whose texts all stand where they can be read, in the widest and in the usual font."""
+        for font in FONTS:
+            self.assertEqual(self.js(f"{MISPLACED}({json.dumps(font)})"), [], font)
+
+    def well_worded(self, page, language):
+        """No word of gnuplot, of the command line or of the other language."""
+        text = page.read_text()
+        self.assertNotIn("<title>", text.replace("<title>", "", 1), "that of the page alone")
+        for word in "using 1:2", "Gnuplot", "--at", "--from":
+            self.assertNotIn(word, text)
+        if language == "en":
+            return
+        catalogue = tomllib.loads((SOURCE / "src/bentur/report/html/texts.toml").read_text())
+        english = {texts["en"] for key, texts in leaves(catalogue) if texts["en"] != texts["id"] and "{" not in texts["en"]}
+        shown = self.js("Array.from(document.querySelectorAll('figure text, th, h2, h3, figcaption, summary, button'))"
+                        ".map(e => e.textContent.replace(/ \\[.*\\]$/, '').trim())")
+        self.assertEqual(sorted(english & set(shown)), [])
+
+    def accessible(self):
+        if not AXE.exists():
+            self.skipTest("axe-core is not installed: ./dev test fetches it where npm is")
+        self.js(AXE.read_text() + ";0")
+        found = self.js("axe.run(document, {resultTypes: ['violations']}).then(r => r.violations.map(v => v.id + ': ' +"
+                        "v.nodes.slice(0, 3).map(n => n.html.slice(0, 120) + ' ' + (n.any[0] || n.all[0] || {}).message).join(' | ')))")
+        self.assertEqual(found, [])
+
+
 class Pages(Reports):
+    def test_no_violation_of_accessibility(self):
+        for name, language in ("m12-el-centro", "en"), ("row-of-three", "id"), ("yielding-pair", "en"):
+            self.opened(self.example(name, "--lang", language))
+            self.js("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+            self.accessible()
+            self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+            self.accessible()
+            self.browser.call("Emulation.setEmulatedMedia", features=[])
+
     def test_every_example_opens_without_a_complaint_and_fits_phone_and_a4(self):
         for case in sorted((SOURCE / "examples").glob("*.toml")):
             for language in "en", "id":
@@ -89,6 +158,9 @@ class Pages(Reports):
                         self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
                         self.assertEqual(self.js("document.documentElement.lang"), language)
                         self.clean(page)
+                        if width == A4:
+                            self.well_drawn()
+                            self.well_worded(page, language)
 
     def test_reports_of_results_open_as_well(self):
         results, sweep = self.folder / "results", self.folder / "sweep.nc"
@@ -106,6 +178,43 @@ class Pages(Reports):
             self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
             self.assertIn("202", self.js("document.querySelector('.lead').textContent"))
             self.clean(page)
+        self.well_drawn()
+        self.well_worded(page, "en")
+
+    def test_the_report_of_an_incremental_dynamic_analysis_answers(self):
+        """On a study of three directions: levels, records and gaps."""
+        for name in "one", "two":
+            values = [3 * math.sin(0.31 * i + len(name)) + 2 * math.sin(0.13 * i * (i if name == "two" else 1)) for i in range(200)]
+            (self.folder / f"{name}.txt").write_text("".join(f"{0.02 * i:.2f} {value:.6f}\n" for i, value in enumerate(values)))
+        study = self.folder / "study.toml"
+        study.write_text(f'''case = "{SOURCE / "examples" / "two-frames-si.toml"}"
+[[vary]]
+parameter = "excitation.file"
+name = "record"
+files = ["one.txt", "two.txt"]
+unit = "m/s2"
+[[vary]]
+parameter = "gap[0].width"
+values = [0.02, 0.1]
+[ida]
+intensity = "pga"
+unit = "g"
+levels = [0.1, 0.3, 0.6]
+''')
+        results = self.folder / "ida.nc"
+        subprocess.run([BENTUR, "ida", "-q", str(study), "-o", str(results)], check=True, timeout=300)
+        for language in "en", "id":
+            page = self.report(results, "--lang", language)
+            self.browser.resize(A4, 900)
+            self.browser.open(page)
+            self.clean(page)
+            self.well_drawn()
+            self.well_worded(page, language)
+            text = self.js("document.getElementById('probability').textContent")
+            for word in "θ", "β", "95 %", "10 %", "50 %":
+                self.assertIn(word, text)
+            self.assertGreaterEqual(self.js("document.querySelectorAll('figure svg').length"), 2)
+            self.assertNotIn("M1", self.js("document.querySelector('h1').textContent"))
 
     def test_sizes(self):
         page = self.example("m12-el-centro")
@@ -140,7 +249,8 @@ class Pages(Reports):
                 self.assertIsNone(self.js("window.pwned"))
                 self.assertEqual(self.js("document.querySelector('h1').textContent"), name)
                 self.assertEqual(self.js("document.title"), name)
-                self.assertEqual(self.js("document.querySelector('#stage .name').textContent"), name)
+                self.assertIn(self.js("document.querySelector('#stage .name').textContent"), (name, "1"))
+                self.assertIn(name, self.js("document.getElementById('building-key').textContent"))
                 self.clean(page)
 
     def test_a_script_that_came_in_would_not_run_and_nothing_can_be_fetched(self):

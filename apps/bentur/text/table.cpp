@@ -1,7 +1,12 @@
 #include "text/table.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "bentur/report/utf8.h"
@@ -10,9 +15,26 @@ namespace bentur::cli {
 
 namespace {
 
-constexpr std::size_t widest_line = 100;  // characters
+constexpr std::size_t usual_width = 100, least_width = 40, largest_width = 200;  // characters
 
 }  // namespace
+
+std::optional<std::size_t> asked_width() {
+  const char* const given = std::getenv("COLUMNS");
+  if (given != nullptr) {
+    const std::optional<double> asked = parse_number(given);
+    if (asked && *asked >= 1 && *asked < 1e4) {
+      return std::clamp(static_cast<std::size_t>(*asked), least_width, largest_width);
+    }
+  }
+  winsize size{};
+  if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    return std::clamp<std::size_t>(size.ws_col, least_width, largest_width);
+  }
+  return std::nullopt;
+}
+
+std::size_t line_width() { return asked_width().value_or(usual_width); }
 
 std::string wrapped(const std::string& text) {
   std::string result;
@@ -20,7 +42,7 @@ std::string wrapped(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    if (taken > 0 && taken + 1 + display_width(word) > widest_line) {
+    if (taken > 0 && taken + 1 + display_width(word) > std::min(usual_width, line_width())) {
       result += "\n  ";
       taken = 2;
     } else if (at > 0) {
@@ -29,6 +51,22 @@ std::string wrapped(const std::string& text) {
     }
     result += word;
     taken += display_width(word);
+    at = end + 1;
+  }
+  return result;
+}
+
+std::string fitted(const std::string& text) {
+  if (!asked_width()) return text;
+  const std::size_t width = std::min(usual_width, line_width());
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    const bool is_table = begin > 0 && line.find("  ", begin) != std::string::npos;
+    result += display_width(line) > width && !is_table ? wrapped(line) : line;
+    if (end < text.size()) result += '\n';
     at = end + 1;
   }
   return result;
@@ -59,6 +97,36 @@ std::array<std::string, 2> heading(const std::string& name, std::size_t below) {
 }  // namespace
 
 std::string Table::text() const {
+  const std::size_t width = line_width();
+  if (!asked_width()) return in_one(width);
+  std::string text;
+  Table part;
+  for (const Column& column : columns_) {
+    Table longer = part;
+    longer.columns_.push_back(column);
+    if (part.columns_.size() > 1 && longer.least_width_needed() > width) {
+      text += part.in_one(width) + "\n";
+      part.columns_ = {columns_.front()};  // which says what the rows are
+      part.columns_.push_back(column);
+    } else {
+      part = std::move(longer);
+    }
+  }
+  return text + part.in_one(width);
+}
+
+std::size_t Table::least_width_needed() const {
+  std::size_t total = 0;
+  for (const Column& column : columns_) {
+    std::size_t widest = display_width(column.unit);
+    for (const std::string& cell : column.cells) widest = std::max(widest, display_width(cell));
+    for (const std::string& line : heading(column.name, widest)) widest = std::max(widest, display_width(line));
+    total += widest + 2;
+  }
+  return total;
+}
+
+std::string Table::in_one(std::size_t widest_line) const {
   std::vector<std::array<std::string, 2>> headings;
   std::vector<std::size_t> widths;
   std::size_t total = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,11 +9,20 @@
 
 namespace bentur::cli {
 
-/// Words in lines of at most 100 characters, those after the first indented by two.
+/// How many characters a line may have: COLUMNS, else the width of the terminal; nothing where there is neither.
+[[nodiscard]] std::optional<std::size_t> asked_width();
+/// That, else 100.
+[[nodiscard]] std::size_t line_width();
+
+/// Words in lines of at most line_width() and 100 characters, those after the first indented by two.
 [[nodiscard]] std::string wrapped(const std::string& text);
 
-/// A table under a header of names, divided into two lines where the table would be wider than 100 characters, and
-/// (where there are any) units, everything aligned to the right.
+/// A text whose lines that go beyond asked_width() are wrapped().
+[[nodiscard]] std::string fitted(const std::string& text);
+
+/// A table under a header of names, divided into two lines where the table would be wider than line_width(), and
+/// (where there are any) units, everything aligned to the right. Columns that go beyond asked_width() all the same
+/// stand in a second table below, behind the first column.
 class Table {
  public:
   /// `unit` empty: none. `cells` from top to bottom; all columns of one length.
@@ -22,6 +33,8 @@ class Table {
   [[nodiscard]] std::string text() const;
 
  private:
+  [[nodiscard]] std::size_t least_width_needed() const;
+  [[nodiscard]] std::string in_one(std::size_t widest_line) const;
   struct Column {
     std::string name, unit;
     std::vector<std::string> cells;

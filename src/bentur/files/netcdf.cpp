@@ -58,39 +58,54 @@ void NetcdfReader::check(int status) const {
   throw NetcdfError(name_, in_words(status, id_ >= 0));
 }
 
-std::string NetcdfReader::text_attribute(int variable, const std::string& attribute) const {
+std::string NetcdfReader::text_attribute(Place place, const std::string& attribute) const {
   nc_type type = NC_NAT;
   std::size_t length = 0;
-  if (nc_inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return "";
+  if (nc_inq_att(place.group, place.variable, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR)
+    return "";
   std::string text(length, '\0');
-  check(nc_get_att_text(id_, variable, attribute.c_str(), text.data()));
+  check(nc_get_att_text(place.group, place.variable, attribute.c_str(), text.data()));
   return text;
+}
+
+void NetcdfReader::list(int group, const std::string& prefix) {
+  int count = 0;
+  check(nc_inq_nvars(group, &count));
+  for (int id = 0; id < count; ++id) {
+    char name[NC_MAX_NAME + 1] = {};
+    nc_type type = NC_NAT;
+    int rank = 0;
+    int dimensions[NC_MAX_VAR_DIMS] = {};
+    check(nc_inq_var(group, id, name, &type, &rank, dimensions, nullptr));
+    NetcdfVariable variable;
+    variable.name = prefix + name;
+    places_.push_back({group, id});
+    variable.text = type == NC_STRING || type == NC_CHAR;
+    variable.units = text_attribute({group, id}, "units");
+    variable.long_name = text_attribute({group, id}, "long_name");
+    std::istringstream coordinates(text_attribute({group, id}, "coordinates"));
+    for (std::string word; coordinates >> word;) variable.coordinates.push_back(word);
+    for (int d = 0; d < rank; ++d) {
+      std::size_t length = 0;
+      check(nc_inq_dim(group, dimensions[d], name, &length));
+      variable.dimensions.emplace_back(name);
+      variable.shape.push_back(length);
+    }
+    variables_.push_back(std::move(variable));
+  }
 }
 
 void NetcdfReader::list() {
   try {
+    list(id_, "");
     int count = 0;
-    check(nc_inq_nvars(id_, &count));
-    for (int id = 0; id < count; ++id) {
+    check(nc_inq_grps(id_, &count, nullptr));
+    std::vector<int> groups(static_cast<std::size_t>(count));
+    check(nc_inq_grps(id_, &count, groups.data()));
+    for (const int group : groups) {
       char name[NC_MAX_NAME + 1] = {};
-      nc_type type = NC_NAT;
-      int rank = 0;
-      int dimensions[NC_MAX_VAR_DIMS] = {};
-      check(nc_inq_var(id_, id, name, &type, &rank, dimensions, nullptr));
-      NetcdfVariable variable;
-      variable.name = name;
-      variable.text = type == NC_STRING || type == NC_CHAR;
-      variable.units = text_attribute(id, "units");
-      variable.long_name = text_attribute(id, "long_name");
-      std::istringstream coordinates(text_attribute(id, "coordinates"));
-      for (std::string word; coordinates >> word;) variable.coordinates.push_back(word);
-      for (int d = 0; d < rank; ++d) {
-        std::size_t length = 0;
-        check(nc_inq_dim(id_, dimensions[d], name, &length));
-        variable.dimensions.emplace_back(name);
-        variable.shape.push_back(length);
-      }
-      variables_.push_back(std::move(variable));
+      check(nc_inq_grpname(group, name));
+      list(group, std::string(name) + "/");
     }
   } catch (...) {
     nc_close(id_);  // the destructor of an object that was never whole does not run
@@ -110,8 +125,8 @@ const NetcdfVariable& NetcdfReader::at(std::string_view variable) const {
   return *found;
 }
 
-int NetcdfReader::id_of(const NetcdfVariable& variable) const {
-  return static_cast<int>(&variable - variables_.data());
+NetcdfReader::Place NetcdfReader::place_of(const NetcdfVariable& variable) const {
+  return places_.at(static_cast<std::size_t>(&variable - variables_.data()));
 }
 
 const NetcdfVariable& NetcdfReader::numeric(std::string_view variable) const {
@@ -123,7 +138,8 @@ const NetcdfVariable& NetcdfReader::numeric(std::string_view variable) const {
 std::vector<double> NetcdfReader::numbers(std::string_view variable) const {
   const NetcdfVariable& found = numeric(variable);
   std::vector<double> values(count_of(found.shape));
-  check(nc_get_var_double(id_, id_of(found), values.data()));
+  const Place place = place_of(found);
+  check(nc_get_var_double(place.group, place.variable, values.data()));
   return values;
 }
 
@@ -133,33 +149,40 @@ std::vector<double> NetcdfReader::numbers(std::string_view variable, std::size_t
   start.at(0) = i;
   count.at(0) = 1;
   std::vector<double> values(count_of(count));
-  check(nc_get_vara_double(id_, id_of(found), start.data(), count.data(), values.data()));
+  const Place place = place_of(found);
+  check(nc_get_vara_double(place.group, place.variable, start.data(), count.data(), values.data()));
   return values;
 }
 
 std::vector<std::string> NetcdfReader::texts(std::string_view variable) const {
   const NetcdfVariable& found = at(variable);
   nc_type type = NC_NAT;
-  check(nc_inq_vartype(id_, id_of(found), &type));
+  const Place place = place_of(found);
+  check(nc_inq_vartype(place.group, place.variable, &type));
   if (type != NC_STRING) throw NetcdfError(name_, "\"" + found.name + "\" holds no texts");
   std::vector<char*> pointers(count_of(found.shape));
-  check(nc_get_var_string(id_, id_of(found), pointers.data()));
+  check(nc_get_var_string(place.group, place.variable, pointers.data()));
   std::vector<std::string> values;
   for (const char* text : pointers) values.emplace_back(text == nullptr ? "" : text);
   check(nc_free_string(pointers.size(), pointers.data()));
   return values;
 }
 
-std::string NetcdfReader::attribute(const std::string& attribute) const { return text_attribute(NC_GLOBAL, attribute); }
+std::string NetcdfReader::attribute(const std::string& attribute) const {
+  return text_attribute({id_, NC_GLOBAL}, attribute);
+}
 
 std::string NetcdfReader::attribute(std::string_view variable, const std::string& attribute) const {
-  return text_attribute(id_of(at(variable)), attribute);
+  return text_attribute(place_of(at(variable)), attribute);
 }
 
 NetcdfWriter::NetcdfWriter(std::string name, Place place) : name_(std::move(name)), place_(place) {
   check(place == Place::memory ? nc_create_mem(name_.c_str(), NC_NETCDF4, 0, &id_)
                                : nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+  group_ = id_;
 }
+
+void NetcdfWriter::begin_group(const std::string& name) { check(nc_def_grp(id_, name.c_str(), &group_)); }
 
 NetcdfWriter::~NetcdfWriter() {
   if (id_ >= 0) nc_abort(id_);
@@ -178,7 +201,7 @@ void NetcdfWriter::describe(const std::string& title, const std::string& source,
 
 NetcdfWriter::Dimension NetcdfWriter::dimension(const std::string& name, std::size_t size) const {
   int id = 0;
-  check(nc_def_dim(id_, name.c_str(), size, &id));
+  check(nc_def_dim(group_, name.c_str(), size, &id));
   return Dimension{id};
 }
 
@@ -190,8 +213,8 @@ NetcdfWriter::Variable NetcdfWriter::define(const std::string& name, NetcdfType 
                  [](Dimension one) { return static_cast<int>(one); });
   const nc_type library_type = library_types[static_cast<std::size_t>(type)];
   int id = 0;
-  check(nc_def_var(id_, name.c_str(), library_type, static_cast<int>(ids.size()), ids.data(), &id));
-  if (place_ == Place::disk && type != NetcdfType::text) check(nc_def_var_fill(id_, id, NC_NOFILL, nullptr));
+  check(nc_def_var(group_, name.c_str(), library_type, static_cast<int>(ids.size()), ids.data(), &id));
+  if (place_ == Place::disk && type != NetcdfType::text) check(nc_def_var_fill(group_, id, NC_NOFILL, nullptr));
   const Variable variable{id};
   if (!units.empty()) attribute(variable, "units", units);
   attribute(variable, "long_name", long_name);
@@ -201,8 +224,8 @@ NetcdfWriter::Variable NetcdfWriter::define(const std::string& name, NetcdfType 
 void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& sizes) const {
   constexpr std::size_t cache_bytes = 1U << 20, cache_slots = 101;
   constexpr float preemption = 0.75F;  // how readily pieces read or written in full leave the cache [-]
-  check(nc_def_var_chunking(id_, static_cast<int>(variable), NC_CHUNKED, sizes.data()));
-  check(nc_set_var_chunk_cache(id_, static_cast<int>(variable), cache_bytes, cache_slots, preemption));
+  check(nc_def_var_chunking(group_, static_cast<int>(variable), NC_CHUNKED, sizes.data()));
+  check(nc_set_var_chunk_cache(group_, static_cast<int>(variable), cache_bytes, cache_slots, preemption));
 }
 
 void NetcdfWriter::put(Variable variable, const NetcdfValues& values, const NetcdfBlock& block) const {
@@ -213,8 +236,8 @@ void NetcdfWriter::put(Variable variable, const NetcdfValues& values, const Netc
     data = pointers.data();
   }
   const int id = static_cast<int>(variable);
-  check(block.start.empty() ? nc_put_var(id_, id, data)
-                            : nc_put_vara(id_, id, block.start.data(), block.count.data(), data));
+  check(block.start.empty() ? nc_put_var(group_, id, data)
+                            : nc_put_vara(group_, id, block.start.data(), block.count.data(), data));
 }
 
 NetcdfWriter::Variable NetcdfWriter::write(const std::string& name, const std::vector<Dimension>& dimensions,
@@ -230,12 +253,12 @@ void NetcdfWriter::attribute(const char* name, const std::string& text) const {
 }
 
 void NetcdfWriter::attribute(Variable variable, const char* name, const std::string& text) const {
-  check(nc_put_att_text(id_, static_cast<int>(variable), name, text.size(), text.data()));
+  check(nc_put_att_text(group_, static_cast<int>(variable), name, text.size(), text.data()));
 }
 
 void NetcdfWriter::attribute(Variable variable, const char* name, const NetcdfValues& values) const {
   const std::size_t count = std::visit([](const auto& of_one_type) { return of_one_type.size(); }, values);
-  check(nc_put_att(id_, static_cast<int>(variable), name, library_types[values.index()], count, address(values)));
+  check(nc_put_att(group_, static_cast<int>(variable), name, library_types[values.index()], count, address(values)));
 }
 
 std::string NetcdfWriter::finish() {

@@ -33,8 +33,8 @@ struct NetcdfError : std::runtime_error {
   std::string reason;
 };
 
-/// Reads what bentur has written, a variable at a time. A missing or broken file, and a variable that is not there or
-/// of another type, are NetcdfError.
+/// Reads what bentur has written, a variable at a time; those of a group are called "group/variable". A missing or
+/// broken file, and a variable that is not there or of another type, are NetcdfError.
 class NetcdfReader {
  public:
   explicit NetcdfReader(const std::filesystem::path& file);
@@ -61,14 +61,20 @@ class NetcdfReader {
   [[nodiscard]] std::string attribute(std::string_view variable, const std::string& attribute) const;
 
  private:
+  /// Where the library has a variable.
+  struct Place {
+    int group, variable;
+  };
   void list();
+  void list(int group, const std::string& prefix);
   void check(int status) const;
-  [[nodiscard]] int id_of(const NetcdfVariable& variable) const;
+  [[nodiscard]] Place place_of(const NetcdfVariable& variable) const;
   [[nodiscard]] const NetcdfVariable& numeric(std::string_view variable) const;
-  [[nodiscard]] std::string text_attribute(int variable, const std::string& attribute) const;
+  [[nodiscard]] std::string text_attribute(Place place, const std::string& attribute) const;
 
   std::string name_, bytes_;
   std::vector<NetcdfVariable> variables_;
+  std::vector<Place> places_;  ///< of each
   int id_ = -1;
 };
 
@@ -101,6 +107,9 @@ class NetcdfWriter {
   /// Writes the attributes that all files of ours have: conventions, title, source and history.
   void describe(const std::string& title, const std::string& source, std::string_view version) const;
 
+  /// What follows is written into a group of that name; it may use the dimensions defined before.
+  void begin_group(const std::string& name);
+
   /// @param size at least 1; the library takes 0 for an unlimited dimension.
   [[nodiscard]] Dimension dimension(const std::string& name, std::size_t size) const;
 
@@ -130,7 +139,7 @@ class NetcdfWriter {
 
   std::string name_;
   Place place_;
-  int id_ = -1;
+  int id_ = -1, group_ = -1;  ///< of the file, and of what is written now
 };
 
 }  // namespace bentur

@@ -38,8 +38,8 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
   }
 }
 
-void write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
-                    const std::string& length, const std::string& force) {
+Dimension write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
+                         const std::string& length, const std::string& force) {
   const Histories& histories = run.response.histories;
   const Building& building = run.problem.buildings[b];
   const std::string number = fmt::format("_{}", b + 1);
@@ -71,20 +71,21 @@ void write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, co
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
   write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), number, " of the floors of " + owner);
   write_quantities(file, Owner::building, run, {}, {{b, 0}}, number, " of " + owner);
-  if (building.is_rigid()) return;  // a dimension of size zero would be an unlimited one
+  if (building.is_rigid()) return floors;  // a dimension of size zero would be an unlimited one
   const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
   const Dimension modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
   file.write("period" + number, {modes}, by_columns(periods), "s", "periods of " + owner);
   file.write("shape" + number, {modes, floors}, by_columns(sway_shapes(building)), "1",
              "sways of the mode shapes, the largest 1, of " + owner);
+  return floors;
 }
 
 /// Nothing without a contact point: a dimension of size zero would be an unlimited one.
-void write_points(const NetcdfWriter& file, Dimension time, const RunView& run, const std::string& length,
-                  const std::string& force) {
+std::optional<Dimension> write_points(const NetcdfWriter& file, Dimension time, const RunView& run,
+                                      const std::string& length, const std::string& force) {
   const Problem& problem = run.problem;
   const Histories& histories = run.response.histories;
-  if (problem.points.empty()) return;
+  if (problem.points.empty()) return std::nullopt;
   std::vector<double> elevations;
   for (const ContactPoint& point : problem.points) {
     elevations.push_back(point.elevation);
@@ -99,6 +100,7 @@ void write_points(const NetcdfWriter& file, Dimension time, const RunView& run, 
     file.attribute(variable, "coordinates", "point_elevation point_width point_left point_right");
   }
   write_quantities(file, Owner::point, run, {points}, first_places(std::ssize(problem.points)), "", "");
+  return points;
 }
 
 /// Nothing without a link.
@@ -186,6 +188,43 @@ void write_link_places(const NetcdfWriter& file, NetcdfWriter::Dimension links, 
   if (!length.empty()) file.write("link_elevation", {links}, elevations, length, "elevation of the links");
 }
 
+namespace {
+
+/// The exact course, in a group of its own whose time has no even steps; it takes part in dimensions of the file.
+struct CourseDimensions {
+  std::vector<Dimension> floors;  ///< one a building
+  std::optional<Dimension> points;
+};
+
+void write_course(NetcdfWriter& file, const CourseDimensions& of, const RunView& run, const std::string& length,
+                  const std::string& force) {
+  const Histories& course = run.response.course;
+  if (course.time.empty()) return;
+  file.begin_group("exact");
+  const Dimension time = file.dimension("time", course.time.size());
+  const Variable coordinate =
+      file.write("time", {time}, course.time, "s",
+                 "instants between which straight lines follow the solution; two at one time where a force jumps");
+  file.attribute(coordinate, "axis", "T");
+  for (std::size_t b = 0; b < of.floors.size(); ++b) {
+    const std::string number = fmt::format("_{}", b + 1);
+    const std::string owner = fmt::format("building \"{}\"", run.problem.buildings[b].name);
+    const auto write = [&](const char* name, const Eigen::MatrixXd& values, const std::string& units,
+                           const std::string& what) {
+      if (values.size() > 0) file.write(name + number, {time, of.floors[b]}, by_columns(values), units, what + owner);
+    };
+    write("displacement", course.displacement[b], length, "displacement relative to the own base of the floors of ");
+    write("drift_ratio", course.drift_ratio[b], "1", "relative floor displacement over the height of the storeys of ");
+    write("storey_shear", course.storey_shear[b], force, "shear of the storeys of ");
+  }
+  if (!of.points) return;
+  file.write("opening", {time, *of.points}, by_columns(course.opening), length,
+             "opening of the contact points, negative in contact");
+  file.write("force", {time, *of.points}, by_columns(course.force), force, "contact force");
+}
+
+}  // namespace
+
 std::string histories_netcdf(const RunResults& results, std::string_view version) {
   const auto& [c, problem, response, remarks, figures] = results;
   const RunView run = results.view();
@@ -211,8 +250,9 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   std::vector<double> delays = problem.delays;
   delays.resize(problem.buildings.size(), 0.0);
   std::vector<std::string> names;
+  CourseDimensions of_course;
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    write_building(file, time, b, run, length, force);
+    of_course.floors.push_back(write_building(file, time, b, run, length, force));
     names.push_back(problem.buildings[b].name);
   }
   const Dimension buildings = file.dimension("building", problem.buildings.size());
@@ -224,11 +264,12 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   file.write("gap_name", {gaps}, gap_names, "", "buildings on both sides of the gaps");
   write_quantities(file, Owner::gap, run, {gaps}, first_places(std::ssize(gap_names)), "", "");
   write_quantities(file, Owner::run, run, {}, {{}}, "", "");
-  write_points(file, time, run, length, force);
+  of_course.points = write_points(file, time, run, length, force);
   write_links(file, run, length);
   write_impacts(file, run);
   write_figure_data(file, figures, length, force);
   if (response.energy) write_energy(file, time, response.energy->histories, force + " " + length);
+  write_course(file, of_course, run, length, force);
   return file.finish();
 }
 

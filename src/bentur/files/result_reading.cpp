@@ -92,7 +92,7 @@ void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<Qu
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
     const std::string name = file_name(*quantity) + suffix;
-    const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity);
+    const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity);
     if (of_some && file.find(name) == nullptr) continue;  // nothing of the building can yield, or it is not on soil
     const std::vector<double> values = file.numbers(name);
     if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
@@ -365,6 +365,24 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   results.problem = std::move(problem);
 }
 
+void read_course(const NetcdfReader& file, Response& response) {
+  Histories& course = response.course;
+  course.time = file.numbers("exact/time");
+  const auto read = [&](const std::string& name) {
+    const NetcdfVariable* variable = file.find("exact/" + name);
+    if (variable == nullptr) return Eigen::MatrixXd();
+    return table(file, variable->name, variable->shape.back(), course.time.size());
+  };
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) {
+    const std::string number = fmt::format("_{}", b + 1);
+    course.displacement.push_back(read("displacement" + number));
+    course.drift_ratio.push_back(read("drift_ratio" + number));
+    course.storey_shear.push_back(read("storey_shear" + number));
+  }
+  course.opening = read("opening");
+  course.force = read("force");
+}
+
 }  // namespace
 
 bool is_histories(const NetcdfReader& file) {
@@ -397,6 +415,7 @@ RunResults read_histories(const NetcdfReader& file) {
     histories.drift_ratio.push_back(history("drift_ratio"));
     histories.storey_shear.push_back(history("storey_shear"));
   }
+  if (file.find("exact/time") != nullptr) read_course(file, response);
   if (file.find("opening") != nullptr) read_points(file, results);  // else no contact is modelled
   if (file.find("link_left") != nullptr) read_links(file, results);
   if (file.find("energy_input") != nullptr) response.energy = EnergyAudit{.histories = read_energy(file)};

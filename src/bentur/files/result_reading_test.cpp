@@ -27,6 +27,7 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   const Problem problem = make_problem(*c);
   SolveOptions options;
   options.output_step = c->analysis.output_step;
+  options.course = true;
   options.energy_audit = c->analysis.energy_audit;
   const Response response = solve(problem, c->analysis.solver, options);
   const TemporaryFolder folder;
@@ -65,7 +66,16 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
     EXPECT_EQ(results.response.buildings[b].displacement_no_contact, response.buildings[b].displacement_no_contact);
     EXPECT_EQ(results.response.buildings[b].acceleration, response.buildings[b].acceleration);
     EXPECT_EQ(results.response.histories.displacement[b], response.histories.displacement[b]);
+    EXPECT_EQ(results.response.course.displacement[b], response.course.displacement[b]);
+    EXPECT_EQ(results.response.course.storey_shear[b], response.course.storey_shear[b]);
+    if (one.is_rigid()) continue;
+    EXPECT_EQ(results.response.buildings[b].acceleration_no_contact, response.buildings[b].acceleration_no_contact);
+    EXPECT_EQ(results.response.buildings[b].storey_shear_no_contact, response.buildings[b].storey_shear_no_contact);
   }
+  EXPECT_GT(response.course.time.size(), 100U);
+  EXPECT_EQ(results.response.course.time, response.course.time);
+  EXPECT_EQ(results.response.course.opening, response.course.opening);
+  EXPECT_EQ(results.response.course.force, response.course.force);
   ASSERT_EQ(results.problem.points.size(), problem.points.size());
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     EXPECT_EQ(results.problem.points[i].left, problem.points[i].left);

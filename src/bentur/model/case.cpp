@@ -402,8 +402,8 @@ std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Buildi
 }
 
 std::string spectrum_is_no_motion() {
-  return "a spectrum has no course in time: bentur gap takes it, a run needs kind = \"record\" with a ground motion, "
-         "such as one matched to the spectrum";
+  return "a spectrum has no course in time: bentur gap and report take it, a run needs kind = \"record\" with a ground "
+         "motion, such as one matched to the spectrum";
 }
 
 namespace {

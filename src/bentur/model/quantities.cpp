@@ -43,6 +43,20 @@ double amplification(const RunView& r, const QuantityPlace& at) {
   const double without = peaks.displacement_no_contact(at.floor);
   return without > 0 ? peaks.displacement(at.floor) / without : none;
 }
+/// The ratio of two peaks of a floor; none where contact makes something of nothing, round-off included.
+double peak_ratio(const RunView& r, const QuantityPlace& at, Eigen::VectorXd BuildingPeaks::*with,
+                  Eigen::VectorXd BuildingPeaks::*without) {
+  constexpr double round_off = 1e-9;
+  const Eigen::VectorXd &a = r.response.buildings[at.item].*with, &b = r.response.buildings[at.item].*without;
+  if (at.floor >= a.size() || at.floor >= b.size()) return none;
+  return b(at.floor) > round_off * a(at.floor) ? a(at.floor) / b(at.floor) : none;
+}
+double acceleration_ratio(const RunView& r, const QuantityPlace& at) {
+  return peak_ratio(r, at, &BuildingPeaks::acceleration, &BuildingPeaks::acceleration_no_contact);
+}
+double storey_shear_ratio(const RunView& r, const QuantityPlace& at) {
+  return peak_ratio(r, at, &BuildingPeaks::storey_shear, &BuildingPeaks::storey_shear_no_contact);
+}
 double point_width(const RunView& r, const QuantityPlace& at) { return r.problem.points[at.item].width; }
 double smallest_restitution(const RunView& r, const QuantityPlace& at) {
   return r.restitutions[at.item].smallest.value_or(none);
@@ -100,7 +114,11 @@ std::deque<Quantity>& list() {
       {"amplification", floor, "1", "max |x| / max |x⁰|", "largest displacement over that with contact switched off", {"Amplification", "Amplifikasi"}, amplification, {}, {}, 1, 3},
       {"peak_drift_ratio", floor, "1", "max |Δx|/h", "largest storey drift over storey height", {"Drift", "Simpangan antartingkat"}, &BuildingPeaks::drift_ratio, {}, "%", 100},
       {"peak_acceleration", floor, "L s-2", "max |ẍ + a_g|", "largest absolute acceleration", {"Acceleration", "Percepatan"}, &BuildingPeaks::acceleration},
+      {"peak_acceleration_no_contact", floor, "L s-2", "max |ẍ⁰ + a_g|", "largest absolute acceleration with contact switched off", {"Without contact", "Tanpa kontak"}, &BuildingPeaks::acceleration_no_contact},
+      {"acceleration_ratio", floor, "1", "max |ẍ + a_g| / max |ẍ⁰ + a_g|", "largest absolute acceleration over that with contact switched off", {"Ratio", "Rasio"}, acceleration_ratio, {}, {}, 1, 2},
       {"peak_storey_shear", floor, "F", "max |V|", "largest storey shear, without dashpots", {"Storey shear", "Gaya geser tingkat"}, &BuildingPeaks::storey_shear},
+      {"peak_storey_shear_no_contact", floor, "F", "max |V⁰|", "largest storey shear with contact switched off, without dashpots", {"Without contact", "Tanpa kontak"}, &BuildingPeaks::storey_shear_no_contact},
+      {"storey_shear_ratio", floor, "1", "max |V| / max |V⁰|", "largest storey shear over that with contact switched off", {"Ratio", "Rasio"}, storey_shear_ratio, {}, {}, 1, 2},
       // Of buildings with storeys that can yield.
       {"ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at yield", {"Ductility", "Daktilitas"}, yielding(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio", floor, "1", "Δ_r/h", "storey drift left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, yielding(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
@@ -115,9 +133,9 @@ std::deque<Quantity>& list() {
       {"slow_starts", point, "1", "n_s", "impacts that began so slowly that the law took a larger closing speed", {}, &PointSummary::slow_starts},
       {"contact_duration", point, "s", "Σ Δt", "total time in contact", {"In contact", "Lama kontak"}, &PointSummary::contact_duration, {}, "ms", 1e3},
       {"peak_force", point, "F", "max F", "largest contact force", {"Peak force", "Gaya puncak"}, &PointSummary::peak_force},
-      {"peak_force_time", point, "s", "t(max F)", "time of the largest contact force", {"At", "Pada"}, &PointSummary::peak_force_time},
+      {"peak_force_time", point, "s", "t(max F)", "time of the largest contact force", {"At", "Saat"}, &PointSummary::peak_force_time},
       {"peak_penetration", point, "L", "max δ", "largest penetration", {"Penetration", "Penetrasi"}, &PointSummary::peak_penetration},
-      {"peak_closing_speed", point, "L s-1", "max v₀", "largest closing speed at the start of an impact", {"Closing speed", "Kecepatan tutup"}, &PointSummary::peak_closing_speed},
+      {"peak_closing_speed", point, "L s-1", "max v₀", "largest closing speed at the start of an impact", {"Closing speed", "Kecepatan mendekat"}, &PointSummary::peak_closing_speed},
       {"impulse", point, "F s", "Σ ∫F dt", "impulse of all impacts", {"Impulse", "Impuls"}, &PointSummary::impulse},
       {"energy_lost", point, "F L", "Σ E", "energy that the contact dissipated", {"Energy lost", "Energi hilang"}, &PointSummary::energy_lost},
       {"peak_tension", point, "F", "max −F", "largest pull of the contact", {}, &PointSummary::peak_tension},
@@ -142,7 +160,7 @@ std::deque<Quantity>& list() {
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, &Impact::start, {}, {}, 1, 4},
       {"end", impact, "s", "t₁", "end", {}, &Impact::end},
       {"open_ended", impact, "1", "", "whether the analysis ended before it did", {}, &Impact::open_ended},
-      {"closing_speed", impact, "L s-1", "v₀", "speed at which the bodies met", {"Closing speed", "Kecepatan tutup"}, &Impact::closing_speed},
+      {"closing_speed", impact, "L s-1", "v₀", "speed at which the bodies met", {"Closing speed", "Kecepatan mendekat"}, &Impact::closing_speed},
       {"separation_speed", impact, "L s-1", "v₁", "speed at which they parted", {}, &Impact::separation_speed},
       {"restitution", impact, "1", "e", "coefficient of restitution", {"Restitution", "Restitusi"}, impact_restitution, {}, {}, 1, 3},
       {"peak_force", impact, "F", "max F", "largest force", {"Peak force", "Gaya puncak"}, &Impact::peak_force},
@@ -200,6 +218,11 @@ bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<Yi
 
 bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
 
+bool is_of_forces(const Quantity& quantity) {
+  return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
+                                            quantity.key.find("storey_shear") != std::string_view::npos);
+}
+
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
@@ -209,7 +232,10 @@ bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
   const Response& response = r.response;
   return std::visit(
-      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) { return (response.buildings[at.item].*member)(at.floor); },
+      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
+                const Eigen::VectorXd& values = response.buildings[at.item].*member;
+                return at.floor < values.size() ? values(at.floor) : none;
+              },
               [&](const YieldingSource& source) {
                 const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
                 return at.floor < values.size() ? values(at.floor) : none;
@@ -314,11 +340,11 @@ std::string unit_text(std::string_view form, const Units& units) {
 
 namespace {
 
-std::vector<TableColumn> columns_of(Owner owner, bool of_yielding, const RunView& r,
+std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantity&), const RunView& r,
                                     const std::vector<QuantityPlace>& places, std::size_t language) {
   std::vector<TableColumn> columns;
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (quantity->label[language].empty() || is_of_yielding(*quantity) != of_yielding) continue;
+    if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
     if (!places.empty() && !is_told(*quantity, r, places.front().item)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
@@ -339,12 +365,18 @@ std::vector<TableColumn> columns_of(Owner owner, bool of_yielding, const RunView
 
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
                                        std::size_t language) {
-  return columns_of(owner, false, r, places, language);
+  const auto is_wanted = [](const Quantity& one) { return !is_of_yielding(one) && !is_of_forces(one); };
+  return columns_of(owner, is_wanted, r, places, language);
 }
 
 std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
                                           std::size_t language) {
-  return columns_of(Owner::floor, true, r, floors, language);
+  return columns_of(Owner::floor, is_of_yielding, r, floors, language);
+}
+
+std::vector<TableColumn> force_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
+                                       std::size_t language) {
+  return columns_of(Owner::floor, is_of_forces, r, floors, language);
 }
 
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {

@@ -86,6 +86,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_yielding(const Quantity& quantity);
 /// Whether it is told only of buildings that stand on soil.
 [[nodiscard]] bool is_of_foundation(const Quantity& quantity);
+/// Whether it tells what contact does to floor accelerations and storey shears, which have a table of their own.
+[[nodiscard]] bool is_of_forces(const Quantity& quantity);
 /// Whether it is told of item `item` of its owner.
 [[nodiscard]] bool is_told(const Quantity& quantity, const RunView& run, Eigen::Index item);
 
@@ -113,7 +115,8 @@ struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
 };
-/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding.
+/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding
+/// and of forces.
 /// @param language 0 English, 1 Indonesian
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
                                                      const std::vector<QuantityPlace>& places,
@@ -121,6 +124,9 @@ struct TableColumn {
 /// The same of what the storeys of one building do that yield; none where it cannot.
 [[nodiscard]] std::vector<TableColumn> yielding_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
                                                         std::size_t language = 0);
+/// The same of accelerations and storey shears of one building, with and without contact.
+[[nodiscard]] std::vector<TableColumn> force_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
+                                                     std::size_t language = 0);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.

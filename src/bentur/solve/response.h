@@ -42,6 +42,9 @@ struct BuildingPeaks {
     Eigen::VectorXd residual_drift_ratio;  ///< (Δ − V/k_u)/h at the end [-], signed
     Eigen::VectorXd hysteretic_energy;     ///< ∫V dΔ less what could still be given back, at the end [force·length]
   };
+  // With contact switched off, as displacement_no_contact; empty where that is not known.
+  Eigen::VectorXd acceleration_no_contact = {};
+  Eigen::VectorXd storey_shear_no_contact = {};
   /// max of each of StructuralModel::column_forces [force, force·length]; empty where there are none.
   Eigen::VectorXd column_forces = {};
   /// max |u| [length] and max |θ| [rad] of the foundation; empty where the building stands on none.
@@ -140,7 +143,12 @@ struct Response {
   std::vector<LinkSummary> links;       ///< as Problem::links
   std::vector<Impact> impacts;          ///< by start, then point
   Histories histories;                  ///< empty unless asked for
-  std::optional<EnergyAudit> energy;    ///< when asked for
+  /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
+  /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of
+  /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too. Empty unless
+  /// asked for.
+  Histories course = {};
+  std::optional<EnergyAudit> energy;  ///< when asked for
 };
 
 }  // namespace bentur

@@ -1,6 +1,7 @@
 // Neither sampling nor the energy account changes the solution.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -52,6 +53,57 @@ TEST_P(Sampling, DoesNotChangeTheImpacts) {
 
 INSTANTIATE_TEST_SUITE_P(, Sampling, testing::ValuesIn(example_laws()),
                          [](const auto& one) { return one.param.label; });
+
+class Course : public testing::TestWithParam<LawExample> {};
+
+/// The polygon through the instants of the course: its area in each impact, its peaks, and its distance from samples.
+TEST_P(Course, FollowsTheSolution) {
+  const Problem problem = problem_with(GetParam());
+  const Response plain = solve(problem);
+  SolveOptions options;
+  options.output_step = 0.0007;
+  options.course = true;
+  const Response response = solve(problem, ExactSolver{}, options);
+  expect_same(plain, response);
+  const Histories& course = response.course;
+  ASSERT_TRUE(std::is_sorted(course.time.begin(), course.time.end()));
+  EXPECT_EQ(course.time.front(), 0);
+  EXPECT_NEAR(course.time.back(), problem.duration, 1e-12);
+  const auto value = [&](const auto& row, double time) {  // left of a jump
+    const auto next = std::lower_bound(course.time.begin(), course.time.end(), time);
+    if (next == course.time.begin()) return row(0);
+    if (next == course.time.end()) return row(row.size() - 1);
+    const auto i = next - course.time.begin();
+    const double part = (time - course.time[i - 1]) / (*next - course.time[i - 1]);
+    return row(i - 1) + part * (row(i) - row(i - 1));
+  };
+  for (const Impact& impact : response.impacts) {
+    if (!(impact.peak_force > 0) || impact.open_ended) continue;
+    const double slack = 1e-9 * (impact.end - impact.start);
+    double area = 0;
+    double peak = 0;
+    for (std::size_t i = 1; i < course.time.size(); ++i) {
+      if (course.time[i - 1] < impact.start - slack || course.time[i] > impact.end + slack) continue;
+      const double a = course.force(impact.point, i - 1), b = course.force(impact.point, i);
+      area += (course.time[i] - course.time[i - 1]) * (a + b) / 2;
+      peak = std::max({peak, a, b});
+    }
+    EXPECT_NEAR(area, impact.impulse, 1e-3 * impact.impulse) << impact.start;
+    EXPECT_NEAR(peak, impact.peak_force, 1e-5 * impact.peak_force) << impact.start;
+  }
+  for (std::size_t b = 0; b < 2; ++b) {
+    const double largest = response.buildings[b].displacement.maxCoeff();
+    EXPECT_NEAR(course.displacement[b].cwiseAbs().maxCoeff(), largest, 1e-6 * largest);
+    const Histories& samples = response.histories;
+    for (std::size_t n = 0; n < samples.time.size(); ++n) {
+      EXPECT_NEAR(value(course.displacement[b].row(0), samples.time[n]), samples.displacement[b](0, n),
+                  2.1e-3 * largest);
+    }
+  }
+  EXPECT_LT(course.time.size(), 20000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Course, testing::ValuesIn(example_laws()), [](const auto& one) { return one.param.label; });
 
 /// The account is one sum: where samples cut its integrals cannot matter but for round-off.
 TEST(EnergyAccount, SamplesOnlyReadItsCurves) {

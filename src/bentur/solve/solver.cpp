@@ -219,8 +219,12 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     response.watched.push_back({.needed = nearest.reach});
   }
   engine::summarise_yielding(parts->problem, run, parts->system, &BuildingPeaks::yielding, response.buildings);
-  for (BuildingPeaks& peaks : response.buildings) peaks.yielding_no_contact = peaks.yielding;
   engine::leave_out_what_is_not_there(parts->problem, response.buildings);
+  for (BuildingPeaks& peaks : response.buildings) {
+    peaks.yielding_no_contact = peaks.yielding;
+    peaks.acceleration_no_contact = peaks.acceleration;
+    peaks.storey_shear_no_contact = peaks.storey_shear;
+  }
   response.collapse = response.collapse_no_contact = run.collapse();
   response.links.resize(parts->problem.links.size());
   engine::summarise_links(run, parts->system, response.links);
@@ -247,7 +251,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   for (std::size_t i = 0; i < problem.points.size(); ++i) scales.displacement[i] += problem.points[i].width;
   // Of approximate solvers the state alone is not all there is to go on with.
   const long first_contact = parts_->exact ? engine::first_contact(parts_->result, gap_widths(problem)) : 0;
-  const bool records = options.output_step > 0.0 || options.energy_audit;
+  const bool records = options.output_step > 0.0 || options.course || options.energy_audit;
   if (first_contact == std::numeric_limits<long>::max() && !records) {
     engine::summarise_watched(problem, parts_->nearest, parts_->watched_scale, response.watched);
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -255,6 +259,9 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   }
   engine::PoundingRun run({parts_->system, problem, parts_->solver, parts_->grid, parts_->plan, options.most_steps},
                           scales, first_contact, options);
+  if (options.course) {
+    run.trace({parts_->system, problem, parts_->response.buildings, parts_->largest_displacement});
+  }
   if (!records) {
     const auto& checkpoints = parts_->result.checkpoints;
     const auto later = std::find_if(checkpoints.begin(), checkpoints.end(),
@@ -276,6 +283,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   engine::summarise_links(run, parts_->system, response.links);
   run.sampler().finish();
   response.histories = std::move(run.sampler().histories());
+  if (run.tracer()) response.course = run.tracer()->finish();
   if (run.energy()) response.energy = run.energy()->finish();
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;

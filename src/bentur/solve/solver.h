@@ -33,6 +33,8 @@ using Solver = std::variant<ExactSolver, AdaptiveSolver, RungeKuttaSolver>;
 struct SolveOptions {
   /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
   double output_step = 0;
+  /// Keeps the exact course too (Response::course); it never changes the solution.
+  bool course = false;
   /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
   long most_steps = 0;
   /// Accounts for all energy (Response::energy); it never changes the solution.

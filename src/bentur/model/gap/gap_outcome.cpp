@@ -26,20 +26,40 @@ double rounded_up(double apart) {
 
 }  // namespace
 
+bool falls_short(double given, double needed, double scale) {
+  constexpr double round_off = 1e-9;
+  return needed > given + round_off * std::max(scale, given);
+}
+
+bool GoverningLevel::is_short() const { return falls_short(width, needed, scale); }
+
+double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap) {
+  double scale = 0;
+  for (const Eigen::Index b : {gap, gap + 1}) {
+    if (b >= std::ssize(problem.buildings)) continue;
+    const Eigen::VectorXd& free = response.buildings.at(static_cast<std::size_t>(b)).displacement_no_contact;
+    if (free.size() > 0) scale += free.maxCoeff();
+  }
+  return scale;
+}
+
 GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
   const Gap gap = gap_at(problem, number);
+  const double scale = displacement_scale(problem, response, number);
   std::optional<GoverningLevel> worst;
   const auto take = [&](const GoverningLevel& level) {
     if (!worst || level.needed - level.width > worst->needed - worst->width) worst = level;
   };
   for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {  // of levels that are alike the highest
     const ContactPoint& point = problem.points[*i];
-    take({std::nullopt, point.elevation, point.width, response.points.at(*i).minimum_gap_no_contact});
+    take({std::nullopt, point.elevation, point.width, response.points.at(*i).minimum_gap_no_contact, scale});
   }
   for (const Eigen::Index i : gap.watched) {
-    take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed});
+    take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed, scale});
   }
-  return worst.value_or(GoverningLevel{});
+  GoverningLevel level = worst.value_or(GoverningLevel{});
+  if (!falls_short(0, level.needed, scale)) level.needed = 0;  // round-off
+  return level;
 }
 
 double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {

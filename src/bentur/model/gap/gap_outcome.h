@@ -17,7 +17,18 @@ struct GoverningLevel {
   double elevation = 0;                 ///< [length]
   double width = 0;                     ///< given [length]
   double needed = 0;                    ///< [length]
+  double scale = 0;                     ///< displacement_scale() [length]
+
+  /// Whether the gap is too narrow by more than round-off.
+  [[nodiscard]] bool is_short() const;
 };
+
+/// Whether what is needed goes beyond what is given by more than round-off; `scale`: of the displacements that it is
+/// the difference of [length].
+[[nodiscard]] bool falls_short(double given, double needed, double scale);
+
+/// The scale of a gap's round-off: the largest displacements of both neighbours together [length].
+[[nodiscard]] double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bentur {
@@ -10,8 +11,8 @@ namespace bentur {
 
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
-/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale is for areas.
-enum class Tone { black, blue, orange, grey, pale };
+/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale ones are for areas.
+enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange };
 
 /// Points joined by a line, marks at them, or both; or an area.
 struct Curve {
@@ -21,7 +22,9 @@ struct Curve {
   Tone tone = Tone::black;
   Line line = Line::solid;
   Mark mark = Mark::none;
-  double width = 1;  ///< of the line [-], 1 for 0.75 pt
+  Mark legend_mark = Mark::none;  ///< on the line in the legend alone: that of another curve that goes with it
+  double width = 1;               ///< of the line [-], 1 for 0.75 pt
+  bool complete = false;          ///< every point is drawn; others are thinned to what can be seen
 };
 
 /// Instants marked along the upper edge of a panel.
@@ -44,6 +47,10 @@ struct HeatMap {
   std::vector<double> x_edges, y_edges;  ///< ascending
   std::vector<double> values;            ///< i fastest; NaN: nothing there
   std::string label;                     ///< of the scale, with its unit
+  bool ratio = false;                    ///< colours diverge from 1, where nothing changes
+  /// Ends of the scale; values beyond have the colour of the end. By default those of the data, without the highest 2 %
+  /// where these would squash all others.
+  std::optional<std::pair<double, double>> range = {};
 };
 
 /// One axis of a panel.
@@ -52,6 +59,9 @@ struct Axis {
   std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
   bool logarithmic = false;
   std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
+  bool numbers = true;                  ///< has numbers; else those of a neighbouring panel serve
+  /// What an axis without ends of its own shows at least, so that round-off does not look like a finding.
+  std::optional<std::pair<double, double>> least = {};
 };
 
 /// One frame with its axes and what is drawn in it.
@@ -63,6 +73,7 @@ struct Panel {
   std::vector<Rule> rules = {};
   Events events = {};
   std::optional<HeatMap> map = {};
+  std::string note = {};  ///< in the middle of the frame, where there is little else to see
 };
 
 /// Panels in rows, from the upper left.

@@ -9,6 +9,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text_width.h"
 
 namespace bentur {
 namespace {
@@ -107,7 +108,7 @@ TEST(FigureText, PdfAndPngToo) {
 TEST(FigureText, AJournalsColumn) {
   const std::string script = figure_text(simple("x"), "name").script;
   EXPECT_NE(script.find("pdfcairo size 8.8cm,"), std::string::npos);
-  EXPECT_NE(script.find("svg size 333,"), std::string::npos);  // 8.8 cm of 96 pixels an inch
+  EXPECT_NE(script.find("svg name 'bentur_name' size 333,"), std::string::npos);  // 8.8 cm of 96 pixels an inch
 }
 
 TEST(FigureText, EmptyFramesAreRefused) {
@@ -168,9 +169,7 @@ TEST(Layout, LegendsLieAboveTheFramesAndNotOnOneAnother) {
           EXPECT_LE(placed.right, result.width);
           EXPECT_GT(placed.bottom, 0.5);
           for (const LegendEntry& entry : placed.legend) {
-            std::size_t characters = 0;
-            for (const char byte : entry.label) characters += (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-            const double right = entry.x + sample_width + 0.1 + static_cast<double>(characters) * character_width;
+            const double right = entry.x + sample_width + 0.1 + text_width(entry.label);
             boxes.push_back({entry.x, right, entry.y - line_height / 2, entry.y + line_height / 2});
             EXPECT_GE(entry.y - line_height / 2, placed.top - 1e-9);
             EXPECT_LE(right, result.width + 0.3);
@@ -202,7 +201,8 @@ TEST(Layout, NumbersOfAnAxisDoNotTouch) {
       for (std::size_t i = 1; i < placed.x.labels.size(); ++i) {
         const double apart = (placed.x.labels[i].first - placed.x.labels[i - 1].first) / (placed.x.to - placed.x.from) *
                              (placed.right - placed.left);
-        EXPECT_GT(apart, static_cast<double>(placed.x.labels[i].second.size()) * character_width) << high;
+        EXPECT_GT(apart, (text_width(placed.x.labels[i].second) + text_width(placed.x.labels[i - 1].second)) / 2)
+            << high;
       }
     }
   }

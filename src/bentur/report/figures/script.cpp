@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -16,12 +17,13 @@
 namespace bentur {
 namespace {
 
-constexpr double columns_per_cm = 90;    // points of a curve closer than that cannot be told apart
-constexpr std::size_t most_cells = 120;  // of a heat map along an axis; more are merged, keeping the largest
+constexpr double columns_per_cm = 90;       // points of a curve closer than that cannot be told apart
+constexpr std::size_t most_points = 50000;  // of a curve that is drawn completely
+constexpr std::size_t most_cells = 120;     // of a heat map along an axis; more are merged, keeping the largest
 
 // In gnuplot's terms, in the order of Tone, Line and Mark.
-constexpr const char* colours[] = {"#000000", "#1f5fa8", "#e08214", "#8c8c8c", "#d9d9d9"};
-constexpr const char* dashes[] = {"solid", "solid", "(9,4)", "(2,3)", "(9,3,2,3)"};
+constexpr const char* colours[] = {"#000000", "#1f5fa8", "#b4540a", "#5f6b76", "#d9d9d9", "#c3d7ee", "#f2d3b8"};
+constexpr const char* dashes[] = {"solid", "solid", "(9,4)", "(3,3)", "(9,3,2,3)"};
 constexpr int point_types[] = {7, 7, 6, 4, 8, 12, 2};
 constexpr const char* event_style = "pt 11 ps 0.35 lc rgb '#606060'";
 
@@ -99,7 +101,8 @@ class Writer {
         "name = {}\n"
         "data = './'.name.'.dat'\n"
         "if (!exists('format')) format = 'svg'\n"
-        "if (format eq 'svg') set terminal svg size {:.0f},{:.0f} noenhanced font 'Helvetica,Arial,sans-serif,10.67' "
+        "if (format eq 'svg') set terminal svg name '{}' size {:.0f},{:.0f} noenhanced font "
+        "'Helvetica,Arial,sans-serif,10.67' "
         "linewidth 1 background rgb 'white'\n"
         "if (format eq 'pdf') set terminal pdfcairo size {:.4g}cm,{:.4g}cm noenhanced font 'Helvetica,8' fontscale "
         "0.75 "
@@ -112,21 +115,37 @@ class Writer {
         "set border 31 lw 0.7\n"
         "set tics in scale 0.5,0.3 front\n"
         "set xtics offset 0,0.3\nset ytics offset 0.4,0\n",
-        figure_script_mark, gnuplot_string(name_), layout_.width * pixels, layout_.height * pixels, layout_.width,
-        layout_.height, layout_.width * dense, layout_.height * dense);
+        figure_script_mark, gnuplot_string(name_), identifier(name_), layout_.width * pixels, layout_.height * pixels,
+        layout_.width, layout_.height, layout_.width * dense, layout_.height * dense);
   }
 
-  void axis(const char* name, const Ticks& ticks) {
+  /// What gnuplot's SVG has as the name of the picture: letters, digits, underscores.
+  static std::string identifier(const std::string& name) {
+    std::string result = "bentur_";
+    for (const char c : name) result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    return result;
+  }
+
+  void axis(const char* name, const Ticks& ticks, bool has_numbers = true) {
     std::vector<std::string> list;
-    for (const auto& [at, text] : ticks.labels) list.push_back(fmt::format("{} {}", gnuplot_string(text), at));
+    for (const auto& [at, text] : ticks.labels) {
+      list.push_back(fmt::format("{} {}", gnuplot_string(has_numbers ? text : ""), at));
+    }
     for (const double at : ticks.minor) list.push_back(fmt::format("'' {} 1", at));
-    script_ +=
-        fmt::format("{} logscale {}\nset {}range [{}:{}]\nset {}tics ({})\n", ticks.logarithmic ? "set" : "unset", name,
-                    name, ticks.from, ticks.to, name, fmt::join(list, ", "));
+    script_ += fmt::format("{} logscale {}\nset {}range [{}:{}]\nset {}tics {} ({})\n",
+                           ticks.logarithmic ? "set" : "unset", name, name, ticks.from, ticks.to, name,
+                           ticks.upright ? "rotate by 90 right" : "norotate", fmt::join(list, ", "));
   }
 
   void label(const std::string& text, double x_cm, double y_cm, const char* how) {
     if (!text.empty()) script_ += fmt::format("set label {} at {} {}\n", gnuplot_string(text), screen(x_cm, y_cm), how);
+  }
+
+  void lines(const std::vector<std::string>& texts, double x_cm, double y_cm) {
+    for (const std::string& text : texts) {
+      label(text, x_cm, y_cm, "center");
+      y_cm -= line_height;
+    }
   }
 
   void legend(const PlacedPanel& placed) {
@@ -172,12 +191,12 @@ class Writer {
     script_ += fmt::format(
         "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
         x(placed.left), x(placed.right), y(placed.bottom), y(placed.top));
-    axis("x", placed.x);
-    axis("y", placed.y);
+    axis("x", placed.x, panel.x.numbers);
+    axis("y", placed.y, panel.y.numbers);
     const double middle = (placed.left + placed.right) / 2;
-    label(cut(panel.title, static_cast<std::size_t>((placed.right - placed.left + 0.2) / character_width)), middle,
-          placed.title_y, "center");
-    label(scaled(panel.x.label, placed.x), middle, placed.bottom - 0.75, "center");
+    lines(placed.title, middle, placed.title_y);
+    lines(placed.x_label, placed.x_label_x, placed.x_label_y);
+    label(panel.note, middle, (placed.bottom + placed.top) / 2, "center");
     label(scaled(panel.y.label, placed.y), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2, "center rotate");
     legend(placed);
     std::vector<std::string> plots;
@@ -202,12 +221,17 @@ class Writer {
     const std::string what =
         fmt::format("{}; columns: {}, {}", curve.label.empty() ? "curve" : curve.label, panel.x.label, panel.y.label);
     if (!curve.top.empty()) {
-      plots.push_back(fmt::format("data index {} using 1:2:3 with filledcurves fc rgb '{}' fs solid noborder",
-                                  block(what + ", upper edge", {curve.x, curve.y, curve.top}), colour(curve.tone)));
+      plots.push_back(fmt::format("data index {} using 1:2:3 title {} with filledcurves fc rgb '{}' fs solid noborder",
+                                  block(what + ", upper edge", {curve.x, curve.y, curve.top}),
+                                  gnuplot_string(curve.label), colour(curve.tone)));
       return;
     }
-    const Points points = thinned(curve.x, curve.y, static_cast<int>((placed.right - placed.left) * columns_per_cm));
-    const std::string columns = fmt::format("data index {} using 1:2 with ", block(what, {points.x, points.y}));
+    const bool all = curve.complete && curve.x.size() <= most_points;
+    const Points points =
+        all ? Points{curve.x, curve.y}
+            : thinned(curve.x, curve.y, static_cast<int>((placed.right - placed.left) * columns_per_cm));
+    const std::string columns = fmt::format("data index {} using 1:2 title {} with ", block(what, {points.x, points.y}),
+                                            gnuplot_string(curve.label));
     if (curve.line != Line::none) plots.push_back(columns + "lines " + line_style(curve.tone, curve.line, curve.width));
     if (curve.mark != Mark::none) plots.push_back(columns + "points " + mark_style(curve.tone, curve.mark));
   }
@@ -217,8 +241,8 @@ class Writer {
     std::erase_if(kept.x, [&](double at) { return at < placed.x.from || at > placed.x.to; });
     if (kept.x.empty()) return;
     const double height = placed.y.to - 0.03 * (placed.y.to - placed.y.from);
-    plots.push_back(
-        fmt::format("data index {} using 1:({}) with points {}", block(kept.label, {kept.x}), height, event_style));
+    plots.push_back(fmt::format("data index {} using 1:({}) title {} with points {}", block(kept.label, {kept.x}),
+                                height, gnuplot_string(kept.label), event_style));
   }
 
   std::string map(const PlacedPanel& placed) {
@@ -234,19 +258,20 @@ class Writer {
     }
     const std::vector<double>& values = columns[6];
     if (values.empty()) refuse("an empty map");
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const Ticks scale = make_ticks({.low = *low, .high = *high, .most = 6});
-    script_ +=
-        "set style line 100 lc rgb '#000000' lw 0.7\nset palette defined (0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 "
-        "'#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 "
-        "'#081d58')\n";
+    const Ticks& scale = placed.scale;
+    constexpr const char* one_way =
+        "0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 '#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 '#081d58'";
+    constexpr const char* both_ways = "0 '#1f4f8a', 1 '#6f9ccb', 2 '#f5f5f5', 3 '#dd9558', 4 '#94430a'";
+    script_ += fmt::format("set style line 100 lc rgb '#000000' lw 0.7\nset palette defined ({})\n",
+                           map.ratio ? both_ways : one_way);
     axis("cb", scale);
     script_ += fmt::format("set colorbox user vertical origin {} size screen {}, screen {} border 100\n",
                            screen(placed.right + 0.2, placed.bottom), x(0.25), y(placed.top - placed.bottom));
-    label(scaled(map.label, scale), layout_.width - 0.22, (placed.bottom + placed.top) / 2, "center rotate");
-    return fmt::format("data index {} using 1:2:3:4:5:6:7 with boxxyerror fc palette fs solid noborder",
+    label(scaled(map.label, scale), placed.scale_label_x, (placed.bottom + placed.top) / 2, "center rotate");
+    return fmt::format("data index {} using 1:2:3:4:5:6:7 title {} with boxxyerror fc palette fs solid noborder",
                        block(map.label + " in cells; columns: x, y, and lower and upper end of both, value",
-                             {std::begin(columns), std::end(columns)}));
+                             {std::begin(columns), std::end(columns)}),
+                       gnuplot_string(map.label));
   }
 
   /// Merges neighbouring cells until there are few enough for a file of reasonable size.
@@ -262,7 +287,7 @@ class Writer {
     const std::size_t by_x = (nx + most_cells - 1) / most_cells;
     const std::size_t by_y = (ny + most_cells - 1) / most_cells;
     if (by_x == 1 && by_y == 1) return;
-    HeatMap coarse{merged(map.x_edges, by_x), merged(map.y_edges, by_y), {}, map.label};
+    HeatMap coarse{merged(map.x_edges, by_x), merged(map.y_edges, by_y), {}, map.label, map.ratio, map.range};
     const std::size_t columns = coarse.x_edges.size() - 1;
     coarse.values.assign(columns * (coarse.y_edges.size() - 1), NAN);
     for (std::size_t i = 0; i < map.values.size(); ++i) {

@@ -61,7 +61,9 @@ Html drawing(const Story& story, Eigen::Index b) {
   boxes += fmt::format("<line x1=\"0\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"#1c2024\" stroke-width=\"2\"/>",
                        2 * (margin + half), ground, ground);
   const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
-  const Html svg = element("svg", Html::markup(boxes), "viewBox=\"" + box + "\" role=\"img\"");
+  const Html svg = element(
+      "svg", Html::markup(boxes),
+      "viewBox=\"" + box + "\" role=\"img\" aria-label=\"" + Html::text(story.problem.buildings[b].name).str() + "\"");
   return element("figure", svg + element("figcaption", Html::text(story.problem.buildings[b].name)));
 }
 

@@ -15,6 +15,12 @@
 namespace bentur::html {
 namespace {
 
+/// A word of a case file in the report's language; one that is a name, such as that of a law, as it is.
+std::string chosen_word(const Words& say, const std::string& word) {
+  const std::string key = "choice." + word;
+  return catalogue().texts.contains(key) ? say(key) : word;
+}
+
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 constexpr Eigen::Index most_modes = 8;
@@ -285,9 +291,9 @@ Html gap_echo(const Story& story, Eigen::Index gap) {
   }
   rows.emplace_back(say("input.law"), spec.contact.law);
   for (const auto& [name, word] : story.from_case() ? spec.contact.choices() : spec.contact.words) {
-    rows.emplace_back(name, word);
+    rows.emplace_back(chosen_word(say, name), chosen_word(say, word));
   }
-  if (spec.contact.axial) rows.emplace_back("stiffness", say("input.axial"));
+  if (spec.contact.axial) rows.emplace_back(chosen_word(say, "stiffness"), say("input.axial"));
   std::vector<double> elevations, widths;
   std::vector<std::pair<std::string, std::vector<double>>> parameters;
   for (const Eigen::Index i : points_of(story.problem, gap)) {
@@ -348,7 +354,7 @@ Html motion_echo(const Story& story) {
   if (c.excitation.record) {
     const RecordEcho& record = *c.excitation.record;
     rows.emplace_back(say("motion.record"), record.file);
-    rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
+    rows.emplace_back(say("motion.format"), chosen_word(say, record.format) + ", " + record.unit);
     if (!record.channel.empty()) rows.emplace_back(say("motion.channel"), record.channel);
     if (record.header_lines > 0) rows.emplace_back(say("motion.header_lines"), std::to_string(record.header_lines));
     if (record.reversed) rows.emplace_back(say("motion.polarity"), say("motion.reversed"));

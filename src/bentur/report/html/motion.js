@@ -3,7 +3,9 @@
 
 /**
  * @param parts elements: stage and timeline (SVG), scrub, clock, event, live (tbody), play, previous, next, hardest, speed,
- *   slow, magnify, magnified; `shown`, where there is one, is told of every time that is shown [s].
+ *   slow, magnify, magnified; where there are such, timeAxis (the times below the time line), buildingKey (shown where the
+ *   drawing has numbers for names) and scaleNote (is told the magnification); `shown`, where there is one, is told of every
+ *   time that is shown [s].
  * @param data what animation_json() gives
  * @returns {impacts, number, update(data), show(time), showImpact(impact), start(), pause(), isPlaying()}
  */
@@ -11,7 +13,7 @@ function benturMotion(parts, data) {
   "use strict";
   let words = data.words;
   const SVG = "http://www.w3.org/2000/svg";
-  const COLOURS = ["#1b5e9b", "#c2610c", "#4f7f2d", "#7d4a9c", "#8a6d1d"];
+  const COLOURS = ["#1c2024", "#b4540a", "#1f5fa8", "#5f6b76", "#3d6b20", "#7d4a9c"]; // those of the figures
 
   function svg(name, attributes, parent) {
     const node = document.createElementNS(SVG, name);
@@ -33,7 +35,12 @@ function benturMotion(parts, data) {
     if (size === 0) return "0";
     if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
     const decimals = Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size))));
-    return String(Number(value.toFixed(decimals)));
+    return signed(String(Number(value.toFixed(decimals))));
+  }
+
+  /** With the sign for minus. */
+  function signed(text) {
+    return text.replace("-", "\u2212");
   }
 
   // ---------------------------------------------------------------- samples
@@ -48,7 +55,7 @@ function benturMotion(parts, data) {
     return values;
   }
 
-  let buildings, impacts, duration;
+  let buildings, impacts, duration, frames;
 
   function read() {
     buildings = data.buildings.map((given) => ({
@@ -60,24 +67,64 @@ function benturMotion(parts, data) {
       width: given.bays.reduce((sum, bay) => sum + bay, 0),
       scale: given.scale,
       samples: decode(given.samples),
+      keys: decode(given.keys || ""),
     }));
     // [point, start, end, peak force, time of it, closing speed], by start
     impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
       ({ point, start, end, force, peak, speed, number }));
     duration = data.duration;
+    join();
   }
 
-  /** Displacement of a floor at time t: cubic between samples, with slopes from their neighbours. */
+  /** Joins even samples and the exact starts, peaks and ends of impacts (data.keys) into one row of instants. */
+  function join() {
+    const keys = data.keys || [];
+    const count = buildings[0].samples.length / buildings[0].elevations.length;
+    frames = [];
+    let key = 0;
+    for (let k = 0; k < count; ++k) {
+      const time = k * data.step;
+      for (; key < keys.length && keys[key] < time - 1e-9 * duration; ++key) frames.push({ time: keys[key], key });
+      if (key < keys.length && Math.abs(keys[key] - time) <= 1e-9 * duration) ++key;
+      frames.push({ time, sample: k });
+    }
+    for (; key < keys.length; ++key) frames.push({ time: keys[key], key });
+    for (const building of buildings) {
+      const floors = building.elevations.length;
+      building.values = new Int16Array(frames.length * floors);
+      frames.forEach((one, k) => {
+        const from = one.key === undefined ? building.samples : building.keys;
+        const place = (one.key === undefined ? one.sample : one.key) * floors;
+        for (let floor = 0; floor < floors; ++floor) building.values[k * floors + floor] = from[place + floor];
+      });
+    }
+  }
+
+  /** Number of the last frame at or before t. */
+  function frameAt(t) {
+    let low = 0, high = frames.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (frames[middle].time <= t) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /** Displacement of a floor at time t: cubic between frames, with slopes from their neighbours. */
   function displacement(building, floor, t) {
     const floors = building.elevations.length;
-    const last = building.samples.length / floors - 1;
-    const at = Math.min(Math.max(t / data.step, 0), last);
-    const frame = Math.min(Math.floor(at), Math.max(last - 1, 0));
-    const s = at - frame;
-    const sample = (k) => building.samples[Math.min(Math.max(k, 0), last) * floors + floor];
-    const before = sample(frame - 1), here = sample(frame), next = sample(frame + 1), after = sample(frame + 2);
-    const slope = (next - before) / 2;
-    const turn = (after - here) / 2;
+    const last = frames.length - 1;
+    const frame = Math.min(frameAt(t), Math.max(last - 1, 0));
+    const place = (k) => Math.min(Math.max(k, 0), last);
+    const value = (k) => building.values[place(k) * floors + floor];
+    const time = (k) => frames[place(k)].time;
+    const length = time(frame + 1) - time(frame);
+    const s = length > 0 ? Math.min(Math.max((t - time(frame)) / length, 0), 1) : 0;
+    const before = value(frame - 1), here = value(frame), next = value(frame + 1), after = value(frame + 2);
+    const rate = (a, b, change) => (b > a ? change * length / (b - a) : 0);
+    const slope = rate(time(frame - 1), time(frame + 1), next - before);
+    const turn = rate(time(frame), time(frame + 2), after - here);
     const change = next - here;
     return building.scale *
       (here + s * (slope + s * (3 * change - 2 * slope - turn + s * (slope + turn - 2 * change))));
@@ -98,6 +145,7 @@ function benturMotion(parts, data) {
   // ---------------------------------------------------------------- the picture
 
   const { stage } = parts;
+  let framed = 0; // width of the page that the height of the drawing is for
   let top_, bottom, largest, gaps, height, lowest, unit, magnification, usual, drawn, glow;
 
   /** Everything that the picture takes from the response. */
@@ -196,6 +244,29 @@ function benturMotion(parts, data) {
       const shape = outline(building, b, zero);
       drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
     });
+    nameBuildings(-room, right + room);
+    if (stage.clientWidth !== framed) { // the page does not jump when the magnification changes
+      framed = stage.clientWidth;
+      const ratio = (unit * height + 54 * pixel) / wide;
+      if (parts.scaleNote) stage.style.height = `${Math.round(Math.min(framed * ratio, 416))}px`;
+    }
+    const factor = number(Number(magnification.toPrecision(2)));
+    if (parts.scaleNote) parts.scaleNote.textContent = words.scale.replace("{factor}", factor);
+  }
+
+  /** Names below the buildings, or their numbers where names do not fit; the key below the drawing tells them. */
+  function nameBuildings(left, right) {
+    let end = left;
+    let fit = true;
+    buildings.forEach((building, b) => {
+      building.label.textContent = building.name;
+      const half = building.label.getComputedTextLength() / 2;
+      const middle = Number(building.label.getAttribute("x"));
+      fit = fit && middle - half >= end && middle + half <= right;
+      end = middle + half + 4;
+    });
+    if (!fit) buildings.forEach((building, b) => { building.label.textContent = String(b + 1); });
+    if (parts.buildingKey) parts.buildingKey.hidden = fit && buildings.length < 3;
   }
 
   /** Columns and floors of a building whose floors are displaced by `x`. */
@@ -265,7 +336,23 @@ function benturMotion(parts, data) {
       ticks += `M${(WIDTH * impact.start / duration).toFixed(2)} ${HEIGHT}v${(-4 - 24 * share).toFixed(1)}`;
     }
     svg("path", { class: "tick", d: ticks }, line);
+    buildAxis();
     drawn.head = svg("path", { class: "head", d: `M0 0V${HEIGHT}` }, line);
+  }
+
+  /** Times below the time line, 1, 2 or 5 times a power of ten apart. */
+  function buildAxis() {
+    const axis = parts.timeAxis;
+    if (!axis) return;
+    axis.replaceChildren();
+    const power = Math.pow(10, Math.floor(Math.log10(duration / 5)));
+    const step = [1, 2, 5, 10].map((digit) => digit * power).find((one) => duration / one <= 6);
+    for (let k = 0; k * step <= duration * (1 + 1e-9); ++k) {
+      const share = k * step / duration;
+      const label = html("span", `${number(k * step)}${k === 0 ? " s" : ""}`, axis);
+      label.style.left = `${(100 * share).toFixed(2)}%`;
+      if (share > 0.97) label.className = "last";
+    }
   }
 
   function listenToTimeline() {
@@ -297,6 +384,8 @@ function benturMotion(parts, data) {
       drawn.columns[b].setAttribute("d", shape.columns);
       drawn.slabs[b].setAttribute("d", shape.slabs);
     });
+    // As many for all: the largest movement has four digits.
+    const decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
     const current = underWay(since === undefined ? now : Math.min(since, now), now);
     data.points.forEach((point, i) => {
       const hit = current.some((impact) => impact.point === i);
@@ -311,7 +400,7 @@ function benturMotion(parts, data) {
       mark.setAttribute("data-contact", hit ? 1 : 0);
       if (hit) drawn.arrows[i].setAttribute("d", arrows(x, y(point.elevation), current, i));
       drawn.arrows[i].setAttribute("opacity", glow[i].toFixed(3));
-      drawn.cells[i].textContent = number(opening(point, now));
+      drawn.cells[i].textContent = signed(opening(point, now).toFixed(decimals));
       drawn.cells[i].className = hit ? "marked" : "";
     });
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
@@ -346,9 +435,10 @@ function benturMotion(parts, data) {
     stage.parentNode.classList.toggle("stacked", gaps.length > 1);
     if (gaps.length > 1) {
       const head = html("tr", undefined, live);
-      html("td", "", head);
+      html("th", words.level, head).scope = "col";
       gaps.forEach((_, gap) => {
-        html("th", `${buildings[gap].name} | ${buildings[gap + 1].name}`, head).scope = "col";
+        const names = `${buildings[gap].name} | ${buildings[gap + 1].name}`;
+        html("th", parts.buildingKey ? `${gap + 1} | ${gap + 2}` : names, head).scope = "col";
       });
     }
     const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -12,6 +13,29 @@
 namespace bentur::html {
 
 std::string quantity(double value, const std::string& unit) { return number(value) + "\u00A0" + unit; }
+
+std::string rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return number(value);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
+  return number(std::round(value / unit) * unit);
+}
+
+std::string prose(double value, const std::string& unit) { return rounded(value) + "\u00A0" + unit; }
+
+bool numbers_buildings(const Story& story) { return story.problem.buildings.size() > 2; }
+
+std::string short_gap_name(const Story& story, Eigen::Index gap) {
+  if (!numbers_buildings(story)) return gap_name(story.problem, gap);
+  return fmt::format("{}\u00A0|\u00A0{}", gap + 1, gap + 2);
+}
+
+std::string building_key(const Story& story) {
+  std::string text;
+  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
+    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, story.problem.buildings[b].name);
+  }
+  return text;
+}
 
 std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 
@@ -60,6 +84,17 @@ Html building_table(const Story& story, Eigen::Index b) {
   return table.markup();
 }
 
+/// Accelerations and storey shears with and without contact.
+Html force_table(const Story& story, Eigen::Index b) {
+  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
+  HtmlTable table;
+  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  for (TableColumn& column : force_columns(story.run, floors_from_top(story.problem, b), table_language(story.say))) {
+    table.add(column.label, column.unit, std::move(column.cells));
+  }
+  return element("p", Html::text(story.say("peaks.forces"))) + table.markup();
+}
+
 /// What the foundation does; empty without soil.
 Html foundation_text(const Story& story, Eigen::Index b) {
   const Eigen::VectorXd& peaks = story.response.buildings[b].foundation;
@@ -101,8 +136,13 @@ Html restitution_table(const Story& story) {
   const auto text = [](const std::optional<double>& value) { return value ? fmt::format("{:.4f}", *value) : "–"; };
   std::vector<std::string> gaps, asked, smallest, largest;
   std::vector<double> elevations;
-  for (std::size_t i = restitution.size(); i-- > 0;) {
-    gaps.push_back(gap_name(story.problem, story.problem.points[i].left));
+  std::vector<Eigen::Index> order;  // gap by gap, each from the top down
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
+    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
+    order.insert(order.end(), points.begin(), points.end());
+  }
+  for (const Eigen::Index i : order) {
+    gaps.push_back(short_gap_name(story, story.problem.points[i].left));
     elevations.push_back(story.problem.points[i].elevation);
     asked.push_back(text(restitution[i].asked));
     smallest.push_back(text(restitution[i].smallest));
@@ -161,7 +201,8 @@ Html peaks_section(const Story& story) {
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
-               proportions_text(story, b) + foundation_text(story, b) + yielding_table(story, b);
+               force_table(story, b) + proportions_text(story, b) + foundation_text(story, b) +
+               yielding_table(story, b);
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(story.problem, story.response)) {
@@ -186,7 +227,7 @@ Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed
   for (const Eigen::Index k : listed) {
     const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(gap_name(story.problem, point.left));
+    gaps.push_back(short_gap_name(story, point.left));
     elevations.push_back(point.elevation);
   }
   HtmlTable table;

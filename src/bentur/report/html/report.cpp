@@ -90,8 +90,11 @@ Html motion_section(const Story& story) {
                               "class=\"wide\""),
                   "class=\"readout\""),
       "class=\"player\"");
+  content += element("p", html::building_key(story), "id=\"building-key\" class=\"note\"");
+  content += element("p", Html(), "id=\"scale-note\" class=\"note print\"");
   content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
+  content += element("div", Html(), "id=\"time-axis\" aria-hidden=\"true\"");
   content += Html::markup("<input type=\"range\" id=\"scrub\" class=\"screen\" min=\"0\" aria-label=\"" +
                           Html::text(say("motion.scrub")).str() + "\">\n");
   content += element(
@@ -105,6 +108,24 @@ Html motion_section(const Story& story) {
       "class=\"controls screen\"");
   content += element("p", say("motion.note"), "class=\"note\"");
   return html::section("motion", say("heading.motion_picture"), content);
+}
+
+/// Case and record by their hashes, so that a report can be told from that of another file of the same name.
+Html identity(const Story& story) {
+  Html lines;
+  if (story.c.source && !story.c.source->sha256.empty()) {
+    lines += element("p",
+                     story.say("report.identity",
+                               {{"file", story.c.source->file}, {"hash", story.c.source->sha256.substr(0, 16) + "…"}}),
+                     "class=\"note\"");
+  }
+  if (const std::optional<RecordEcho>& record = story.c.excitation.record; record && !record->sha256.empty()) {
+    lines += element(
+        "p",
+        story.say("report.record_identity", {{"file", record->file}, {"hash", record->sha256.substr(0, 16) + "…"}}),
+        "class=\"note\"");
+  }
+  return lines;
 }
 
 }  // namespace
@@ -145,7 +166,8 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
   Html body = element("header", element("h1", title) +
-                                    element("p", say("report.by", {{"version", options.version}}), "class=\"note\""));
+                                    element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") +
+                                    identity(story));
   body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
           html::gap_section(story) + html::peaks_section(story) + html::damage_section(story) +
           html::impacts_section(story, listed) + html::figures_section(say, options.figures) +

@@ -9,6 +9,9 @@
     "magnify", "magnified"]) {
     parts[id] = document.getElementById(id);
   }
+  parts.timeAxis = document.getElementById("time-axis");
+  parts.buildingKey = document.getElementById("building-key");
+  parts.scaleNote = document.getElementById("scale-note");
   const motion = benturMotion(parts, data);
 
   function html(name, text, parent) {
@@ -22,7 +25,7 @@
 
   function value(row, column) {
     const text = row.cells[column].textContent.trim();
-    const number_ = Number(text);
+    const number_ = Number(text.replace("\u2212", "-"));
     return text === "" || Number.isNaN(number_) ? text : number_;
   }
 

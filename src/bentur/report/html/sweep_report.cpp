@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/files/ida_reading.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/study/fragility/fragility_report.h"
 
 namespace bentur {
 namespace {
@@ -52,16 +54,16 @@ std::string where(const SweepData& sweep, std::size_t run, const std::vector<dou
     for (std::size_t i = 0; i < one.size; ++i) {
       constant = constant && values[run - at * stride + i * stride] == values[run];
     }
-    if (!constant && (one.is_text() || !one.numbers.empty())) places.push_back(one.name + " = " + one.value(at));
+    if (!constant && (one.is_text() || !one.numbers.empty())) places.push_back(one.choice(at));
   }
   for (const SweepDimension& one : sweep.sample_coordinates()) {
-    places.push_back(one.name + " = " + (one.is_text() ? one.texts.at(run) : number(one.numbers.at(run))));
+    places.push_back(one.choice(run));
   }
   return places.empty() ? "" : say("sweep.where", {{"where", fmt::format("{}", fmt::join(places, ", "))}});
 }
 
 std::string with_unit_of(const SweepData& sweep, double value, const std::string& variable) {
-  return html::quantity(value, unit_text(sweep.results().at(variable).units));
+  return html::prose(value, unit_text(sweep.results().at(variable).units));
 }
 
 Html verdict(const SweepData& sweep, const Words& say) {
@@ -133,11 +135,211 @@ Html varied(const SweepData& sweep, const Words& say) {
   return html::section("varied", say("heading.varied"), table.markup());
 }
 
+/// "0.234", or why there is none.
+std::string known(double value, bool is_known) { return is_known ? html::rounded(value) : "–"; }
+
+std::string interval_text(double lower, double upper) {
+  const auto end = [](double value) { return std::isfinite(value) ? html::rounded(value) : std::string("∞"); };
+  return end(lower) + " … " + end(upper);
+}
+
+/// Columns that say which case each row is of, without one axis.
+void add_cases(html::HtmlTable& table, const IdaResults& results, const std::vector<std::size_t>& cases,
+               std::size_t without, const SweepData& sweep, const Words& say) {
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (axis == without) continue;
+    for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
+      std::vector<std::string> cells;
+      for (const std::size_t c : cases) {
+        const std::size_t place = results.places(c)[axis];
+        cells.push_back(coordinate.texts.empty() ? number(coordinate.numbers[place]) : coordinate.texts[place]);
+      }
+      const std::size_t d = sweep.index(coordinate.name);
+      const std::string name = coordinate.is_gap_width()       ? say("column.gap")
+                               : d < sweep.dimensions().size() ? sweep.dimensions()[d].short_name
+                                                               : coordinate.name;
+      const std::string unit = unit_text(coordinate.units);
+      table.add(name, unit == "–" ? "" : unit, cells, coordinate.texts.empty());
+    }
+  }
+}
+
+/// θ and β of every case with their bounds, and how many runs say so.
+html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& sweep, const Words& say) {
+  const std::string unit = unit_text(report.results.units);
+  html::HtmlTable table;
+  std::vector<std::size_t> cases;
+  std::vector<std::string> medians, median_bounds, dispersions, dispersion_bounds, events;
+  for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
+    const CaseFragility& one = report.fragilities[c];
+    const bool fitted = one.fit.kind == Fragility::Kind::fitted;
+    const bool bounded = fitted && one.bounds.has_value();
+    cases.push_back(c);
+    medians.push_back(one.fit.kind == Fragility::Kind::no_event     ? "> " + html::rounded(one.fit.lower)
+                      : one.fit.kind == Fragility::Kind::all_events ? "< " + html::rounded(one.fit.upper)
+                      : one.fit.kind == Fragility::Kind::separated  ? interval_text(one.fit.lower, one.fit.upper)
+                                                                    : known(one.fit.median, fitted));
+    median_bounds.push_back(bounded ? interval_text(one.bounds->median.lower, one.bounds->median.upper) : "–");
+    dispersions.push_back(known(one.fit.dispersion, fitted));
+    dispersion_bounds.push_back(bounded ? interval_text(one.bounds->dispersion.lower, one.bounds->dispersion.upper)
+                                        : "–");
+    events.push_back(fmt::format("{} / {}", one.events, one.runs));
+  }
+  add_cases(table, report.results, cases, report.results.axes.size(), sweep, say);
+  table.add(say("ida.median"), unit, medians);
+  table.add(say("ida.bounds"), unit, median_bounds);
+  table.add(say("ida.dispersion"), "", dispersions);
+  table.add(say("ida.bounds"), "", dispersion_bounds);
+  table.add(say("ida.events"), "", events);
+  return table;
+}
+
+/// The gap for some probabilities of pounding at some intensities; nothing where no one gap width varies.
+Html gaps_for_probabilities(const IdaResults& results, const SweepData& sweep, const Words& say) {
+  constexpr std::size_t most_levels = 6;
+  const std::vector<double>& levels = results.table.levels;
+  html::HtmlTable table;
+  std::vector<std::size_t> cases;
+  std::vector<double> intensities;
+  const std::vector<double> probabilities = {0.1, 0.5};
+  std::vector<std::vector<std::string>> gaps(probabilities.size()), bounds(probabilities.size());
+  std::string name, units;
+  std::size_t axis = 0;
+  const std::size_t count = std::min(levels.size(), most_levels);
+  for (std::size_t n = 0; n < count; ++n) {
+    FragilityRequest request;
+    request.at = levels[count > 1 ? n * (levels.size() - 1) / (count - 1) : 0];
+    request.probabilities = probabilities;
+    std::string error;
+    const std::optional<FragilityReport> report = fragility_report(results, request, error);
+    if (!report || report->gaps.empty()) return {};
+    name = report->gap_name;
+    units = unit_text(report->gap_units);
+    axis = report->gap_axis;
+    for (std::size_t g = 0; g < report->gaps.size(); ++g) {
+      const GapAt& gap = report->gaps[g];
+      const std::size_t p = g % probabilities.size();
+      if (p == 0) {
+        cases.push_back(gap.first_case);
+        intensities.push_back(*request.at);
+      }
+      const auto& found = gap.estimate.gap;
+      gaps[p].push_back(!found ? "–"
+                               : (found->kind == GapForProbability::Kind::beyond     ? "> "
+                                  : found->kind == GapForProbability::Kind::smallest ? "≤ "
+                                                                                     : "") +
+                                     html::rounded(found->width));
+      const auto& interval = gap.estimate.bounds;
+      bounds[p].push_back(interval ? interval_text(interval->lower, interval->upper) : "–");
+    }
+  }
+  add_cases(table, results, cases, axis, sweep, say);
+  const std::string unit = unit_text(results.units);
+  table.add(say("ida.at"), unit, intensities);
+  for (std::size_t p = 0; p < probabilities.size(); ++p) {
+    table.add(say("ida.gap_for", {{"p", number(100 * probabilities[p])}}), units, gaps[p]);
+    table.add(say("ida.bounds"), units, bounds[p]);
+  }
+  return table.markup();
+}
+
+/// What an incremental dynamic analysis answers: how likely pounding is, and the gap for a probability.
+Html ida_section(const SweepData& sweep, const Words& say) {
+  std::string error;
+  FragilityRequest request;
+  const auto rule = parse_event(request.event, error);
+  const IdaResults results = read_ida_results(sweep.results(), *rule);
+  const std::optional<FragilityReport> report = fragility_report(results, request, error);
+  if (!report) return {};
+  const std::string unit = unit_text(results.units);
+  const std::string records = std::to_string(results.table.records / results.table.together);
+  const std::size_t d = sweep.index("intensity");
+  Html content = element("p", say("ida.asked", {{"records", records},
+                                                {"levels", std::to_string(results.table.levels.size())},
+                                                {"intensity", sweep.dimensions()[d].short_name},
+                                                {"from", html::prose(results.table.levels.front(), unit)},
+                                                {"to", html::prose(results.table.levels.back(), unit)}}));
+  content += element("h3", say("ida.pounding")) + fragility_table(*report, sweep, say).markup();
+  request.event = "collapsed > 0";
+  if (sweep.results().find("collapsed") != nullptr) {
+    const auto collapse = parse_event(request.event, error);
+    const auto of_collapse = fragility_report(read_ida_results(sweep.results(), *collapse), request, error);
+    const bool any = of_collapse && std::any_of(of_collapse->fragilities.begin(), of_collapse->fragilities.end(),
+                                                [](const CaseFragility& one) { return one.events > 0; });
+    if (any) {
+      content += element("h3", say("ida.collapse")) + fragility_table(*of_collapse, sweep, say).markup();
+    }
+  }
+  const Html gaps = gaps_for_probabilities(results, sweep, say);
+  if (!gaps.str().empty()) content += element("h3", say("ida.gaps")) + gaps;
+  content +=
+      element("p", say("ida.note", {{"resamples", std::to_string(request.bootstrap.resamples)}}), "class=\"note\"");
+  return html::section("probability", say("heading.probability"), content);
+}
+
+/// Every run, folded away.
+Html runs_table(const SweepData& sweep, const Words& say) {
+  constexpr std::size_t most_rows = 300;
+  const std::vector<double> status = sweep.results().numbers("status");
+  const std::vector<double> impacts = by_run(sweep, "impacts", true), forces = by_run(sweep, "peak_force", false);
+  const std::string need = sweep.results().find("gap_needed") != nullptr ? "gap_needed" : "gap_minimum_no_contact";
+  const std::vector<double> needed = by_run(sweep, need, false);
+  const std::size_t rows = std::min(status.size(), most_rows);
+  html::HtmlTable table;
+  std::vector<std::string> numbers;
+  for (std::size_t run = 0; run < rows; ++run) numbers.push_back(std::to_string(run + 1));
+  table.add("#", "", numbers);
+  std::size_t stride = status.size();
+  for (const SweepDimension& one : sweep.dimensions()) {
+    stride /= one.size;
+    if (!one.is_text() && one.numbers.empty()) continue;
+    std::vector<std::string> cells;
+    for (std::size_t run = 0; run < rows; ++run) cells.push_back(one.value(run / stride % one.size));
+    table.add(one.short_name, one.unit == "–" ? "" : one.unit, cells, !one.is_text());
+  }
+  for (const SweepDimension& one : sweep.sample_coordinates()) {
+    std::vector<std::string> cells;
+    for (std::size_t run = 0; run < rows; ++run) cells.push_back(one.value(run));
+    table.add(one.short_name, one.unit == "–" ? "" : one.unit, cells, !one.is_text());
+  }
+  const auto column = [&](const std::vector<double>& values) {
+    std::vector<std::string> cells;
+    for (std::size_t run = 0; run < rows; ++run) {
+      cells.push_back(status[run] == 0 && !std::isnan(values[run]) ? html::rounded(values[run]) : "–");
+    }
+    return cells;
+  };
+  table.add(say("column.impacts"), "", column(impacts));
+  if (sweep.results().find("peak_force") != nullptr) {
+    table.add(say("sweep.peak_force"), unit_text(sweep.results().at("peak_force").units), column(forces));
+  }
+  table.add(say("sweep.gap_needed"), unit_text(sweep.results().at(need).units), column(needed));
+  Html content = element("details", element("summary", say("sweep.every_run")) + table.markup());
+  if (rows < status.size()) {
+    content +=
+        element("p", say("sweep.runs_cut", {{"shown", std::to_string(rows)}, {"all", std::to_string(status.size())}}),
+                "class=\"note\"");
+  }
+  return html::section("runs", say("heading.runs"), content);
+}
+
 /// A file as it was given, where the results hold it.
 Html source(const SweepData& sweep, const Words& say, const std::string& attribute) {
   const std::string text = sweep.results().attribute(attribute);
   if (text.empty()) return {};
   return element("h3", say("heading." + attribute)) + element("pre", text);
+}
+
+/// The study's own: what the case is called, and what varies in it.
+std::string study_title(const SweepData& sweep, const Words& say) {
+  std::vector<std::string> names;
+  for (const SweepDimension& one : sweep.dimensions()) {
+    if (one.size > 1 && one.name != "sample") names.push_back(one.short_name.empty() ? one.name : one.short_name);
+  }
+  for (const SweepDimension& one : sweep.sample_coordinates()) names.push_back(one.short_name);
+  if (names.empty()) return say("report.untitled");
+  return say(is_ida(sweep.results()) ? "sweep.title_ida" : "sweep.title",
+             {{"names", fmt::format("{}", fmt::join(names, ", "))}});
 }
 
 }  // namespace
@@ -146,10 +348,13 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
   const Words say(options.language);
   const SweepData sweep(results);
   const std::string given = results.attribute("title");
-  const std::string title = given.empty() ? say("report.untitled") : given;
+  const std::string title = study_title(sweep, say);
   Html body = element(
-      "header", element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\""));
-  body += verdict(sweep, say) + html::figures_section(say, options.figures) + varied(sweep, say) +
+      "header", element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\"") +
+                    element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\""));
+  body += verdict(sweep, say);
+  if (is_ida(results)) body += ida_section(sweep, say);
+  body += html::figures_section(say, options.figures) + varied(sweep, say) + runs_table(sweep, say) +
           html::section("input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case"));
   return html::page(say, title, body, false);
 }

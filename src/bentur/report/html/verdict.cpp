@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ std::string collision_text(const Story& story, Eigen::Index gap, const GapOutcom
   const Words& say = story.say;
   const std::string left = story.problem.buildings[gap].name;
   const std::string right = story.problem.buildings[gap + 1].name;
-  const std::string duration = quantity(story.problem.duration, "s");
+  const std::string duration = prose(story.problem.duration, "s");
   if (found.impacts == 0 && !found.unmodelled.empty()) return points > 0 ? say("verdict.no_impact") : "";
   if (found.impacts == 0) return say("verdict.apart", {{"left", left}, {"right", right}, {"duration", duration}});
   std::string text = say(points == 1 ? "verdict.collide.one_level" : "verdict.collide",
@@ -35,16 +37,16 @@ std::string collision_text(const Story& story, Eigen::Index gap, const GapOutcom
                           {"duration", duration},
                           {"touched", std::to_string(found.touched)},
                           {"points", std::to_string(points)}});
-  const std::string elevation = quantity(story.problem.points[*found.hardest].elevation, story.c.units.length);
+  const std::string elevation = prose(story.problem.points[*found.hardest].elevation, story.c.units.length);
   if (const Impact* const impact = hardest_impact(story.response, *found.hardest)) {
     if (impact->peak_force > 0) {
-      text += " " + say("verdict.hardest", {{"force", quantity(impact->peak_force, story.c.units.force)},
-                                            {"time", quantity(impact->peak_force_time, "s")},
+      text += " " + say("verdict.hardest", {{"force", prose(impact->peak_force, story.c.units.force)},
+                                            {"time", prose(impact->peak_force_time, "s")},
                                             {"elevation", elevation},
-                                            {"contact", quantity(1e3 * (impact->end - impact->start), "ms")}});
+                                            {"contact", prose(1e3 * (impact->end - impact->start), "ms")}});
     } else {
-      text += " " + say("verdict.fastest", {{"speed", quantity(impact->closing_speed, story.c.units.length + "/s")},
-                                            {"time", quantity(impact->start, "s")},
+      text += " " + say("verdict.fastest", {{"speed", prose(impact->closing_speed, story.c.units.length + "/s")},
+                                            {"time", prose(impact->start, "s")},
                                             {"elevation", elevation}});
     }
   }
@@ -67,7 +69,7 @@ std::string faced_place(const Story& story, const WatchedFloor& floor) {
 
 std::string remedy(const Story& story, const WatchedFloor& floor) {
   const Remedy remedy = remedy_for(story.problem, floor);
-  const std::string level = quantity(remedy.level, story.c.units.length);
+  const std::string level = prose(remedy.level, story.c.units.length);
   switch (remedy.kind) {
     case Remedy::Kind::name_elevation:
       return story.say("verdict.remedy.elevation", {{"level", level}});
@@ -86,10 +88,10 @@ std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>&
   const WatchedSummary& summary = story.response.watched[floors.front()];
   const std::string& length = story.c.units.length;
   std::string text = story.say("verdict.unmodelled.lead", {{"building", owner(story, deepest)},
-                                                           {"elevation", quantity(deepest.elevation, length)},
-                                                           {"depth", quantity(-summary.least_opening, length)},
+                                                           {"elevation", prose(deepest.elevation, length)},
+                                                           {"depth", prose(-summary.least_opening, length)},
                                                            {"faced", faced_place(story, deepest)},
-                                                           {"time", quantity(summary.least_time, "s")}});
+                                                           {"time", prose(summary.least_time, "s")}});
   if (floors.size() > 1) text += " " + story.say.count("verdict.unmodelled.more", static_cast<long>(floors.size()) - 1);
   return text + " " + remedy(story, deepest);
 }
@@ -97,11 +99,12 @@ std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>&
 std::string needed_text(const Story& story, const GapOutcome& found) {
   const std::string& length = story.c.units.length;
   const GoverningLevel& level = found.governing;
-  std::string text = story.say(level.needed <= level.width ? "verdict.enough" : "verdict.short",
-                               {{"needed", quantity(level.needed, length)},
-                                {"elevation", quantity(level.elevation, length)},
-                                {"width", quantity(level.width, length)},
-                                {"difference", quantity(std::abs(level.needed - level.width), length)}});
+  if (level.width == 0 && level.needed == 0) return story.say("verdict.touch");
+  std::string text = story.say(!level.is_short() ? "verdict.enough" : "verdict.short",
+                               {{"needed", prose(level.needed, length)},
+                                {"elevation", prose(level.elevation, length)},
+                                {"width", prose(level.width, length)},
+                                {"difference", prose(std::abs(level.needed - level.width), length)}});
   if (level.watched) {
     const WatchedFloor& floor = story.problem.watched[*level.watched];
     text += " " + story.say("verdict.faces", {{"building", owner(story, floor)}, {"faced", faced_place(story, floor)}});
@@ -118,13 +121,14 @@ struct RuleFinding {
 };
 
 std::vector<RuleFinding> rules(const Story& story, const std::vector<Eigen::Index>& points) {
+  const double scale = displacement_scale(story.problem, story.response, story.problem.points[points.front()].left);
   std::vector<RuleFinding> found;
   const auto add = [&](const std::string& name, const auto& gap_of) {
     RuleFinding rule{.name = name};
     for (const Eigen::Index i : points) {
       const PointSeparation& s = story.separations.at(i);
-      rule.gap = std::max(rule.gap, gap_of(s));
-      rule.falls_short = rule.falls_short || gap_of(s) < s.simulated * (1 - 1e-9);
+      if (bentur::falls_short(0, gap_of(s), scale)) rule.gap = std::max(rule.gap, gap_of(s));
+      rule.falls_short = rule.falls_short || bentur::falls_short(gap_of(s), s.simulated, scale);
       rule.known = rule.known && !std::isnan(gap_of(s));
     }
     if (rule.known) found.push_back(rule);
@@ -151,12 +155,45 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
 std::string rules_text(const Story& story, const std::vector<Eigen::Index>& points) {
   std::vector<std::string> gaps, unsafe;
   for (const RuleFinding& rule : rules(story, points)) {
-    gaps.push_back(quantity(rule.gap, story.c.units.length) + " (" + rule.name + ")");
+    gaps.push_back(prose(rule.gap, story.c.units.length) + " (" + rule.name + ")");
     if (rule.falls_short) unsafe.push_back(rule.name);
   }
   const std::string conjunction = story.say("word.and");
   std::string text = story.say("verdict.rules", {{"rules", joined(gaps, conjunction)}});
   if (!unsafe.empty()) text += " " + story.say("verdict.rules_short", {{"rules", joined(unsafe, conjunction)}});
+  return text;
+}
+
+/// Where contact raises floor acceleration and storey shear the most; empty where nothing is hit or nothing is known.
+std::string more_force_text(const Story& story) {
+  if (story.response.impacts.empty()) return "";
+  std::string text;
+  for (const char* const key : {"acceleration_ratio", "storey_shear_ratio"}) {
+    const Quantity& ratio = quantity_named(key, Owner::floor);
+    double most = 0;
+    QuantityPlace place;
+    for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
+      for (const QuantityPlace& at : floors_of(story.problem, b)) {
+        const double value = value_of(ratio, story.run, at);
+        if (value > most) {
+          most = value;
+          place = at;
+        }
+      }
+    }
+    if (!(most > 0)) continue;
+    constexpr double seen = 1.005;  // with three digits
+    if (most < seen) {
+      text += story.say(std::string("verdict.") + key + ".none") + " ";
+      continue;
+    }
+    const Building& building = story.problem.buildings[place.item];
+    text += story.say(std::string("verdict.") + key,
+                      {{"factor", rounded(most)},
+                       {"building", building.name},
+                       {"elevation", prose(building.model.elevations[place.floor], story.c.units.length)}}) +
+            " ";
+  }
   return text;
 }
 
@@ -179,7 +216,7 @@ std::string effect_text(const Story& story) {
     return found;
   };
   const auto level = [&](const Place& place) {
-    return quantity(story.problem.buildings[place.building].model.elevations[place.floor], story.c.units.length);
+    return prose(story.problem.buildings[place.building].model.elevations[place.floor], story.c.units.length);
   };
   std::string text;
   if (!story.response.impacts.empty()) {
@@ -192,109 +229,20 @@ std::string effect_text(const Story& story) {
                ? story.say("verdict.amplified",
                            {{"building", story.problem.buildings[most.building].name},
                             {"elevation", level(most)},
-                            {"factor", number(most.value)},
-                            {"with", quantity(peaks.displacement(most.floor), story.c.units.length)},
-                            {"without", quantity(peaks.displacement_no_contact(most.floor), story.c.units.length)}})
+                            {"factor", rounded(most.value)},
+                            {"with", prose(peaks.displacement(most.floor), story.c.units.length)},
+                            {"without", prose(peaks.displacement_no_contact(most.floor), story.c.units.length)}})
                : story.say("verdict.not_amplified");
     text += " ";
   }
   const Place fastest =
       largest([](const BuildingPeaks& peaks, Eigen::Index floor) { return peaks.acceleration(floor); });
-  return text +
-         story.say("verdict.acceleration", {{"acceleration", quantity(fastest.value, acceleration_unit(story.c))},
-                                            {"g", number(fastest.value / story.c.units.gravity)},
-                                            {"building", story.problem.buildings[fastest.building].name},
-                                            {"elevation", level(fastest)}});
+  text += more_force_text(story);
+  return text + story.say("verdict.acceleration", {{"acceleration", prose(fastest.value, acceleration_unit(story.c))},
+                                                   {"g", rounded(fastest.value / story.c.units.gravity)},
+                                                   {"building", story.problem.buildings[fastest.building].name},
+                                                   {"elevation", level(fastest)}});
 }
-
-/// What of a rule's wording was checked, in the words of the report.
-std::string wording_text(const CodeRule& rule, const Words& say) {
-  std::string text(rule.wording);
-  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("checked", "gap.checked")}) {
-    const std::size_t at = text.find(english);
-    if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
-  }
-  return text;
-}
-
-/// The rules of codes at the level where each asks for most over what is given.
-Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::string> titles, clauses, wordings, verdicts;
-  std::vector<double> gaps, elevations, lefts, rights;
-  const auto width = [&](Eigen::Index i) { return story.problem.points[i].width; };
-  const std::size_t count = story.separations.at(points.front()).codes.size();
-  bool property_line = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto short_by = [&](Eigen::Index i) { return story.separations[i].codes[k].gap - width(i); };
-    const Eigen::Index most = *std::max_element(
-        points.begin(), points.end(), [&](Eigen::Index a, Eigen::Index b) { return short_by(a) < short_by(b); });
-    const CodeSeparation& code = story.separations[most].codes[k];
-    const CodeRule& rule = *find_code_rule(code.rule);
-    titles.emplace_back(rule.title);
-    clauses.emplace_back(rule.clause);
-    wordings.push_back(wording_text(rule, say));
-    gaps.push_back(code.gap);
-    elevations.push_back(story.problem.points[most].elevation);
-    lefts.push_back(code.to_left.value_or(none));
-    rights.push_back(code.to_right.value_or(none));
-    property_line = property_line || code.to_left || code.to_right;
-    verdicts.push_back(say(short_by(most) > 0 ? "gap.too_close" : "gap.wide_enough"));
-  }
-  HtmlTable table;
-  table.add(say("gap.code"), "", titles, false);
-  table.add(say("gap.clause"), "", clauses, false);
-  table.add(say("column.needed"), length, gaps);
-  table.add(say("column.elevation"), length, elevations);
-  table.add(say("gap.given_is"), "", verdicts, false);
-  if (property_line) {
-    table.add(say("gap.left_to_line"), length, lefts);
-    table.add(say("gap.right_to_line"), length, rights);
-  }
-  table.add(say("gap.wording"), "", wordings, false);
-  return table.markup();
-}
-
-/// What rules of thumb say of how the neighbours stand; nothing where one of them is a wall.
-Html screening_table(const Story& story, Eigen::Index gap) {
-  const Words& say = story.say;
-  const std::vector<ScreeningFinding> findings = screening(story.problem, gap, story.c.screening, story.c.units);
-  if (findings.empty()) return {};
-  using Verdict = ScreeningFinding::Verdict;
-  const auto verdict = [&](Verdict of) {
-    return say(of == Verdict::fine               ? "screening.fine"
-               : of == Verdict::attention        ? "screening.attention"
-               : of == Verdict::needs_seismicity ? "screening.needs_seismicity"
-                                                 : "screening.not_applicable");
-  };
-  HtmlTable table;
-  std::vector<std::string> rules, values, limits, units, verdicts, sources;
-  for (const ScreeningFinding& found : findings) {
-    const ScreeningRule& rule = *found.rule;
-    const bool yes_or_no = rule.name == "end-of-row" || rule.name == "pounding";
-    const bool open = yes_or_no && found.verdict == Verdict::needs_seismicity;
-    if (found.verdict == Verdict::attention) table.mark(rules.size());
-    rules.push_back(say("screening." + std::string(rule.name)));
-    values.push_back(open ? "–" : yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
-    limits.emplace_back(found.limit ? number(*found.limit) : "–");
-    units.emplace_back(rule.unit == "length" ? story.c.units.length : std::string(rule.unit));
-    verdicts.push_back(verdict(found.verdict));
-    sources.emplace_back(rule.wording == "ours" ? say("screening.ours") : std::string(rule.source));
-  }
-  table.add(say("screening.rule"), "", rules, false);
-  table.add(say("screening.value"), "", values);
-  table.add(say("screening.limit"), "", limits);
-  table.add(say("screening.unit"), "", units, false);
-  table.add(say("screening.verdict"), "", verdicts, false);
-  table.add(say("screening.source"), "", sources, false);
-  return element("h4", say("screening.heading")) + table.markup();
-}
-
-}  // namespace
-
-namespace {
 
 /// Whether a building collapses, in the run or without contact; empty where none does.
 Html collapse_block(const Story& story) {
@@ -306,7 +254,7 @@ Html collapse_block(const Story& story) {
     const Eigen::Index storey = collapse.storey + (building.model.has_slab ? 0 : 1);
     return story.say(key, {{"building", building.name},
                            {"storey", std::to_string(storey)},
-                           {"time", quantity(collapse.time, "s")},
+                           {"time", prose(collapse.time, "s")},
                            {"limit", number(100 * story.problem.collapse_drift)}});
   };
   if (!with) return element("p", text("verdict.collapse_only_no_contact", *without), "class=\"effect\"");
@@ -320,109 +268,127 @@ Html collapse_block(const Story& story) {
 
 }  // namespace
 
-Html verdict_section(const Story& story) {
-  Html blocks = collapse_block(story);
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
-    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
-    const GapOutcome found = gap_outcome(story.problem, story.response, gap);
-    const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
-    const std::string badge = !found.unmodelled.empty() ? "verdict.unmodelled"
-                              : pounding                ? "verdict.pounding"
-                                                        : "verdict.no_pounding";
-    Html block = element("p", story.say(badge), "class=\"badge\"");
-    if (!found.unmodelled.empty()) {
-      block += element("p", unmodelled_text(story, found.unmodelled), "class=\"lead\"");
-    }
-    const std::string collision = collision_text(story, gap, found, points.size());
-    if (!collision.empty()) block += element("p", collision, "class=\"lead\"");
-    block += element("p", needed_text(story, found));
-    if (!points.empty()) block += element("p", rules_text(story, points));
-    blocks += element("div", block, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
-  }
-  return section("verdict", story.say("heading.verdict"),
-                 blocks + element("p", effect_text(story), "class=\"effect\""));
-}
-
 namespace {
 
-/// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
-Html watched_table(const Story& story, Eigen::Index gap, const GoverningLevel& governing) {
-  const Words& say = story.say;
-  std::vector<Eigen::Index> floors = gap_at(story.problem, gap).watched;
-  if (floors.empty()) return {};
-  std::reverse(floors.begin(), floors.end());
-  HtmlTable table;
-  std::vector<double> elevations, widths, simulated;
-  std::vector<std::string> owners, faces, marks;
-  for (const Eigen::Index i : floors) {
-    const WatchedFloor& floor = story.problem.watched[i];
-    const double needed = story.response.watched.at(i).needed;
-    if (governing.watched == i && needed > floor.width) table.mark(elevations.size());
-    elevations.push_back(floor.elevation);
-    owners.push_back(owner(story, floor));
-    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
-    widths.push_back(floor.width);
-    simulated.push_back(needed);
-    marks.push_back(say(needed > floor.width ? "gap.too_close" : "gap.wide_enough"));
+/// Bars of the given gap, the gap needed and those of the rules, all at one scale.
+Html gap_bars(const Story& story, const GapOutcome& found, const std::vector<Eigen::Index>& points) {
+  struct Bar {
+    std::string name;
+    double value;
+    const char* style;
+  };
+  const GoverningLevel& level = found.governing;
+  std::vector<Bar> bars = {{story.say("column.given"), level.width, "given"},
+                           {story.say("column.simulated"), level.needed, level.is_short() ? "short" : "needed"}};
+  if (!points.empty()) {
+    for (const RuleFinding& rule : rules(story, points)) bars.push_back({rule.name, rule.gap, "rule"});
   }
-  table.add(say("column.elevation"), story.c.units.length, elevations);
-  table.add(say("gap.floor_of"), "", owners, false);
-  table.add(say("gap.faces"), "", faces, false);
-  table.add(say("column.given"), story.c.units.length, widths);
-  table.add(say("column.simulated"), story.c.units.length, simulated);
-  table.add(say("gap.given_is"), "", marks, false);
-  return element("p", say("gap.watched")) + table.markup();
+  double largest = 0;
+  for (const Bar& bar : bars) largest = std::max(largest, bar.value);
+  if (!(largest > 0)) return {};
+  Html rows;
+  for (const Bar& bar : bars) {
+    const Html drawn = element(
+        "span", Html(), fmt::format("class=\"bar {}\" style=\"width:{:.1f}%\"", bar.style, 100 * bar.value / largest));
+    rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
+                              element("td", prose(bar.value, story.c.units.length)));
+  }
+  return element("table", element("tbody", rows), "class=\"gapbars\"");
+}
+
+/// What is told of one gap.
+Html gap_block(const Story& story, const GapOutcome& found, const std::vector<Eigen::Index>& points) {
+  Html block;
+  if (!found.unmodelled.empty()) {
+    block += element("p", unmodelled_text(story, found.unmodelled), "class=\"lead\"");
+  }
+  const std::string collision = collision_text(story, found.gap.left, found, points.size());
+  if (!collision.empty()) block += element("p", collision, "class=\"lead\"");
+  block += element("p", needed_text(story, found));
+  if (!points.empty()) block += element("p", rules_text(story, points));
+  return block + gap_bars(story, found, points);
+}
+
+const char* badge_of(bool unmodelled, bool pounding) {
+  return unmodelled ? "verdict.unmodelled" : pounding ? "verdict.pounding" : "verdict.no_pounding";
+}
+
+/// A row of buildings: one sentence on all gaps, one table, and what is told of each gap folded away.
+Html row_block(const Story& story, const std::vector<GapOutcome>& all) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  const GapOutcome* worst = &all.front();
+  std::size_t tight = 0;
+  long impacts = 0;
+  bool unmodelled = false;
+  const auto lacks = [](const GapOutcome& one) { return one.governing.needed - one.governing.width; };
+  for (const GapOutcome& one : all) {
+    tight += one.governing.is_short() ? 1 : 0;
+    impacts += one.impacts;
+    unmodelled = unmodelled || !one.unmodelled.empty();
+    if (lacks(one) > lacks(*worst)) worst = &one;
+  }
+  const std::string count = std::to_string(all.size());
+  const std::string sentence = tight == 0 ? say("verdict.row.none", {{"count", count}})
+                                          : say(tight == all.size() ? "verdict.row.all" : "verdict.row.some",
+                                                {{"count", count},
+                                                 {"tight", std::to_string(tight)},
+                                                 {"gap", gap_name(story.problem, worst->gap.left)},
+                                                 {"needed", prose(worst->governing.needed, length)},
+                                                 {"width", prose(worst->governing.width, length)}});
+  HtmlTable table;
+  std::vector<std::string> names, verdicts, counts, hardest;
+  std::vector<double> given, needed, lacking;
+  Html details;
+  for (const GapOutcome& one : all) {
+    const std::vector<Eigen::Index> points = points_of(story.problem, one.gap.left);
+    names.push_back(short_gap_name(story, one.gap.left));
+    verdicts.push_back(say(one.governing.is_short() ? "gap.too_close" : "gap.wide_enough"));
+    if (one.governing.is_short()) table.mark(given.size());
+    given.push_back(one.governing.width);
+    needed.push_back(one.governing.needed);
+    lacking.push_back(one.governing.is_short() ? lacks(one) : std::numeric_limits<double>::quiet_NaN());
+    counts.push_back(std::to_string(one.impacts));
+    const PointSummary* const hit = one.hardest ? &story.response.points[*one.hardest] : nullptr;
+    hardest.push_back(hit != nullptr && hit->peak_force > 0 ? prose(hit->peak_force, story.c.units.force) : "–");
+    details +=
+        element("details", element("summary", gap_name(story.problem, one.gap.left)) + gap_block(story, one, points)) +
+        Html::markup("\n");
+  }
+  table.add(say("column.gap"), "", names, false);
+  table.add(say("gap.given_is"), "", verdicts, false);
+  table.add(say("column.given"), length, given);
+  table.add(say("column.simulated"), length, needed);
+  table.add(say("column.short_by"), length, lacking);
+  table.add(say("column.impacts"), "", counts);
+  table.add(say("column.hardest"), "", hardest);
+  const bool pounding = impacts > 0 || unmodelled;
+  Html block = element("p", say(badge_of(unmodelled, pounding)), "class=\"badge\"") +
+               element("p", sentence, "class=\"lead\"") + table.markup();
+  if (numbers_buildings(story)) block += element("p", building_key(story), "class=\"note\"");
+  return element("div", block + details, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
 }
 
 }  // namespace
 
-Html gap_section(const Story& story) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
-  Html content;
-  bool codes = false;
+Html verdict_section(const Story& story) {
+  std::vector<GapOutcome> all;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
-    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
-    const GoverningLevel governing = governing_level(story.problem, story.response, gap);
-    HtmlTable table;
-    std::vector<double> elevations, widths, simulated, abs, srss, ddc;
-    std::vector<std::string> marks;
-    for (const Eigen::Index i : points) {
-      const PointSeparation& s = story.separations.at(i);
-      const bool governs = !governing.watched && story.problem.points[i].elevation == governing.elevation;
-      if (governs && s.simulated > story.problem.points[i].width) table.mark(elevations.size());
-      elevations.push_back(story.problem.points[i].elevation);
-      widths.push_back(story.problem.points[i].width);
-      simulated.push_back(s.simulated);
-      abs.push_back(s.abs);
-      srss.push_back(s.srss);
-      ddc.push_back(s.ddc);
-      marks.push_back(say(s.simulated > widths.back() ? "gap.too_close" : "gap.wide_enough"));
-    }
-    table.add(say("column.elevation"), length, elevations);
-    table.add(say("column.given"), length, widths);
-    table.add(say("column.simulated"), length, simulated);
-    table.add("ABS", length, abs);
-    table.add("SRSS", length, srss);
-    if (story.from_case()) table.add("DDC", length, ddc);
-    table.add(say("gap.given_is"), "", marks, false);
-    content += element("h3", gap_name(story.problem, gap));
-    if (!points.empty()) content += table.markup();
-    content += watched_table(story, gap, governing);
-    if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
-      codes = true;
-      content += code_table(story, points);
-    }
-    if (story.from_case()) content += screening_table(story, gap);
+    all.push_back(gap_outcome(story.problem, story.response, gap));
   }
-  content += element("p", say("gap.note"), "class=\"note\"");
-  if (story.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
-  content += element("p",
-                     say(!story.from_case() ? "gap.no_case"
-                         : codes            ? "gap.codes_note"
-                                            : "gap.no_codes"),
-                     "class=\"note\"");
-  return section("gaps", say("heading.gaps"), content);
+  Html blocks = collapse_block(story);
+  if (all.size() > 1) {
+    blocks += row_block(story, all);
+  } else {
+    const GapOutcome& found = all.front();
+    const bool pounding = found.impacts > 0 || !found.unmodelled.empty();
+    blocks += element("div",
+                      element("p", story.say(badge_of(!found.unmodelled.empty(), pounding)), "class=\"badge\"") +
+                          gap_block(story, found, points_of(story.problem, found.gap.left)),
+                      pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+  }
+  return section("verdict", story.say("heading.verdict"),
+                 blocks + element("p", effect_text(story), "class=\"effect\""));
 }
 
 }  // namespace bentur::html

@@ -10,12 +10,13 @@
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_columns = 3;  // panels of a journal's column side by side
+constexpr std::size_t most_columns = 3;          // panels of a journal's column side by side
+constexpr double page_over_column = 17.0 / 8.8;  // of widths: more panels take a page's
 constexpr Eigen::Index most_modes = 3;
 
 /// Elevation, the same for all panels of a figure.
-Axis elevation_axis(const RunResults& run) {
-  Axis axis{.label = with_unit("Elevation z", run.c.units.length)};
+Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
+  Axis axis{.label = with_unit(word(options, "Level z"), run.c.units.length)};
   axis.from = base_of(run.problem.buildings.front());
   for (const Building& building : run.problem.buildings) axis.from = std::min(*axis.from, base_of(building));
   double top = *axis.from;
@@ -40,11 +41,15 @@ std::vector<Eigen::Index> moving(const RunResults& run, const FigureOptions& opt
 
 /// One panel for each building.
 Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
-  Figure figure{.columns = static_cast<int>(std::min(shown.size(), most_columns)), .width = options.width};
-  const Axis elevation = elevation_axis(run);
+  Figure figure{.columns = static_cast<int>(shown.size()), .width = options.width};
+  if (shown.size() > most_columns) figure.width *= page_over_column;
+  const Axis elevation = elevation_axis(run, options);
   for (std::size_t b = 0; b < shown.size(); ++b) {
     Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run)};
-    if (b % static_cast<std::size_t>(figure.columns) != 0) panel.y.label = "";
+    if (b > 0) {
+      panel.y.label = "";
+      panel.y.numbers = false;
+    }
     figure.panels.push_back(panel);
   }
   return figure;
@@ -77,12 +82,17 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
     Panel& panel = figure.panels[b];
     panel.x = {.label = with_unit("max |x|", run.c.units.length), .from = 0, .to = 1.05 * largest};
     if (!(largest > 0)) panel.x.to = 1;
-    const Curve with{.label = "with contact", .mark = Mark::disc};
-    const Curve without{
-        .label = "without", .tone = Tone::orange, .line = Line::dashed, .mark = Mark::circle, .width = 1.2};
+    const Curve with{.label = word(options, "with contact"), .mark = Mark::disc};
+    const Curve without{.label = word(options, "without contact"),
+                        .tone = Tone::orange,
+                        .line = Line::dashed,
+                        .mark = Mark::circle,
+                        .width = 1.2};
     const BuildingPeaks& peaks = run.response.buildings[shown[b]];
-    panel.curves = {over_height(building, peaks.displacement, with),
-                    over_height(building, peaks.displacement_no_contact, without)};
+    panel.curves = {over_height(building, peaks.displacement, with)};
+    if (!run.response.impacts.empty()) {  // else they are the same
+      panel.curves.push_back(over_height(building, peaks.displacement_no_contact, without));
+    }
   }
   return figure;
 }
@@ -90,8 +100,8 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
   const RunView view = run.view();
-  Panel panel{.x = {.label = "Amplification of max |x| by contact [–]"},
-              .y = elevation_axis(run),
+  Panel panel{.x = {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}},
+              .y = elevation_axis(run, options),
               .height = frame_height(run),
               .rules = {{.at = 1, .vertical = true}}};
   const std::vector<Eigen::Index> shown = shown_buildings(run, options);
@@ -111,6 +121,44 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
   return {.title = "Largest displacement with contact over that without", .panels = {panel}, .width = options.width};
 }
 
+Figure forces_figure(const RunResults& run, const FigureOptions& options) {
+  const RunView view = run.view();
+  Figure figure{.title = "Floor acceleration and storey shear with contact over those without",
+                .columns = 2,
+                .width = options.width,
+                .shared_legend = true};
+  const std::pair<const char*, const char*> ratios[] = {{"acceleration_ratio", "Floor acceleration, ratio [–]"},
+                                                        {"storey_shear_ratio", "Storey shear, ratio [–]"}};
+  const std::vector<Eigen::Index> shown = moving(run, options);
+  for (const auto& [key, label] : ratios) {
+    const Quantity& quantity = quantity_named(key, Owner::floor);
+    Panel panel{.x = {.label = word(options, label), .least = {{0.95, 1.05}}},
+                .y = elevation_axis(run, options),
+                .height = frame_height(run),
+                .rules = {{.at = 1, .vertical = true}}};
+    for (std::size_t b = 0; b < shown.size(); ++b) {
+      const Building& building = run.problem.buildings[shown[b]];
+      Curve curve{.label = building.name};
+      for (const QuantityPlace& at : floors_of(run.problem, shown[b])) {
+        const double value = value_of(quantity, view, at);
+        if (std::isnan(value)) continue;
+        curve.x.push_back(value);
+        curve.y.push_back(building.model.elevations[at.floor]);
+      }
+      tell_apart(curve, b);
+      if (!curve.x.empty()) panel.curves.push_back(curve);
+    }
+    if (panel.curves.empty()) continue;
+    if (!figure.panels.empty()) {
+      panel.y.label = "";
+      panel.y.numbers = false;
+    }
+    figure.panels.push_back(std::move(panel));
+  }
+  if (figure.panels.empty()) throw NoFigure("nothing moves without contact, so that there are no ratios");
+  return figure;
+}
+
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown);
@@ -118,12 +166,14 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x = {.label = "Shape φ [–]", .from = -1.08, .to = 1.08};
+    panel.x = {.label = word(options, "Shape φ [–]"), .from = -1.08, .to = 1.08};
     panel.rules = {{.at = 0, .vertical = true}};
     const Eigen::MatrixXd shapes = sway_shapes(building);
     for (Eigen::Index mode = 0; mode < std::min(shapes.cols(), most_modes); ++mode) {
-      const std::string period = fmt::format("{:.3g} s", 2 * std::numbers::pi / building.modes.omega(mode));
-      Curve style{.label = figure.columns > 2 ? period : fmt::format("T{} = {}", mode + 1, period)};
+      constexpr const char* names[] = {"T₁", "T₂", "T₃"};
+      const double period = 2 * std::numbers::pi / building.modes.omega(mode);
+      const std::string text = period < 99.95 ? fmt::format("{:#.3g}", period) : fmt::format("{:.0f}", period);
+      Curve style{.label = fmt::format("{} {} s", names[mode], text)};
       tell_apart(style, static_cast<std::size_t>(mode));
       panel.curves.push_back(over_height(building, shapes.col(mode), style));
     }

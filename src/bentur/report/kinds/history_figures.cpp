@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 namespace {
-
-constexpr const char* time_label = "Time t [s]";
 
 struct Window {
   double from = 0, to = 0;
@@ -21,10 +20,16 @@ std::vector<double> row_of(const Eigen::MatrixXd& table, Eigen::Index row) {
   return {values.begin(), values.end()};
 }
 
+/// The exact course where it was kept, else samples.
+const Histories& course_of(const RunResults& run) {
+  return run.response.course.time.empty() ? run.response.histories : run.response.course;
+}
+
 /// What the user asks for, within the histories.
 Window window(const RunResults& run, const FigureOptions& options) {
-  const Window asked{options.from.value_or(run.response.histories.time.front()),
-                     options.to.value_or(run.response.histories.time.back())};
+  const double begin = run.response.histories.time.front();
+  const double end = std::max(run.response.histories.time.back(), course_of(run).time.back());
+  const Window asked{options.from.value_or(begin), options.to.value_or(end)};
   if (!(asked.from < asked.to) || asked.from > run.response.histories.time.back() ||
       asked.to < run.response.histories.time.front()) {
     throw NoFigure(fmt::format("the histories run from {} s to {} s, and --from must lie before --to",
@@ -35,7 +40,7 @@ Window window(const RunResults& run, const FigureOptions& options) {
   if (!(asked.to - asked.from > 1e-6 * std::max(std::abs(asked.from), std::abs(asked.to)))) {
     throw NoFigure("--from and --to lie too near to one another for an axis");
   }
-  return asked;
+  return {std::max(asked.from, begin), std::min(asked.to, end)};
 }
 
 /// Some vibrations around the hardest impact of the point, or the moment it is nearest to one.
@@ -48,8 +53,8 @@ Window around_the_hardest(const RunResults& run, Eigen::Index point) {
     centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
   } else {
     Eigen::Index closest = 0;
-    run.response.histories.opening.row(point).minCoeff(&closest);
-    centre = run.response.histories.time[closest];
+    course_of(run).opening.row(point).minCoeff(&closest);
+    centre = course_of(run).time[closest];
   }
   // Ends on tenths of its length, so that the axis has round numbers.
   const double length = 8 * unit;
@@ -72,14 +77,63 @@ Curve within(const Curve& whole, const Window& window) {
   return part;
 }
 
-Events contacts(const RunResults& run, Eigen::Index point, const Window& window) {
-  Events events{"contact", {}};
+Events contacts(const RunResults& run, Eigen::Index point, const Window& window, const FigureOptions& options) {
+  Events events{word(options, "contact"), {}};
   for (const Impact& impact : run.response.impacts) {
     if (impact.point == point && impact.start >= window.from && impact.start <= window.to) {
       events.x.push_back(impact.start);
     }
   }
   return events;
+}
+
+/// Appends an impact that is too short for its course to be seen: it starts and ends when the impact does, reaches the
+/// peak when it does, and the area below is the impulse.
+void append_short(const Impact& impact, Curve& force) {
+  const auto add = [&](double x, double y) {
+    force.x.push_back(std::max(x, force.x.empty() ? x : force.x.back()));
+    force.y.push_back(y);
+  };
+  const double length = impact.end - impact.start;
+  const double edge = length > 0 ? 2 * impact.impulse / length - impact.peak_force : 0;          // height at both ends
+  const double part = edge >= 0 || !(impact.peak_force > 0) ? 1 : 1 + edge / impact.peak_force;  // of a slender peak
+  add(impact.start, 0);
+  if (edge > 0) add(impact.start, edge);
+  if (edge < 0) add(impact.peak_force_time - part * (impact.peak_force_time - impact.start), 0);
+  add(impact.peak_force_time, impact.peak_force);
+  if (edge < 0) add(impact.peak_force_time + part * (impact.end - impact.peak_force_time), 0);
+  if (edge > 0) add(impact.end, edge);
+  add(impact.end, 0);
+}
+
+/// The contact force of a point over a window: the course of each impact that is long enough to be seen.
+Curve force_curve(const RunResults& run, Eigen::Index point, const Window& window) {
+  constexpr double seen = 1.0 / 600;  // of the window: less than a hair's breadth of a panel
+  const Histories& course = run.response.course;
+  Curve force{.x = {window.from}, .y = {0}, .complete = true};
+  for (const Impact& impact : run.response.impacts) {
+    if (impact.point != point || !(impact.peak_force > 0)) continue;
+    if (impact.end < window.from || impact.start > window.to) continue;
+    const double length = impact.end - impact.start;
+    if (course.time.empty() || length < seen * (window.to - window.from)) {
+      append_short(impact, force);
+      continue;
+    }
+    const double slack = 1e-9 * length;
+    const auto first = std::lower_bound(course.time.begin(), course.time.end(), impact.start - slack);
+    const auto last = std::upper_bound(first, course.time.end(), impact.end + slack);
+    force.x.push_back(impact.start);
+    force.y.push_back(0);
+    for (auto at = first; at != last; ++at) {
+      force.x.push_back(std::clamp(*at, impact.start, impact.end));
+      force.y.push_back(course.force(point, at - course.time.begin()));
+    }
+    force.x.push_back(impact.end);
+    force.y.push_back(impact.open_ended ? force.y.back() : 0);
+  }
+  force.x.push_back(std::max(window.to, force.x.back()));
+  force.y.push_back(0);
+  return force;
 }
 
 /// A panel over the whole run and, where that is long, another over its hardest moments; or one over the window asked
@@ -89,20 +143,23 @@ Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Ind
   Figure figure{.width = options.width, .shared_legend = true};
   const auto add = [&](const std::string& title, const Window& window, bool last) {
     Panel panel{.title = title,
-                .x = {.label = last ? time_label : "", .from = window.from, .to = window.to},
+                .x = {.label = last ? word(options, "Time t [s]") : "", .from = window.from, .to = window.to},
                 .y = {.label = label},
                 .height = 3.4,
                 .rules = rules};
     for (const Curve& curve : curves) panel.curves.push_back(within(curve, window));
-    if (mark_contacts) panel.events = contacts(run, point, window);
+    if (mark_contacts) panel.events = contacts(run, point, window, options);
     figure.panels.push_back(std::move(panel));
   };
   const Window asked = window(run, options);
   const Window near = around_the_hardest(run, point);
   const bool two = !options.from && !options.to && near.to - near.from < 0.5 * (asked.to - asked.from);
-  add("", asked, !two);
-  if (two)
-    add(hardest_impact(run, point) != nullptr ? "around the hardest impact" : "where they come closest", near, true);
+  add(point_text(run, point, options), asked, !two);
+  if (two) {
+    for (Curve& curve : figure.panels.front().curves) curve.width = 0.7;  // many vibrations side by side
+    const bool hit = hardest_impact(run, point) != nullptr;
+    add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, true);
+  }
   return figure;
 }
 
@@ -112,51 +169,46 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
   const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
-    return Curve{
-        .label = run.problem.buildings[b].name,
-        .x = run.response.histories.time,
-        .y = row_of(run.response.histories.displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor))};
+    return Curve{.label = run.problem.buildings[b].name,
+                 .x = course_of(run).time,
+                 .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor))};
   };
   Curve right = curve(point.left + 1, point.right_floor);
   right.tone = Tone::orange;
-  Figure figure = histories(run, options, i, with_unit("Displacement x", run.c.units.length),
+  Figure figure = histories(run, options, i, with_unit(word(options, "Displacement x"), run.c.units.length),
                             {curve(point.left, point.left_floor), right}, {}, true);
-  figure.title = "Displacements relative to the bases, " + point_text(run, i);
+  figure.title = "Displacements relative to the bases, " + point_text(run, i, options);
   return figure;
 }
 
 Figure opening_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_point(run, options);
   const Curve opening{
-      .label = "opening", .x = run.response.histories.time, .y = row_of(run.response.histories.opening, i)};
+      .label = word(options, "opening"), .x = course_of(run).time, .y = row_of(course_of(run).opening, i)};
   const Rule closed{.at = 0, .tone = Tone::grey};
-  const Rule rest{.at = run.problem.points[i].width, .label = "at rest", .tone = Tone::grey, .line = Line::dashed};
-  Figure figure =
-      histories(run, options, i, with_unit("Opening g", run.c.units.length), {opening}, {closed, rest}, true);
-  figure.title = "Opening of the gap, " + point_text(run, i);
+  const Rule rest{
+      .at = run.problem.points[i].width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
+  Figure figure = histories(run, options, i, with_unit(word(options, "Opening g"), run.c.units.length), {opening},
+                            {closed, rest}, true);
+  const double room = 0.05 * displacement_scale(run.problem, run.response, run.problem.points[i].left);
+  for (Panel& panel : figure.panels) panel.y.least = {-room, room};
+  figure.title = "Opening of the gap, " + point_text(run, i, options);
   return figure;
 }
 
 Figure force_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_point(run, options);
   if (const Impact* hardest = hardest_impact(run, i); hardest == nullptr || !(hardest->peak_force > 0)) {
-    throw NoFigure("no contact force at " + point_text(run, i));
+    throw NoFigure("no contact force at " + point_text(run, i, options));
   }
-  // Impacts are far shorter than a sample: each is drawn through its start, its peak and its end.
-  Curve force{.x = {run.response.histories.time.front()}, .y = {0}};
-  for (const Impact& impact : run.response.impacts) {
-    if (impact.point != i) continue;
-    for (const auto& [x, y] : {std::pair{impact.start, 0.0}, std::pair{impact.peak_force_time, impact.peak_force},
-                               std::pair{impact.end, 0.0}}) {
-      force.x.push_back(std::max(x, force.x.back()));
-      force.y.push_back(y);
-    }
+  Figure figure =
+      histories(run, options, i, with_unit(word(options, "Contact force F"), run.c.units.force), {Curve{}}, {}, false);
+  for (Panel& panel : figure.panels) {
+    panel.curves = {force_curve(run, i, {*panel.x.from, *panel.x.to})};
+    const std::vector<double>& forces = panel.curves.front().y;
+    if (*std::min_element(forces.begin(), forces.end()) >= 0) panel.y.from = 0;
   }
-  force.x.push_back(run.response.histories.time.back());
-  force.y.push_back(0);
-  Figure figure = histories(run, options, i, with_unit("Contact force F", run.c.units.force), {force}, {}, false);
-  for (Panel& panel : figure.panels) panel.y.from = 0;
-  figure.title = "Contact force, impacts by start, peak and end, " + point_text(run, i);
+  figure.title = "Contact force, " + point_text(run, i, options);
   return figure;
 }
 
@@ -172,16 +224,19 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
     return within(curve, asked);
   };
   Panel panel{
-      .x = {.label = time_label, .from = asked.from, .to = asked.to},
-      .y = {.label = with_unit("Energy E", unit_text("F L", run.c.units))},
+      .x = {.label = word(options, "Time t [s]"), .from = asked.from, .to = asked.to},
+      .y = {.label = with_unit(word(options, "Energy E"), unit_text("F L", run.c.units))},
       .height = 5,
-      .curves = {part(energy.input, {.label = "input", .width = 1.2}),
-                 part(energy.kinetic + energy.strain, {.label = "kinetic + strain", .tone = Tone::orange}),
-                 part(energy.damping, {.label = "damping", .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
-                 part(energy.contact_stored + energy.contact_lost,
-                      {.label = "contact", .tone = Tone::blue, .line = Line::dash_dot, .width = 1.2})}};
+      .curves = {
+          part(energy.input, {.label = word(options, "input"), .width = 1.2}),
+          part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::orange}),
+          part(energy.damping,
+               {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
+          part(energy.contact_stored + energy.contact_lost,
+               {.label = word(options, "contact"), .tone = Tone::blue, .line = Line::dash_dot, .width = 1.2})}};
   if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
-    panel.curves.push_back(part(energy.hysteretic, {.label = "yielding", .tone = Tone::orange, .line = Line::dashed}));
+    panel.curves.push_back(
+        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::orange, .line = Line::dashed}));
   }
   return {.title = "Where the energy is, of all buildings together", .panels = {panel}, .width = options.width};
 }

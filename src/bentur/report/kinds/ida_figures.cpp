@@ -22,6 +22,10 @@ struct Analysis {
   std::vector<std::vector<std::size_t>> all;  ///< one place for each record, levels and others as chosen
 };
 
+Tone pale_of(Tone tone) {
+  return tone == Tone::blue ? Tone::pale_blue : tone == Tone::orange ? Tone::pale_orange : Tone::pale;
+}
+
 /// All combinations of the values of some dimensions.
 std::vector<std::vector<std::size_t>> combinations(const SweepData& sweep, std::vector<std::size_t> from,
                                                    const std::vector<std::size_t>& dimensions) {
@@ -92,8 +96,17 @@ IdaResults event_results(const SweepData& sweep, const std::string& event) {
   }
 }
 
-Axis intensity_axis(const SweepDimension& levels) {
-  return {.label = levels.label, .from = 0, .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
+/// "peak_force > 500" as "peak force > 500 kN".
+std::string event_text(const std::string& event, const std::string& unit) {
+  std::string text = event;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text + (unit.empty() || unit == "–" ? "" : " " + unit);
+}
+
+Axis intensity_axis(const SweepDimension& levels, const FigureOptions& options) {
+  return {.label = label_in(options, levels.label),
+          .from = 0,
+          .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
 }
 
 }  // namespace
@@ -103,29 +116,28 @@ bool is_ida(const NetcdfReader& results) {
          results.find("record_intensity") != nullptr;
 }
 
-Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
-  const Analysis ida = analysis(sweep);
+namespace {
+
+/// One record a line, and the fractiles of all, for one case.
+Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Analysis& ida,
+                const std::vector<std::vector<std::size_t>>& places) {
   const SweepDimension& levels = sweep.dimensions()[ida.level];
-  const std::vector<std::size_t> chosen = sweep.chosen(options.at);
-  std::vector<std::string> open;
-  for (const std::size_t d : ida.others) {
-    const SweepDimension& one = sweep.dimensions()[d];
-    if (chosen[d] == one.size) open.push_back(fmt::format("{0} (such as --at {0}={1})", one.name, one.value(0)));
-  }
-  if (!open.empty()) throw NoFigure(fmt::format("one analysis is shown at a time: choose {}", fmt::join(open, ", ")));
   const std::string quantity = "peak_force";
   const std::string unit = unit_text(sweep.results().at(quantity).units);
-  Panel panel{
-      .x = {.label = with_unit("Peak contact force F", unit), .from = 0}, .y = intensity_axis(levels), .height = 5.5};
-  const auto places = combinations(sweep, chosen, ida.record);
+  Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
+              .y = intensity_axis(levels, options),
+              .height = 5.5};
   std::vector<std::vector<double>> at_level(levels.size);
+  bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
-    Curve record{.label = panel.curves.empty() ? fmt::format("{} records", places.size()) : "", .tone = Tone::pale};
+    Curve record{.label = panel.curves.empty() ? word(options, "{} records", fmt::format("{}", places.size())) : "",
+                 .tone = Tone::pale};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
       record.x.push_back(std::isfinite(value) ? value : NAN);
       record.y.push_back(std::isfinite(value) ? levels.numbers[i] : NAN);
       if (!std::isnan(value)) at_level[i].push_back(value);
+      any_force = any_force || value > 0;
     }
     panel.curves.push_back(std::move(record));
   }
@@ -141,16 +153,73 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     }
     panel.curves.push_back(std::move(curve));
   }
-  return {.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
-          .panels = {panel},
-          .width = options.width};
+  if (!any_force) {
+    panel.x.to = 1;
+    panel.x.numbers = false;
+    panel.note = word(options, "no run has a contact force");
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
+  const Analysis ida = analysis(sweep);
+  const std::vector<std::size_t> chosen = sweep.chosen(options.at);
+  std::vector<std::string> open;
+  for (const std::size_t d : ida.others) {
+    const SweepDimension& one = sweep.dimensions()[d];
+    if (chosen[d] == one.size) open.push_back(fmt::format("{0} (such as --at {0}={1})", one.name, one.value(0)));
+  }
+  if (!open.empty() && !options.choose) {
+    throw NoFigure(fmt::format("one analysis is shown at a time: choose {}", fmt::join(open, ", ")));
+  }
+  auto cases = combinations(sweep, chosen, ida.others);
+  const std::size_t all = cases.size();
+  if (all > most_cases) {  // evenly from the first to the last
+    std::vector<std::vector<std::size_t>> some;
+    for (std::size_t i = 0; i < most_cases; ++i) some.push_back(cases[i * (all - 1) / (most_cases - 1)]);
+    cases = std::move(some);
+  }
+  Figure figure{.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
+                .columns = cases.size() == 3  ? 3
+                           : cases.size() > 1 ? 2
+                                              : 1,
+                .width = options.width,
+                .shared_legend = true};
+  if (cases.size() > 1) figure.width *= 17.0 / 8.8;
+  double largest_force = 0;
+  for (const std::vector<std::size_t>& one : cases) {
+    Panel panel = ida_panel(sweep, options, ida, combinations(sweep, one, ida.record));
+    panel.title = case_name(sweep, ida, one);
+    if (cases.size() > 1) panel.height = 4.6;
+    if (panel.note.empty()) {
+      for (const Curve& curve : panel.curves) {
+        for (const double force : curve.x) largest_force = std::fmax(largest_force, force);
+      }
+    }
+    if (figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0) {
+      panel.y.label = "";
+      panel.y.numbers = false;
+    }
+    figure.panels.push_back(std::move(panel));
+  }
+  for (Panel& panel : figure.panels) {  // all by one scale, so that they can be compared
+    if (panel.note.empty() && cases.size() > 1 && largest_force > 0) panel.x.to = 1.04 * largest_force;
+  }
+  return figure;
 }
 
 Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
   const SweepDimension& levels = sweep.dimensions()[ida.level];
   const IdaResults results = event_results(sweep, options.event);
-  const auto cases = combinations(sweep, sweep.chosen(options.at), ida.others);
+  auto cases = combinations(sweep, sweep.chosen(options.at), ida.others);
+  if (cases.size() > most_cases && options.choose) {
+    std::vector<std::vector<std::size_t>> some;
+    for (std::size_t i = 0; i < most_cases; ++i) some.push_back(cases[i * (cases.size() - 1) / (most_cases - 1)]);
+    cases = std::move(some);
+  }
   if (cases.size() > most_cases) {
     std::vector<std::string> names;
     for (const std::size_t d : ida.others) names.push_back(sweep.dimensions()[d].name);
@@ -158,12 +227,17 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
                                cases.size(), fmt::join(names, ", ")));
   }
   const bool pounding = options.event == FigureOptions().event;
-  const std::string unit = unit_text(results.quantity_units);
-  const std::string event = options.event + (unit.empty() || unit == "–" ? "" : " " + unit);
-  Panel panel{.x = intensity_axis(levels),
-              .y = {.label = pounding ? "Probability of pounding P [–]" : "P(" + event + ") [–]", .from = 0, .to = 1},
+  const bool collapse = options.event == "collapsed > 0";
+  const std::string event = event_text(options.event, unit_text(results.quantity_units));
+  Panel panel{.x = intensity_axis(levels, options),
+              .y = {.label = pounding   ? word(options, "Probability of pounding P [–]")
+                             : collapse ? word(options, "Probability of collapse P [–]")
+                                        : "P(" + event + ") [–]",
+                    .from = 0,
+                    .to = 1},
               .height = 5.5};
   std::vector<Curve> areas, lines;
+  bool any_event = false;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Curve observed;
     tell_apart(observed, c);
@@ -174,13 +248,14 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       observed.x.push_back(count.intensity);
       observed.y.push_back(static_cast<double>(count.events) / static_cast<double>(count.runs));
     }
+    any_event = any_event || fragility.events > 0;
     const Fragility& fit = fragility.fit;
     const std::string name = case_name(sweep, ida, cases[c]);
     if (fit.kind == Fragility::Kind::fitted) {
-      Curve line{.label = name.empty() ? "lognormal fit" : name, .width = 1.3};
+      Curve line{.label = name.empty() ? word(options, "lognormal fit") : name, .width = 1.3};
       tell_apart(line, c);
       line.mark = Mark::none;
-      Curve area{.label = c == 0 ? "95 % bounds" : "", .tone = Tone::pale};
+      Curve area{.label = c == 0 ? word(options, "95 % bounds") : "", .tone = pale_of(line.tone)};
       constexpr int steps = 200;
       for (int i = 1; i <= steps; ++i) {
         const double x = *panel.x.to * i / steps;
@@ -198,16 +273,28 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
         area.y.push_back(quantile_of(values, 0.025));
         area.top.push_back(quantile_of(values, 0.975));
       }
-      if (!area.x.empty()) areas.push_back(std::move(area));
+      if (!area.x.empty()) {
+        if (cases.size() == 1) {
+          areas.push_back(std::move(area));
+        } else {  // of several curves the bounds as thin lines, which stay apart where they cross
+          Curve lower{
+              .label = area.label, .x = area.x, .y = area.y, .tone = line.tone, .line = Line::dotted, .width = 0.6};
+          Curve upper{.x = area.x, .y = area.top, .tone = line.tone, .line = Line::dotted, .width = 0.6};
+          areas.push_back(std::move(lower));
+          areas.push_back(std::move(upper));
+        }
+      }
+      line.legend_mark = observed.mark;
       lines.push_back(std::move(line));
     } else {
       observed.label = name;
     }
     if (!name.empty() || fit.kind == Fragility::Kind::fitted) {
-      if (c == 0 && observed.label.empty()) observed.label = "observed";
+      if (c == 0 && observed.label.empty()) observed.label = word(options, "observed");
     }
     lines.push_back(std::move(observed));
   }
+  if (!any_event) panel.note = word(options, "no run has the event");
   panel.curves = areas;
   panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
   return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",

@@ -78,12 +78,31 @@ TEST(IdaFigure, FragilityOfEachWidth) {
   const Curve& observed = labelled(figure, "observed");
   EXPECT_EQ(observed.x, (std::vector<double>{0.5, 1, 1.5, 2}));
   for (std::size_t i = 0; i < 4; ++i) EXPECT_DOUBLE_EQ(observed.y[i], static_cast<double>(i) / 3);
-  const Curve& fit = labelled(figure, "width = 0.1 m");
+  const Curve& fit = labelled(figure, "gap 0.1 m");
   EXPECT_TRUE(std::is_sorted(fit.y.begin(), fit.y.end()));
   EXPECT_GT(fit.y.back(), 0.9);
-  labelled(figure, "width = 0.2 m");
-  const Curve& bounds = labelled(figure, "95 % bounds");
-  for (std::size_t i = 0; i < bounds.x.size(); ++i) EXPECT_LE(bounds.y[i], bounds.top[i]);
+  labelled(figure, "gap 0.2 m");
+  const Curve* const lower = &labelled(figure, "95 % bounds");
+  const Curve* const upper = lower + 1;  // of several cases they are lines
+  ASSERT_EQ(lower->x, upper->x);
+  for (std::size_t i = 0; i < lower->x.size(); ++i) EXPECT_LE(lower->y[i], upper->y[i]);
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure alone = make_figure(results, "fragility", options);
+  const Curve& area = labelled(alone, "95 % bounds");
+  ASSERT_EQ(area.x.size(), area.top.size());
+  for (std::size_t i = 0; i < area.x.size(); ++i) EXPECT_LE(area.y[i], area.top[i]);
+}
+
+TEST(IdaFigure, APanelForEachWidthWhereNoneIsChosen) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.choose = true;
+  const Figure figure = make_figure(results, "ida", options);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  EXPECT_EQ(figure.panels[0].x.to, figure.panels[1].x.to) << "so that they can be compared";
+  EXPECT_NE(figure.panels[0].title, figure.panels[1].title);
 }
 
 TEST(IdaFigure, FragilityOfAnotherEvent) {
@@ -92,7 +111,7 @@ TEST(IdaFigure, FragilityOfAnotherEvent) {
   FigureOptions options;
   options.event = "peak_force > 25";
   const Figure figure = make_figure(results, "fragility", options);
-  EXPECT_EQ(figure.panels[0].y.label, "P(peak_force > 25 kN) [–]");
+  EXPECT_EQ(figure.panels[0].y.label, "P(peak force > 25 kN) [–]");
   const Curve& observed = labelled(figure, "observed");
   for (int level = 0; level < levels; ++level) {
     double events = 0;

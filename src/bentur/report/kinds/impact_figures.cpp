@@ -33,8 +33,8 @@ Course read_course(const RunResults& run) {
   return course;
 }
 
-std::string title(const RunResults& run, const Course& course) {
-  return fmt::format("One impact, {}, from t = {:.4f} s", point_text(run, course.point), course.start);
+std::string title(const RunResults& run, const Course& course, const FigureOptions& options) {
+  return fmt::format("One impact, {}, from t = {:.4f} s", point_text(run, course.point, options), course.start);
 }
 
 }  // namespace
@@ -47,11 +47,11 @@ Figure impact_figure(const RunResults& run, const FigureOptions& options) {
                  .height = 3,
                  .curves = {{.x = course.time, .y = values}}};
   };
-  Panel force = panel(with_unit("Force F", run.c.units.force), course.force);
-  force.x.label = fmt::format("Time since the contact began at {:.4f} s [ms]", course.start);
-  return {.title = title(run, course),
-          .panels = {panel(with_unit("Shortening δ", run.c.units.length), course.shortening), force},
-          .width = options.width};
+  Panel depth = panel(with_unit(word(options, "Penetration δ"), run.c.units.length), course.shortening);
+  depth.title = point_text(run, course.point, options);
+  Panel force = panel(with_unit(word(options, "Contact force F"), run.c.units.force), course.force);
+  force.x.label = word(options, "Time since the contact began at {} s [ms]", fmt::format("{:.4f}", course.start));
+  return {.title = title(run, course, options), .panels = {depth, force}, .width = options.width};
 }
 
 Figure loop_figure(const RunResults& run, const FigureOptions& options) {
@@ -66,13 +66,17 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
     }
     return curve;
   };
-  const Panel panel{.x = {.label = with_unit("Shortening of the contact zone δ", run.c.units.length), .from = 0},
-                    .y = {.label = with_unit("Contact force F", run.c.units.force)},
-                    .height = 5,
-                    .curves = {part(0, deepest, {.label = "closing"}),
-                               part(deepest, course.time.size() - 1,
-                                    {.label = "opening", .tone = Tone::orange, .line = Line::dashed, .width = 1.3})}};
-  return {.title = title(run, course), .panels = {panel}, .width = options.width};
+  const std::optional<double> restitution = run.response.impacts.at(run.figures.close_up->impact).restitution();
+  const std::string obtained = restitution ? fmt::format(", e = {:.3g}", *restitution) : "";
+  const Panel panel{
+      .title = point_text(run, course.point, options) + obtained,
+      .x = {.label = with_unit(word(options, "Penetration δ"), run.c.units.length), .from = 0},
+      .y = {.label = with_unit(word(options, "Contact force F"), run.c.units.force)},
+      .height = 5,
+      .curves = {part(0, deepest, {.label = word(options, "closing")}),
+                 part(deepest, course.time.size() - 1,
+                      {.label = word(options, "parting"), .tone = Tone::orange, .line = Line::dashed, .width = 1.3})}};
+  return {.title = title(run, course, options), .panels = {panel}, .width = options.width};
 }
 
 }  // namespace bentur

@@ -26,6 +26,13 @@ bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
   return std::any_of(impacts.begin(), impacts.end(), [](const Impact& impact) { return impact.peak_force > 0; });
 }
+bool has_impacts(const RunResults& run) { return !run.response.impacts.empty(); }
+bool has_ratios(const RunResults& run) {
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  return has_impacts(run) && std::any_of(buildings.begin(), buildings.end(), [](const BuildingPeaks& peaks) {
+           return peaks.storey_shear_no_contact.size() > 0;
+         });
+}
 bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value(); }
 bool has_energy(const RunResults& run) {
   return run.response.energy && run.response.energy->histories.input.size() > 0;
@@ -43,10 +50,12 @@ const RunKind run_kinds[] = {
      displacement_figure},
     {"opening", "opening of the gap at one contact point", has_points, opening_figure},
     {"force", "contact force at one contact point", has_force, force_figure},
-    {"impact", "the hardest impact in close-up: shortening and force", has_close_up, impact_figure},
-    {"loop", "force against shortening in the hardest impact", has_close_up, loop_figure},
+    {"impact", "the hardest impact in close-up: penetration and force", has_close_up, impact_figure},
+    {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure},
+    {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
+     forces_figure},
     {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure},
-    {"amplification", "largest displacement with contact over that without, over the height", always,
+    {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
      amplification_figure},
     {"modes", "mode shapes of each building", always, modes_figure},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
@@ -66,7 +75,13 @@ const RunKind run_kinds[] = {
   for (const FigureKind& one : kinds) known.push_back(one.name);
   const std::string near = nearest(kind, known);
   throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, of,
-                             near.empty() ? "" : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
+                             near.empty() ? "." : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
+}
+
+bool some_collapse(const NetcdfReader& results) {
+  if (results.find("collapsed") == nullptr) return false;
+  const std::vector<double> collapsed = results.numbers("collapsed");
+  return std::any_of(collapsed.begin(), collapsed.end(), [](double one) { return one > 0; });
 }
 
 /// Of contact points there are none where a study models no contact.
@@ -95,6 +110,9 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
   if (is_ida(results)) {
     kinds.push_back({"ida", "peak contact force of every record at growing intensity, with fractiles"});
     kinds.push_back({"fragility", "probability of pounding against intensity, with bounds"});
+    if (some_collapse(results)) {
+      kinds.push_back({"collapse", "probability of collapse against intensity, with bounds"});
+    }
   }
   for (const SweepKind& kind : sweep_kinds()) {
     if (has_quantity(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
@@ -131,6 +149,11 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
     const SweepData sweep(results);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
+    if (is_ida(results) && kind == "collapse") {
+      FigureOptions of_collapse = options;
+      of_collapse.event = "collapsed > 0";
+      return fragility_figure(sweep, of_collapse);
+    }
     for (const SweepKind& one : sweep_kinds()) {
       if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
     }

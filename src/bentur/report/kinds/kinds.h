@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,10 @@ struct FigureOptions {
   std::string against;                                  ///< of a sweep: what stands along the x axis
   std::string event = "impacts > 0";                    ///< of a fragility: EventRule
   double width = 8.8;                                   ///< [cm]
+  /// The texts of another language, given the English ones; by default these.
+  std::function<std::string(std::string_view)> say = {};
+  /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
+  bool choose = false;
 };
 
 /// These results cannot give the figure that was asked for; what() says what they can give.
@@ -57,8 +63,9 @@ struct SpectrumCurves {
   std::string acceleration_unit, length;                   ///< units as the axes show them
   double damping = 0.05;                                   ///< ζ [-]
   std::vector<std::pair<std::string, double>> marks = {};  ///< periods to be marked, with names
+  std::optional<double> from = {}, to = {};                ///< periods shown [s]; all, unless given
 };
-/// Both spectra, one above the other. @param width of the figure [cm].
-[[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, double width = 8.8);
+/// Both spectra, one above the other.
+[[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options = {});
 
 }  // namespace bentur

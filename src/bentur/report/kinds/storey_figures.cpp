@@ -25,8 +25,9 @@ std::optional<Eigen::Index> chosen_storey(const RunResults& run, Eigen::Index b,
 }
 
 /// V over Δ/h of one storey, its yield drift marked.
-Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey) {
-  const Histories& histories = run.response.histories;
+Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey, const FigureOptions& options) {
+  const bool exact = std::ssize(run.response.course.storey_shear) > b && run.response.course.storey_shear[b].size() > 0;
+  const Histories& histories = exact ? run.response.course : run.response.histories;
   const BuildingPeaks& peaks = run.response.buildings[b];
   const Building& building = run.problem.buildings[b];
   const bool bearings = building.model.has_slab && storey == 0;
@@ -40,10 +41,14 @@ Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey) {
   }
   const double largest = bearings ? peaks.displacement(storey) : peaks.drift_ratio(storey);
   const double yield = factor * largest / peaks.yielding.ductility(storey);
-  const std::string name = bearings ? "bearings" : fmt::format("storey {}", storey + (building.model.has_slab ? 0 : 1));
+  const std::string name =
+      bearings ? word(options, "bearings")
+               : word(options, "storey {}", fmt::format("{}", storey + (building.model.has_slab ? 0 : 1)));
   Panel panel{.title = fmt::format("{}, {}", building.name, name),
-              .x = {.label = bearings ? with_unit("Displacement x", run.c.units.length) : "Storey drift Δ/h [%]"},
-              .y = {.label = with_unit(bearings ? "Force of the bearings V" : "Storey shear V", run.c.units.force)},
+              .x = {.label = bearings ? with_unit(word(options, "Displacement x"), run.c.units.length)
+                                      : word(options, "Storey drift Δ/h [%]")},
+              .y = {.label = with_unit(word(options, bearings ? "Force of the bearings V" : "Storey shear V"),
+                                       run.c.units.force)},
               .height = 5,
               .curves = {curve}};
   if (peaks.yielding.ductility(storey) >= 1) {
@@ -58,7 +63,7 @@ Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey) {
 Figure storey_loop_figure(const RunResults& run, const FigureOptions& options) {
   Figure figure{.title = "Storey shear over drift, the yield drift dotted", .width = options.width};
   for (const Eigen::Index b : shown_buildings(run, options)) {
-    if (const auto storey = chosen_storey(run, b, options)) figure.panels.push_back(loop(run, b, *storey));
+    if (const auto storey = chosen_storey(run, b, options)) figure.panels.push_back(loop(run, b, *storey, options));
   }
   if (figure.panels.empty()) throw NoFigure("no storey that can yield is there");
   return figure;

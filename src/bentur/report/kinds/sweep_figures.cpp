@@ -66,13 +66,23 @@ class SweepDrawing {
   Figure make() {
     const std::vector<SweepVariable> found = quantities(sweep_.results(), kind_);
     Figure figure{.title = kind_.label, .width = options_.width};
+    together_ = std::any_of(found.begin(), found.end(), [&](const SweepVariable& one) {
+      return sweep_.owner_names(one.name).size() > most_owner_curves;
+    });
     for (const SweepVariable& one : found) {
       Panel panel = this->panel(one.name);
       if (found.size() > 1) panel.title = building_name(sweep_.results(), one.building);
-      if (&one != &found.back()) panel.x.label = "";
+      const std::string fixed = chosen_text();
+      if (!fixed.empty() && &one == &found.front())
+        panel.title = panel.title.empty() ? fixed : panel.title + ", " + fixed;
+      if (&one != &found.back()) {
+        panel.x.label = "";
+        panel.x.numbers = panel.x.names.empty();  // names stand below the last panel alone
+      }
       figure.panels.push_back(std::move(panel));
     }
     figure.shared_legend = found.size() > 1 && same_legends(figure);
+    share_range(figure);
     return figure;
   }
 
@@ -85,9 +95,62 @@ class SweepDrawing {
     });
   }
 
+  /// Maps of a ratio have colours alike.
+  static void share_range(Figure& figure) {
+    std::optional<std::pair<double, double>> range;
+    for (const Panel& panel : figure.panels) {
+      if (!panel.map || !panel.map->ratio) continue;
+      for (const double value : panel.map->values) {
+        if (!std::isfinite(value)) continue;
+        if (!range) range.emplace(value, value);
+        range = {std::min(range->first, value), std::max(range->second, value)};
+      }
+    }
+    for (Panel& panel : figure.panels) {
+      if (panel.map && panel.map->ratio) panel.map->range = range;
+    }
+  }
+
+  /// What stays fixed: "gap 0.15 m, Sa 0.4 g".
+  [[nodiscard]] std::string chosen_text() const {
+    std::vector<std::string> texts;
+    for (std::size_t d = 0; d < at_.size(); ++d) {
+      const SweepDimension& one = sweep_.dimensions()[d];
+      const bool is_free = std::find(free_.begin(), free_.end(), d) != free_.end();
+      if (!is_free && one.size > 1 && at_[d] < one.size) texts.push_back(one.choice(at_[d]));
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  [[nodiscard]] bool in_percent() const { return kind_.quantity == "peak_drift_ratio"; }
+  [[nodiscard]] bool is_ratio() const {
+    return kind_.quantity == "amplification" || kind_.quantity == "acceleration_ratio" ||
+           kind_.quantity == "storey_shear_ratio";
+  }
+
   [[nodiscard]] std::string label(const std::string& quantity) const {
-    const std::string unit = unit_text(sweep_.results().at(quantity).units);
-    return with_unit(kind_.label, unit.empty() ? "–" : unit);
+    const std::string unit = in_percent() ? "%" : unit_text(sweep_.results().at(quantity).units);
+    return with_unit(word(options_, kind_.label), unit.empty() ? "–" : unit);
+  }
+
+  /// In the unit of the label.
+  [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const {
+    std::vector<double> result = sweep_.values(quantity, at);
+    for (double& value : result) value *= in_percent() ? 100 : 1;
+    return result;
+  }
+
+  /// Fixes all but the two directions that vary most, in the middle of numbers and at the first of names.
+  void choose() {
+    std::stable_sort(free_.begin(), free_.end(), [&](std::size_t a, std::size_t b) {
+      const SweepDimension &one = sweep_.dimensions()[a], &other = sweep_.dimensions()[b];
+      return one.is_text() != other.is_text() ? !one.is_text() : one.size > other.size;
+    });
+    while (free_.size() > 2) {
+      const SweepDimension& last = sweep_.dimensions()[free_.back()];
+      at_[free_.back()] = last.is_text() ? 0 : last.size / 2;
+      free_.pop_back();
+    }
   }
 
   /// The names of what is left free.
@@ -101,6 +164,7 @@ class SweepDrawing {
     if (!sweep_.dimensions().empty() && sweep_.dimensions()[0].name == "sample") return samples(quantity);
     if (!options_.against.empty()) put_first(options_.against);
     if (free_.empty()) throw NoFigure("nothing is left to vary");
+    if (free_.size() > 2 && options_.choose) choose();
     if (free_.size() > 2) {
       throw NoFigure(fmt::format("{} vary: fix all but one or two, with --at NAME=VALUE", choices()));
     }
@@ -124,7 +188,7 @@ class SweepDrawing {
 
   Axis x_axis() const {
     const SweepDimension& one = sweep_.dimensions()[free_[0]];
-    Axis axis{.label = one.label};
+    Axis axis{.label = label_in(options_, one.label)};
     if (one.is_text()) {
       axis.names = one.texts;
     } else {
@@ -149,7 +213,7 @@ class SweepDrawing {
     Curve result;
     for (const std::size_t i : ascending(d)) {
       at_[d] = i;
-      const std::vector<double> values = sweep_.values(quantity, at_);
+      const std::vector<double> values = this->values(quantity, at_);
       result.x.push_back(sweep_.dimensions()[d].place(i));
       result.y.push_back(owner ? values[*owner] : joined(values, kind_.sum));
     }
@@ -166,8 +230,9 @@ class SweepDrawing {
 
   Panel framed(const std::string& quantity) const {
     Panel panel{.x = x_axis(), .y = {.label = label(quantity)}, .height = 4.6};
-    if (kind_.quantity == "amplification") {
+    if (is_ratio()) {
       panel.rules = {{.at = 1}};
+      panel.y.least = {0.95, 1.05};
     } else {
       panel.y.from = 0;
     }
@@ -177,13 +242,13 @@ class SweepDrawing {
   Panel curves(const std::string& quantity) {
     Panel panel = framed(quantity);
     const std::vector<std::string> names = sweep_.owner_names(quantity);
-    if (names.size() > most_owner_curves) {
+    if (together_) {
       Curve all = curve(quantity, std::nullopt);
       style(all, 0);
-      all.label = kind_.sum ? "all together" : "largest of all";
+      all.label = word(options_, kind_.sum ? "all together" : "largest of all");
       panel.curves.push_back(all);
     }
-    for (std::size_t i = 0; i < names.size() && names.size() <= most_owner_curves; ++i) {
+    for (std::size_t i = 0; i < names.size() && !together_; ++i) {
       Curve one = curve(quantity, i);
       style(one, i);
       one.label = names.size() > 1 ? names[i] : "";
@@ -229,18 +294,20 @@ class SweepDrawing {
     map.x_edges = edges(x, columns);
     map.y_edges = edges(y, rows);
     map.label = label(quantity);
+    map.ratio = is_ratio();
     for (const std::size_t row : rows) {
       for (const std::size_t column : columns) {
         at_[x] = column;
         at_[y] = row;
-        map.values.push_back(joined(sweep_.values(quantity, at_), kind_.sum));
+        map.values.push_back(joined(values(quantity, at_), kind_.sum));
       }
     }
     at_[x] = sweep_.dimensions()[x].size;
     at_[y] = sweep_.dimensions()[y].size;
     const auto axis = [&](std::size_t d, const std::vector<double>& edges) {
       const SweepDimension& one = sweep_.dimensions()[d];
-      return Axis{.label = one.label, .from = edges.front(), .to = edges.back(), .names = one.texts};
+      return Axis{
+          .label = label_in(options_, one.label), .from = edges.front(), .to = edges.back(), .names = one.texts};
     };
     return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = 4.6, .map = map};
   }
@@ -257,16 +324,19 @@ class SweepDrawing {
     Curve marks{.line = Line::none, .mark = Mark::circle};
     for (std::size_t i = 0; i < x->size; ++i) {
       marks.x.push_back(x->place(i));
-      marks.y.push_back(joined(sweep_.values(quantity, {i}), kind_.sum));
+      marks.y.push_back(joined(values(quantity, {i}), kind_.sum));
     }
-    return {
-        .x = {.label = x->label, .names = x->texts}, .y = {.label = label(quantity)}, .height = 4.6, .curves = {marks}};
+    return {.x = {.label = label_in(options_, x->label), .names = x->texts},
+            .y = {.label = label(quantity)},
+            .height = 4.6,
+            .curves = {marks}};
   }
 
   const SweepData& sweep_;
   const SweepKind& kind_;
   const FigureOptions& options_;
   std::vector<std::size_t> at_, free_;
+  bool together_ = false;  // points or floors are too many to be drawn one by one
 };
 
 }  // namespace
@@ -277,10 +347,14 @@ const std::vector<SweepKind>& sweep_kinds() {
       {"amplification", "amplification", "Amplification of max |x|"},
       {"contact-duration", "contact_duration", "Time in contact", true},
       {"impacts", "impacts", "Impacts", true},
-      {"penetration", "peak_penetration", "Peak shortening δ"},
+      {"penetration", "peak_penetration", "Peak penetration δ"},
       {"impulse", "impulse", "Impulse of all impacts", true},
       {"displacement", "peak_displacement", "max |x|"},
-      {"drift", "peak_drift_ratio", "Peak drift ratio"},
+      {"acceleration", "peak_acceleration", "Peak floor acceleration"},
+      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration over that without contact"},
+      {"shear", "peak_storey_shear", "Peak storey shear V"},
+      {"shear-ratio", "storey_shear_ratio", "Storey shear over that without contact"},
+      {"drift", "peak_drift_ratio", "Peak storey drift Δ/h"},
   };
   return kinds;
 }

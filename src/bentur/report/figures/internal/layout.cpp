@@ -1,22 +1,77 @@
 #include "bentur/report/figures/internal/layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/utf8.h"
+#include "bentur/report/figures/internal/text_width.h"
 
 namespace bentur {
 namespace {
 
 constexpr double label_room = 0.45;     // of an axis' label
 constexpr double edge = 0.3;            // free to the right of a frame
-constexpr double map_room = 1.95;       // of a colour scale with its numbers and label
 constexpr double events_height = 0.09;  // of the frame, kept free for marks along its upper edge
+constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
+constexpr std::size_t most_lines = 2;   // of a title
 
-double text_width(const std::string& text) { return static_cast<double>(display_width(text)) * character_width; }
+/// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
+/// the end is cut.
+std::vector<std::string> lines_of(const std::string& text, double width, std::size_t most) {
+  std::vector<std::string> lines;
+  std::string rest = text;
+  while (!rest.empty()) {
+    std::size_t end = rest.size();
+    while (lines.size() + 1 < most && end != std::string::npos && end > 0 && text_width(rest.substr(0, end)) > width) {
+      end = rest.rfind(' ', end - 1);
+    }
+    if (end == std::string::npos || end == 0) end = std::min(rest.find(' '), rest.size());
+    lines.push_back(cut_to(rest.substr(0, end), width));
+    rest = end < rest.size() ? rest.substr(end + 1) : "";
+  }
+  return lines;
+}
+
+/// The value below which so large a part of the others lies.
+double percentile(std::vector<double> values, double part) {
+  const auto place = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+/// The numbers of a map's colours.
+Ticks scale_of(const HeatMap& map) {
+  std::vector<double> values;
+  std::copy_if(map.values.begin(), map.values.end(), std::back_inserter(values),
+               [](double value) { return std::isfinite(value); });
+  if (values.empty()) return {};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  double low = map.range ? map.range->first : *least;
+  double high = map.range ? map.range->second : *most;
+  if (map.ratio) {
+    const double reach = std::max({high - 1, 1 - low, 0.05});
+    return make_ticks({.low = 1 - reach, .high = 1 + reach, .from = 1 - reach, .to = 1 + reach, .most = 6});
+  }
+  bool clipped = false;
+  if (!map.range && low >= 0) {
+    constexpr double squashed = 0.4;
+    const double usual = percentile(values, 0.98);
+    clipped = usual > 0 && usual < squashed * high;
+    if (clipped) high = usual;
+  }
+  Ticks ticks = clipped ? make_ticks({.low = low, .high = high, .to = high, .most = 6})
+                        : make_ticks({.low = low, .high = high, .most = 6});
+  if (!clipped) return ticks;
+  std::erase_if(ticks.labels, [&](const auto& label) { return label.first > 0.93 * high; });
+  const std::string text = fmt::format("≥ {:.3g}", high / std::pow(10.0, ticks.exponent));
+  ticks.labels.emplace_back(high, text);
+  return ticks;
+}
 
 /// Of names all stand where there is room for them, else numbers. Along y only what lies between the ends of the x axis
 /// counts.
@@ -48,19 +103,23 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
     for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
   if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
-  return make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most});
+  return make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least});
+}
+
+/// Where a value stands along an axis, 0 at its begin and 1 at its end.
+double along(const Ticks& ticks, double at) {
+  return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
+                           : (at - ticks.from) / (ticks.to - ticks.from);
 }
 
 /// Whether two numbers of an axis of this length come too near to one another.
 bool is_crowded(const Ticks& ticks, double length) {
-  const auto place = [&](double at) {
-    return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
-                             : (at - ticks.from) / (ticks.to - ticks.from);
-  };
   for (std::size_t i = 1; i < ticks.labels.size(); ++i) {
     const auto& [at, text] = ticks.labels[i];
     const auto& [before, other] = ticks.labels[i - 1];
-    if ((place(at) - place(before)) * length < (text_width(text) + text_width(other)) / 2 + 0.2) return true;
+    if ((along(ticks, at) - along(ticks, before)) * length < (text_width(text) + text_width(other)) / 2 + 0.2) {
+      return true;
+    }
   }
   return false;
 }
@@ -72,7 +131,8 @@ std::vector<LegendEntry> entries(const Panel& panel) {
     if (!entry.label.empty()) list.push_back(std::move(entry));
   };
   for (const Curve& curve : panel.curves) {
-    add({curve.label, curve.tone, curve.line, curve.mark, curve.width, !curve.top.empty()});
+    add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
+         !curve.top.empty()});
   }
   for (const Rule& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
@@ -85,8 +145,7 @@ double arrange(std::vector<LegendEntry>& list, double width) {
   if (list.empty()) return 0;
   double longest = 0;
   for (LegendEntry& entry : list) {
-    entry.label =
-        cut(entry.label, static_cast<std::size_t>(std::max(4.0, (width - sample_width - 0.1) / character_width)));
+    entry.label = cut_to(entry.label, std::max(0.7, width - sample_width - 0.1));
     longest = std::max(longest, text_width(entry.label));
   }
   const double step = sample_width + 0.35 + longest;
@@ -127,7 +186,7 @@ class Arrangement {
     }
     result_.height = depth_;
     for (PlacedPanel& placed : result_.panels) {  // measured from the upper edge so far
-      for (double* y : {&placed.top, &placed.bottom, &placed.title_y}) *y += depth_;
+      for (double* y : {&placed.top, &placed.bottom, &placed.title_y, &placed.x_label_y}) *y += depth_;
       shift(placed.legend, 0, depth_);
     }
     return std::move(result_);
@@ -137,12 +196,36 @@ class Arrangement {
   void place_columns() {
     std::vector<double> left(columns_, 0.0), right(columns_, edge);
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
-      const Panel& panel = *result_.panels[i].panel;
-      double numbers = character_width;
-      for (const auto& [at, text] : result_.panels[i].y.labels) numbers = std::max(numbers, text_width(text));
+      PlacedPanel& placed = result_.panels[i];
+      const Panel& panel = *placed.panel;
+      double numbers = 0;
+      for (const auto& [at, text] : placed.y.labels) numbers = std::max(numbers, text_width(text));
+      if (!panel.y.numbers) numbers = 0;
       left[i % columns_] = std::max(left[i % columns_], (panel.y.label.empty() ? 0.1 : label_room) + 0.2 + numbers);
-      if (panel.map) right[i % columns_] = map_room;
+      if (!panel.map) continue;
+      placed.scale = scale_of(*panel.map);
+      double widest = 0;
+      for (const auto& [at, text] : placed.scale.labels) widest = std::max(widest, text_width(text));
+      right[i % columns_] = std::max(right[i % columns_], scale_width + 0.2 + widest + 0.1 + label_room);
     }
+    constexpr int attempts = 3;  // until the numbers at the ends of the x axes have room
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      place_frames(left, right);
+      for (std::size_t i = 0; i < result_.panels.size(); ++i) {
+        const PlacedPanel& placed = result_.panels[i];
+        if (placed.x.labels.empty() || placed.x.upright) continue;
+        const auto beyond = [&](const auto& label, double of_end) {
+          return text_width(label.second) / 2 -
+                 std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + 0.08;
+        };
+        left[i % columns_] = std::max(left[i % columns_], beyond(placed.x.labels.front(), 0));
+        right[i % columns_] = std::max(right[i % columns_], beyond(placed.x.labels.back(), 1));
+      }
+    }
+    place_frames(left, right);
+  }
+
+  void place_frames(const std::vector<double>& left, const std::vector<double>& right) {
     double free = figure_.width;
     for (std::size_t c = 0; c < columns_; ++c) free -= left[c] + right[c];
     const double width = std::max(1.0, free / static_cast<double>(columns_));
@@ -153,35 +236,54 @@ class Arrangement {
         placed.cell_left = at;
         placed.left = at + left[c];
         placed.right = placed.left + width;
-        int most = 10;
-        do {  // fewer numbers until they do not touch
-          placed.x = ticks_of(*placed.panel, false, most--);
-        } while (most > 1 && is_crowded(placed.x, width));
+        placed.cell_right = placed.right + right[c];
+        place_numbers(placed, width);
       }
       at += left[c] + width + right[c];
     }
+  }
+
+  /// Fewer numbers until they do not touch; names that would are turned, as long as they are not too many.
+  static void place_numbers(PlacedPanel& placed, double width) {
+    const std::vector<std::string>& names = placed.panel->x.names;
+    if (!names.empty()) {
+      placed.x = named_ticks(names, false, static_cast<int>(names.size()));
+      if (!is_crowded(placed.x, width)) return;
+      placed.x.upright = true;
+      if (static_cast<double>(names.size()) * line_height * 0.9 <= width) return;
+    }
+    int most = 10;
+    do {
+      placed.x = ticks_of(*placed.panel, false, most--);
+    } while (most > 1 && is_crowded(placed.x, width));
   }
 
   /// Legends, titles and frames of panels `begin` to `end`, below what is placed already.
   void place_row(std::size_t begin, std::size_t end) {
     double legend = 0;
     double frame = 0;
-    double below = 0;  // for numbers and label of the x axis
-    bool is_titled = false;
+    double numbers = 0.55, below = 0;  // room of the numbers and of the label of the x axis
+    std::size_t titles = 0;
     for (std::size_t i = begin; i < end; ++i) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
       if (!figure_.shared_legend || i == 0) {
         placed.legend = entries(panel);
-        const double right = figure_.shared_legend ? figure_.width : placed.right + edge;
+        const double right = figure_.shared_legend ? figure_.width : placed.cell_right;
         legend = std::max(legend, arrange(placed.legend, right - placed.left - 0.1));
       }
-      is_titled = is_titled || !panel.title.empty();
+      placed.title = lines_of(plain_text(panel.title), placed.right - placed.left + 0.2, most_lines);
+      titles = std::max(titles, placed.title.size());
       frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y)),
-                        text_width(panel.map ? panel.map->label : "")});
-      below = std::max(below, 0.55 + (panel.x.label.empty() ? 0 : label_room));
+                        text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
+      if (placed.x.upright) {
+        for (const auto& [at, text] : placed.x.labels) numbers = std::max(numbers, 0.3 + text_width(text));
+      }
+      const std::string label = plain_text(scaled(panel.x.label, placed.x));
+      placed.x_label = lines_of(label, placed.cell_right - placed.cell_left, 3);
+      below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }
-    const double title = is_titled ? line_height : 0;
+    const double title = static_cast<double>(titles) * line_height;
     const double above = figure_.shared_legend && begin == 0 ? legend : 0;  // all titles
     for (std::size_t i = begin; i < end; ++i) {
       PlacedPanel& placed = result_.panels[i];
@@ -189,8 +291,14 @@ class Arrangement {
       shift(placed.legend, placed.left, -(depth_ + (above > 0 ? 0 : title)));
       placed.top = -(depth_ + title + legend + 0.1);
       placed.bottom = placed.top - frame;
+      placed.x_label_y = placed.bottom - numbers - 0.03 - line_height / 2;
+      double widest = 0;
+      for (const std::string& text : placed.x_label) widest = std::max(widest, text_width(text));
+      const double middle = (placed.left + placed.right) / 2;
+      placed.x_label_x = std::max(placed.cell_left + widest / 2, std::min(middle, placed.cell_right - widest / 2));
+      placed.scale_label_x = placed.cell_right - 0.22;
     }
-    depth_ += title + legend + 0.1 + frame + below + 0.1;
+    depth_ += title + legend + 0.1 + frame + numbers + below + 0.1;
   }
 
   const Figure& figure_;

@@ -8,8 +8,7 @@
 
 namespace bentur {
 
-/// Room that text of the figure's one size, 8 pt, takes [cm]; generous, since fonts differ.
-constexpr double character_width = 0.16;
+// Room [cm].
 constexpr double line_height = 0.38;
 constexpr double sample_width = 0.7;  ///< of the line in front of a legend's text
 
@@ -28,8 +27,13 @@ struct LegendEntry {
 struct PlacedPanel {
   const Panel* panel = nullptr;
   Ticks x = {}, y = {};
-  double cell_left = 0, left = 0, right = 0, bottom = 0, top = 0;  ///< of the frame; cell_left of all its texts
-  double title_y = 0;
+  double left = 0, right = 0, bottom = 0, top = 0;    ///< of the frame
+  double cell_left = 0, cell_right = 0;               ///< of all its texts
+  std::vector<std::string> title = {}, x_label = {};  ///< lines
+  double title_y = 0, x_label_y = 0;                  ///< middle of the first line
+  double x_label_x = 0;                               ///< middle
+  Ticks scale = {};                                   ///< of the colours of a map
+  double scale_label_x = 0;
   std::vector<LegendEntry> legend = {};
 };
 

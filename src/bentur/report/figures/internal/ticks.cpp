@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 
 namespace bentur {
 namespace {
+
+constexpr double longest_name = 3.2;  // of a place along an axis [cm]
 
 /// The smallest of 1, 2, 5, 10 · 10^n that is at least `step`.
 double round_step(double step) {
@@ -25,9 +27,38 @@ int exponent_of(double largest) {
   return 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
 }
 
+/// "−0.4": with the sign for minus.
+std::string signed_text(std::string text) {
+  if (text.starts_with("-")) text.replace(0, 1, "−");
+  return text;
+}
+
+/// "10⁻⁵".
+std::string power_of_ten(int exponent) {
+  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) power += digits[digit - '0'];
+  return power;
+}
+
+/// Of the number digit · 10^exponent of a logarithmic axis.
+std::string decade_text(int digit, int exponent) {
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:.4g}", digit * std::pow(10.0, exponent));
+  return (digit == 1 ? "" : fmt::format("{}·", digit)) + power_of_ten(exponent);
+}
+
 Ticks linear(const TickRequest& request) {
   double low = request.from.value_or(request.low);
   double high = request.to.value_or(request.high);
+  if (request.least && !request.from) low = std::min(low, request.least->first);
+  if (request.least && !request.to) high = std::max(high, request.least->second);
+  if (!request.from && !request.to) {  // no more than four digits tell two numbers apart
+    const double room = 1e-3 * request.most * std::max(std::abs(low), std::abs(high)) - (high - low);
+    if (room > 0 && high > low) {
+      low -= room / 2;
+      high += room / 2;
+    }
+  }
   if (!(high > low)) {  // a constant
     const double room = low == 0 ? 1 : std::abs(low) / 2;
     if (!request.to) high += room;
@@ -45,7 +76,7 @@ Ticks linear(const TickRequest& request) {
   const auto last = std::lround(std::floor(ticks.to / step + 1e-6));
   for (auto i = std::lround(std::ceil(ticks.from / step - 1e-6)); i <= last; ++i) {
     const double at = static_cast<double>(i) * step;
-    ticks.labels.emplace_back(at, i == 0 ? "0" : fmt::format("{:.{}f}", at / unit, decimals));
+    ticks.labels.emplace_back(at, i == 0 ? "0" : signed_text(fmt::format("{:.{}f}", at / unit, decimals)));
   }
   return ticks;
 }
@@ -71,7 +102,7 @@ Ticks logarithmic(const TickRequest& request) {
       if (at < ticks.from * (1 - 1e-9) || at > ticks.to * (1 + 1e-9)) continue;
       const bool is_named = digit == 1 || (is_few && (digit == 2 || digit == 5));
       if (is_named && (exponent - first) % stride == 0) {
-        ticks.labels.emplace_back(at, fmt::format("{:.4g}", at));
+        ticks.labels.emplace_back(at, decade_text(digit, exponent));
       } else {
         ticks.minor.push_back(at);
       }
@@ -83,11 +114,10 @@ Ticks logarithmic(const TickRequest& request) {
 }  // namespace
 
 std::string scaled(const std::string& label, const Ticks& ticks) {
+  if (label.empty()) return label;  // a neighbour's serves
   if (ticks.numbered) return label + " (number)";
   if (ticks.exponent == 0) return label;
-  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string power = ticks.exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(ticks.exponent))) power += digits[digit - '0'];
+  const std::string power = power_of_ten(ticks.exponent);
   const std::size_t unit = label.rfind('[');
   if (unit == std::string::npos) return label + " [" + power + "]";
   const bool none = label.compare(unit, std::string::npos, "[–]") == 0;
@@ -104,7 +134,8 @@ Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most
   const double count = static_cast<double>(names.size());
   const auto stride = numbered ? static_cast<std::size_t>(round_step(std::max(1.0, count / most))) : std::size_t{1};
   for (std::size_t i = stride - 1; i < names.size(); i += stride) {
-    ticks.labels.emplace_back(static_cast<double>(i), numbered ? std::to_string(i + 1) : cut(names[i], 18));
+    ticks.labels.emplace_back(static_cast<double>(i),
+                              numbered ? std::to_string(i + 1) : cut_to(names[i], longest_name));
   }
   return ticks;
 }

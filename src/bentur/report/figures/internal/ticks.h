@@ -12,6 +12,7 @@ struct Ticks {
   double from = 0, to = 1;
   bool logarithmic = false;
   bool numbered = false;  ///< the numbers stand for names
+  bool upright = false;   ///< texts are turned, since they are too long to stand side by side
   int exponent = 0;       ///< the numbers are those of value / 10^exponent
   std::vector<std::pair<double, std::string>> labels;
   std::vector<double> minor;  ///< without a number
@@ -25,6 +26,7 @@ struct TickRequest {
   std::optional<double> from = {}, to = {};
   bool logarithmic = false;
   int most = 6;
+  std::optional<std::pair<double, double>> least = {};  ///< what is shown at least where no ends are given
 };
 [[nodiscard]] Ticks make_ticks(const TickRequest& request);
 /// The label of an axis with these numbers: "Force F [10⁶ N]".

@@ -15,7 +15,7 @@ std::string joined(const Ticks& ticks) {
 
 TEST(TicksTest, RoundNumbersWithinAnAxisThatLeavesAir) {
   const Ticks ticks = make_ticks({.low = -0.45, .high = 0.46, .most = 6});
-  EXPECT_EQ(joined(ticks), "-0.4 -0.2 0 0.2 0.4 ");
+  EXPECT_EQ(joined(ticks), "−0.4 −0.2 0 0.2 0.4 ");
   EXPECT_LT(ticks.from, -0.45);
   EXPECT_GT(ticks.to, 0.46);
   EXPECT_LT(ticks.to, 0.55);
@@ -70,14 +70,26 @@ TEST(TicksTest, Logarithmic) {
   EXPECT_EQ(joined(make_ticks({.low = 0.02, .high = 5, .logarithmic = true, .most = 8})),
             "0.02 0.05 0.1 0.2 0.5 1 2 5 ");
   const Ticks decades = make_ticks({.low = 0.3, .high = 4000, .logarithmic = true, .most = 6});
-  EXPECT_EQ(joined(decades), "0.1 1 10 100 1000 1e+04 ");
+  EXPECT_EQ(joined(decades), "0.1 1 10 100 1000 10⁴ ");
   EXPECT_FALSE(decades.minor.empty());
+}
+
+TEST(TicksTest, RoundOffIsNoFinding) {
+  for (const double ratio : {1 - 1e-16, 1 + 4e-16, 1 + 1e-9, 1 - 1e-4}) {
+    const Ticks ticks = make_ticks({.low = ratio, .high = 1, .most = 6});
+    for (const auto& [at, label] : ticks.labels) EXPECT_LE(label.size(), 6U) << label << " at " << ratio;
+  }
+  const Ticks wide = make_ticks({.low = 1, .high = 1 + 1e-12, .most = 6, .least = {{0.95, 1.05}}});
+  EXPECT_LE(wide.from, 0.95);
+  EXPECT_GE(wide.to, 1.05);
+  EXPECT_EQ(make_ticks({.low = -1e-17, .high = 0, .most = 6, .least = {{-1, 1}}}).from, -1.08);
 }
 
 TEST(TicksTest, NamesOrNumbers) {
   const std::vector<std::string> names = {"a", "b", "c", "d", "e"};
   EXPECT_EQ(joined(named_ticks(names, false, 3)), "a b c d e ");
   EXPECT_EQ(joined(named_ticks(names, true, 3)), "2 4 ");
+  EXPECT_EQ(scaled("", named_ticks(names, true, 3)), "") << "what a neighbour's label tells";
   EXPECT_EQ(scaled("Record", named_ticks(names, true, 3)), "Record (number)");
 }
 

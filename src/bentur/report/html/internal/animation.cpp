@@ -52,10 +52,36 @@ Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double sc
   return base64(bytes);
 }
 
-Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
+/// Columns of the course at the start, the peak and the end of each impact shown, by time; none where it was not kept.
+std::vector<Eigen::Index> key_columns(const Story& story, const std::vector<Eigen::Index>& shown) {
+  const std::vector<double>& time = story.response.course.time;
+  std::vector<Eigen::Index> columns;
+  if (time.empty()) return columns;
+  const auto add = [&](double at) {
+    const auto next = std::lower_bound(time.begin(), time.end(), at);
+    auto found = next == time.end() ? std::prev(next) : next;
+    if (found != time.begin() && at - *std::prev(found) < *found - at) --found;
+    columns.push_back(found - time.begin());
+  };
+  for (const Eigen::Index k : shown) {
+    const Impact& impact = story.response.impacts[k];
+    add(impact.start);
+    if (impact.peak_force > 0) add(impact.peak_force_time);
+    add(impact.end);
+  }
+  std::sort(columns.begin(), columns.end());
+  const auto same_time = [&](Eigen::Index a, Eigen::Index b) { return time[a] == time[b]; };
+  columns.erase(std::unique(columns.begin(), columns.end(), same_time), columns.end());
+  return columns;
+}
+
+Json building_json(const Story& story, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
   const Building& building = story.problem.buildings[b];
   const Eigen::MatrixXd& displacement = story.response.histories.displacement.at(b);
-  const double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd exact =
+      keys.empty() ? Eigen::MatrixXd() : Eigen::MatrixXd(story.response.course.displacement.at(b)(Eigen::all, keys));
+  double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
+  if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
   return {{"name", building.name},
           {"elevations", building.model.elevations},
@@ -63,7 +89,8 @@ Json building_json(const Story& story, std::size_t b, Eigen::Index stride) {
           {"bays", bays(story, b)},
           {"rigid", building.is_rigid()},
           {"scale", scale},
-          {"samples", samples(displacement, stride, scale)}};
+          {"samples", samples(displacement, stride, scale)},
+          {"keys", samples(exact, 1, scale)}};
 }
 
 }  // namespace
@@ -87,9 +114,12 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
   const double wanted = report_output_step(story.problem);
   const double step = histories.time.size() > 1 ? histories.time[1] - histories.time[0] : story.problem.duration;
   const auto stride = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::floor(wanted / step * (1 + 1e-9))));
+  const std::vector<Eigen::Index> keys = key_columns(story, listed);
+  Json key_times = Json::array();
+  for (const Eigen::Index column : keys) key_times.push_back(story.response.course.time[column]);
   Json buildings = Json::array();
   for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
-    buildings.push_back(building_json(story, b, stride));
+    buildings.push_back(building_json(story, b, stride, keys));
   }
   Json points = Json::array();
   for (const ContactPoint& point : story.problem.points) {
@@ -120,13 +150,14 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
                        impact.closing_speed, k + 1});
   }
   Json words;
-  for (const char* const word : {"play", "pause", "impact", "level", "show_impact"}) {
+  for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "scale"}) {
     words[word] = story.say("script." + std::string(word));
   }
   const Json all = {{"words", words},
                     {"units", {{"length", story.c.units.length}, {"force", story.c.units.force}}},
                     {"duration", story.problem.duration},
                     {"step", step * static_cast<double>(stride)},
+                    {"keys", key_times},
                     {"points", points},
                     {"widths", widths},
                     {"impacts", impacts},

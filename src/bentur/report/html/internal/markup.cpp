@@ -78,7 +78,7 @@ Html HtmlTable::markup(std::string_view attributes) const {
   }
   const Html table =
       element("thead", element("tr", head)) + Html::markup("\n") + element("tbody", Html::markup("\n") + body);
-  return element("div", element("table", table, attributes), "class=\"wide\"") + Html::markup("\n");
+  return element("div", element("table", table, attributes), "class=\"wide\" tabindex=\"0\"") + Html::markup("\n");
 }
 
 Html facts(const std::vector<std::pair<std::string, std::string>>& rows) {
@@ -86,7 +86,7 @@ Html facts(const std::vector<std::pair<std::string, std::string>>& rows) {
   for (const auto& [name, value] : rows) {
     body += element("tr", element("th", name, "scope=\"row\"") + element("td", value)) + Html::markup("\n");
   }
-  return element("div", element("table", element("tbody", body), "class=\"facts\""), "class=\"wide\"") +
+  return element("div", element("table", element("tbody", body), "class=\"facts\""), "class=\"wide\" tabindex=\"0\"") +
          Html::markup("\n");
 }
 

@@ -2,27 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 #include "bentur/core/errors.h"
 #include "bentur/report/html/internal/assets.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/utf8.h"
 
 namespace bentur::html {
 namespace {
 
 /// A figure's SVG without what only a file of its own has, and with names of its own among all figures of the page.
-std::string inline_svg(const std::string& file, std::size_t number) {
+std::string inline_svg(const std::string& file, std::size_t number, const std::string& label) {
   const std::size_t start = file.find("<svg");
   if (start == std::string::npos) throw InvalidParameter("figures", std::to_string(number), "is no SVG");
   std::string svg = file.substr(start);
   for (const std::string name : {"title", "desc"}) {  // the caption says what it is, and who drew it is no tooltip
-    const std::size_t open = svg.find("<" + name + ">");
-    const std::size_t close = svg.find("</" + name + ">");
-    if (open < close && close != std::string::npos) svg.erase(open, close + name.size() + 3 - open);
+    for (std::size_t open = svg.find("<" + name + ">"); open != std::string::npos; open = svg.find("<" + name + ">")) {
+      const std::size_t close = svg.find("</" + name + ">", open);
+      if (close == std::string::npos) break;
+      svg.erase(open, close + name.size() + 3 - open);
+    }
   }
+  svg.insert(4, " role=\"img\" aria-label=\"" + Html::text(label).str() + "\"");
   const std::string prefix = fmt::format("figure{}-", number);
   for (const std::string opening : {" id=\"", " id='", "href=\"#", "href='#", "url(#"}) {
     for (std::size_t at = svg.find(opening); at != std::string::npos; at = svg.find(opening, at)) {
@@ -33,11 +39,55 @@ std::string inline_svg(const std::string& file, std::size_t number) {
   return svg;
 }
 
+/// Whether a picture is wider than a journal's column.
+bool is_wide(const std::string& svg) {
+  constexpr int column = 340;  // pixels
+  const std::size_t at = svg.find("viewBox=\"0 0 ");
+  return at != std::string::npos && std::atoi(svg.c_str() + at + 13) > column;
+}
+
 /// A number that an author of a case's text cannot foresee: it depends on all of the page (FNV-1a).
 std::string nonce_of(const std::string& page) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char c : page) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+namespace {
+
+/// A text between quotes of a style sheet: letters and digits, all else as references to its code point.
+std::string css_text(std::string_view text) {
+  std::string result;
+  for (const auto& [bytes, code] : characters(text)) {
+    const bool plain = code < 0x80 && std::isalnum(static_cast<unsigned char>(bytes[0])) != 0;
+    result += plain ? std::string(bytes) : fmt::format("\\{:x} ", code < 0 ? 0xFFFD : code);
+  }
+  return result;
+}
+
+/// The page with a list of its sections behind its header, and all but that in its main part.
+Html with_contents(const Words& say, const Html& body) {
+  const std::string& all = body.str();
+  const std::string_view opening = "<section id=\"", heading = "\"><h2>";
+  Html links;
+  for (std::size_t at = all.find(opening); at != std::string::npos; at = all.find(opening, at + 1)) {
+    const std::size_t id = at + opening.size();
+    const std::size_t end = all.find(heading, id);
+    const std::size_t close = all.find("</h2>", end);
+    if (end == std::string::npos || close == std::string::npos) break;
+    const std::string text = all.substr(end + heading.size(), close - end - heading.size());
+    links += element("li", element("a", Html::markup(text), "href=\"#" + all.substr(id, end - id) + "\""));
+  }
+  const std::size_t header = all.find("</header>");
+  if (header == std::string::npos) return element("main", body);
+  const std::size_t begin = header + std::string_view("</header>").size();
+  const std::size_t footer = std::min(all.find("<footer>"), all.size());
+  const Html list = element("nav", element("ol", links),
+                            "class=\"screen\" aria-label=\"" + Html::text(say("report.contents")).str() + "\"");
+  return Html::markup(all.substr(0, begin)) + list + element("main", Html::markup(all.substr(begin, footer - begin))) +
+         Html::markup(all.substr(footer));
 }
 
 }  // namespace
@@ -58,25 +108,27 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
       "\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-" +
       nonce + "'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n";
-  Html content = body;
+  Html content = with_contents(say, body);
   if (with_script)
     content += element("script", Html::markup(std::string(asset("motion.js")) + std::string(asset("report.js"))),
                        "nonce=\"" + nonce + "\"");
-  const Html document = element("head", Html::markup(head) + element("title", title) +
-                                            element("style", Html::markup(asset("report.css")))) +
-                        Html::markup("\n") + element("body", content);
+  const Html document =
+      element("head",
+              Html::markup(head) + element("title", title) +
+                  element("style", Html::markup(std::string(asset("report.css")) + "@page { @top-left { content: \"" +
+                                                css_text(title) + "\"; } }\n"))) +
+      Html::markup("\n") + element("body", content);
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 
 Html figures_section(const Words& say, const std::vector<ReportFigure>& figures) {
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (figures[i].svg.empty()) {
-      content += element("p", figures[i].caption, "class=\"note\"");
-      continue;
-    }
+    const std::string& svg = figures[i].svg;
+    const std::string caption = say("figure.number", {{"n", std::to_string(i + 1)}, {"caption", figures[i].caption}});
     content +=
-        element("figure", Html::markup(inline_svg(figures[i].svg, i + 1)) + element("figcaption", figures[i].caption)) +
+        element("figure", Html::markup(inline_svg(svg, i + 1, figures[i].caption)) + element("figcaption", caption),
+                is_wide(svg) ? "class=\"broad\"" : "") +
         Html::markup("\n");
   }
   return section("figures", say("heading.figures"),

@@ -53,8 +53,23 @@ constexpr std::size_t most_impacts = 1500;
 
 // What the sections share.
 
+/// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
+[[nodiscard]] Html code_table(const Story& story, const std::vector<Eigen::Index>& points);
+/// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
+[[nodiscard]] Html screening_table(const Story& story, Eigen::Index gap);
+
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
+/// A number of three digits, as sentences have them: "0.726".
+[[nodiscard]] std::string rounded(double value);
+/// The same with its unit.
+[[nodiscard]] std::string prose(double value, const std::string& unit);
+/// Whether buildings are told by their numbers where names would take too much room: in rows.
+[[nodiscard]] bool numbers_buildings(const Story& story);
+/// "Model 1 | Model 2", or of a row "1 | 2".
+[[nodiscard]] std::string short_gap_name(const Story& story, Eigen::Index gap);
+/// "1 Bank, 2 Hotel, 3 Office".
+[[nodiscard]] std::string building_key(const Story& story);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
 /// By peak force, then, as where no force is known, by closing speed.

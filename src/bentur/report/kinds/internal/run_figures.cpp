@@ -76,10 +76,28 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {left, left + 1};
 }
 
-std::string point_text(const RunResults& run, Eigen::Index point) {
+std::string word(const FigureOptions& options, std::string_view english, const std::string& value) {
+  std::string text = options.say ? options.say(english) : std::string(english);
+  if (const std::size_t at = text.find("{}"); at != std::string::npos) text.replace(at, 2, value);
+  return text;
+}
+
+std::string label_in(const FigureOptions& options, const std::string& english) {
+  const std::size_t unit = english.rfind(" [");
+  if (unit == std::string::npos) return word(options, english);
+  const std::string of = " of ";  // "First period T of Model 1"
+  const std::string label = english.substr(0, unit);
+  const std::size_t name = label.find(of);
+  const std::string said = name == std::string::npos
+                               ? word(options, label)
+                               : word(options, label.substr(0, name) + " of {}", label.substr(name + of.size()));
+  return said + english.substr(unit);
+}
+
+std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options) {
   const ContactPoint& place = run.problem.points[point];
-  return fmt::format("{}, elevation {} {}", gap_name(run.problem, place.left), number_text(place.elevation),
-                     run.c.units.length);
+  return gap_name(run.problem, place.left) + ", " +
+         word(options, "level {}", number_text(place.elevation) + " " + run.c.units.length);
 }
 
 double base_of(const Building& building) {
@@ -101,6 +119,7 @@ void tell_apart(Curve& curve, std::size_t index) {
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
   curve.tone = tones[index % 4];
   curve.line = lines[(index + index / 4) % 4];
+  if (curve.line == Line::dotted) curve.width = 1.4;
   constexpr std::size_t most_marks = 25;
   curve.mark = curve.x.size() <= most_marks ? mark_of(index) : Mark::none;
 }

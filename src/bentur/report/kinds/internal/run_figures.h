@@ -17,7 +17,11 @@ namespace bentur {
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
 /// "Model 1 | Model 2, elevation 300 cm".
-[[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point);
+[[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options);
+/// The label of an axis in the language asked for; its unit stays.
+[[nodiscard]] std::string label_in(const FigureOptions& options, const std::string& english);
+/// A text of a figure in the language asked for; {} in it becomes `value`.
+[[nodiscard]] std::string word(const FigureOptions& options, std::string_view english, const std::string& value = {});
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
 /// T of the first mode [s]; nothing without modes.
@@ -31,6 +35,7 @@ namespace bentur {
 [[nodiscard]] Figure loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure envelope_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure amplification_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure forces_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure storey_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);

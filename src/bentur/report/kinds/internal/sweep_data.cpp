@@ -60,7 +60,7 @@ std::string parameter_label(const std::string& parameter, const std::string& nam
 std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number_text(numbers[i]); }
 
 std::string SweepDimension::choice(std::size_t i) const {
-  return is_text() ? texts[i] : name + " = " + value(i) + (unit.empty() || unit == "–" ? "" : " " + unit);
+  return is_text() ? texts[i] : short_name + " " + value(i) + (unit.empty() || unit == "–" ? "" : " " + unit);
 }
 
 std::vector<std::string> names_of(const std::vector<SweepDimension>& dimensions) {
@@ -72,6 +72,12 @@ std::vector<std::string> names_of(const std::vector<SweepDimension>& dimensions)
 SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
   SweepDimension one;
   one.name = variable.name;
+  one.short_name = variable.name;
+  std::replace(one.short_name.begin(), one.short_name.end(), '_', ' ');
+  const std::string key = last_key(variable.long_name);
+  if (variable.long_name.find("gap[") != std::string::npos && key == "width") one.short_name = "gap";
+  if (key == "calibrate_period") one.short_name = "T₁";
+  if (variable.name == "intensity") one.short_name = intensity_label(variable.long_name);
   one.size = variable.shape.empty() ? 1 : variable.shape[0];
   if (variable.text) {
     one.texts = results_.texts(variable.name);

@@ -14,6 +14,7 @@ namespace bentur {
 /// One direction in which the runs of a sweep differ, with its values.
 struct SweepDimension {
   std::string name;
+  std::string short_name = {};  ///< in front of a value: "gap"
   std::size_t size = 0;
   std::string label, unit;           ///< for an axis, with unit; the unit
   std::vector<double> numbers = {};  ///< one per value, or
@@ -24,7 +25,7 @@ struct SweepDimension {
   [[nodiscard]] double place(std::size_t i) const { return is_text() ? static_cast<double>(i) : numbers[i]; }
   /// "0.2", or the text.
   [[nodiscard]] std::string value(std::size_t i) const;
-  /// "width = 0.2 cm", or the text.
+  /// "gap 0.2 cm", or the text.
   [[nodiscard]] std::string choice(std::size_t i) const;
 };
 

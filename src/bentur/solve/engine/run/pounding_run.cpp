@@ -19,23 +19,26 @@ Eigen::Index PoundingRun::quiet(Eigen::Index count) {
 
 void PoundingRun::take_step(double time, double cut) {
   sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, elements_);
+  if (tracer_) tracer_->take(motion_, time, cut, inputs_, elements_);
   if (energy_) energy_->take(motion_, time, cut, inputs_, elements_);
 }
 
 void PoundingRun::changed() {
+  if (tracer_) tracer_->changed();
   if (energy_) energy_->take_jumps(elements_, state_);
 }
 
-bool PoundingRun::notes_flights() const { return sampler_.due(problem_.duration) || energy_; }
+bool PoundingRun::notes_flights() const { return sampler_.due(problem_.duration) || tracer_ || energy_; }
 
 void PoundingRun::pass(double start, const Flights& flights, std::size_t halvings) {
   const double length = flights[halvings].length();
-  if (!sampler_.due(start + length) && !energy_) return;
+  if (!sampler_.due(start + length) && !tracer_ && !energy_) return;
   replay(
       {&flights, halvings, start, length, state_, inputs_},
-      [this](const Part& part) { return energy_ || sampler_.due(part.start + part.length); },
+      [this](const Part& part) { return tracer_ || energy_ || sampler_.due(part.start + part.length); },
       [this](double time, const State&, const std::vector<GroundInput>& inputs, const State&) {
         sampler_.take(motion_, time, time + motion_.h(), inputs, elements_);
+        if (tracer_) tracer_->take(motion_, time, 1.0, inputs, elements_);
         if (energy_) energy_->take(motion_, time, 1.0, inputs, elements_);
       });
 }

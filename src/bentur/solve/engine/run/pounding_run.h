@@ -6,6 +6,7 @@
 #include "bentur/solve/engine/run/energy_account.h"
 #include "bentur/solve/engine/run/run.h"
 #include "bentur/solve/engine/run/sampler.h"
+#include "bentur/solve/engine/run/tracer.h"
 
 namespace bentur::engine {
 
@@ -15,6 +16,10 @@ class PoundingRun final : public Run {
   /// No gap closes before the segment `first_contact`.
   PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact, const SolveOptions& options);
 
+  /// Keeps the course as well.
+  void trace(Tracer tracer) { tracer_.emplace(std::move(tracer)); }
+
+  std::optional<Tracer>& tracer() { return tracer_; }
   Sampler& sampler() { return sampler_; }
   std::optional<EnergyAccount>& energy() { return energy_; }
 
@@ -28,6 +33,7 @@ class PoundingRun final : public Run {
 
   long first_contact_;
   Sampler sampler_;
+  std::optional<Tracer> tracer_;
   std::optional<EnergyAccount> energy_;
 };
 

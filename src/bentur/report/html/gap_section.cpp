@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/html/internal/sections.h"
+
+namespace bentur::html {
+namespace {
+
+const std::string& floor_owner(const Story& story, const WatchedFloor& floor) {
+  return story.problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
+}
+
+/// What of a rule's wording was checked, in the words of the report.
+std::string wording_text(const CodeRule& rule, const Words& say) {
+  std::string text(rule.wording);
+  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("checked", "gap.checked")}) {
+    const std::size_t at = text.find(english);
+    if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
+  }
+  return text;
+}
+
+}  // namespace
+
+Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> titles, clauses, wordings, verdicts;
+  std::vector<double> gaps, elevations, lefts, rights;
+  const auto width = [&](Eigen::Index i) { return story.problem.points[i].width; };
+  const std::size_t count = story.separations.at(points.front()).codes.size();
+  bool property_line = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto short_by = [&](Eigen::Index i) { return story.separations[i].codes[k].gap - width(i); };
+    const Eigen::Index most = *std::max_element(
+        points.begin(), points.end(), [&](Eigen::Index a, Eigen::Index b) { return short_by(a) < short_by(b); });
+    const CodeSeparation& code = story.separations[most].codes[k];
+    const CodeRule& rule = *find_code_rule(code.rule);
+    titles.emplace_back(rule.title);
+    clauses.emplace_back(rule.clause);
+    wordings.push_back(wording_text(rule, say));
+    gaps.push_back(code.gap);
+    elevations.push_back(story.problem.points[most].elevation);
+    lefts.push_back(code.to_left.value_or(none));
+    rights.push_back(code.to_right.value_or(none));
+    property_line = property_line || code.to_left || code.to_right;
+    verdicts.push_back(say(short_by(most) > 0 ? "gap.too_close" : "gap.wide_enough"));
+  }
+  HtmlTable table;
+  table.add(say("gap.code"), "", titles, false);
+  table.add(say("gap.clause"), "", clauses, false);
+  table.add(say("column.needed"), length, gaps);
+  table.add(say("column.elevation"), length, elevations);
+  table.add(say("gap.given_is"), "", verdicts, false);
+  if (property_line) {
+    table.add(say("gap.left_to_line"), length, lefts);
+    table.add(say("gap.right_to_line"), length, rights);
+  }
+  table.add(say("gap.wording"), "", wordings, false);
+  return table.markup();
+}
+
+Html screening_table(const Story& story, Eigen::Index gap) {
+  const Words& say = story.say;
+  const std::vector<ScreeningFinding> findings = screening(story.problem, gap, story.c.screening, story.c.units);
+  if (findings.empty()) return {};
+  using Verdict = ScreeningFinding::Verdict;
+  const auto verdict = [&](Verdict of) {
+    return say(of == Verdict::fine               ? "screening.fine"
+               : of == Verdict::attention        ? "screening.attention"
+               : of == Verdict::needs_seismicity ? "screening.needs_seismicity"
+                                                 : "screening.not_applicable");
+  };
+  HtmlTable table;
+  std::vector<std::string> rules, values, limits, units, verdicts, sources;
+  for (const ScreeningFinding& found : findings) {
+    const ScreeningRule& rule = *found.rule;
+    const bool yes_or_no = rule.name == "end-of-row" || rule.name == "pounding";
+    const bool open = yes_or_no && found.verdict == Verdict::needs_seismicity;
+    if (found.verdict == Verdict::attention) table.mark(rules.size());
+    rules.push_back(say("screening." + std::string(rule.name)));
+    values.push_back(open ? "–" : yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
+    limits.emplace_back(found.limit ? number(*found.limit) : "–");
+    units.emplace_back(rule.unit == "length" ? story.c.units.length : std::string(rule.unit));
+    verdicts.push_back(verdict(found.verdict));
+    sources.emplace_back(rule.wording == "ours" ? say("screening.ours") : std::string(rule.source));
+  }
+  table.add(say("screening.rule"), "", rules, false);
+  table.add(say("screening.value"), "", values);
+  table.add(say("screening.limit"), "", limits);
+  table.add(say("screening.unit"), "", units, false);
+  table.add(say("screening.verdict"), "", verdicts, false);
+  table.add(say("screening.source"), "", sources, false);
+  return element("h4", say("screening.heading")) + table.markup();
+}
+
+namespace {
+
+/// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
+Html watched_table(const Story& story, Eigen::Index gap, const GoverningLevel& governing) {
+  const Words& say = story.say;
+  std::vector<Eigen::Index> floors = gap_at(story.problem, gap).watched;
+  if (floors.empty()) return {};
+  std::reverse(floors.begin(), floors.end());
+  HtmlTable table;
+  std::vector<double> elevations, widths, simulated;
+  std::vector<std::string> owners, faces, marks;
+  for (const Eigen::Index i : floors) {
+    const WatchedFloor& floor = story.problem.watched[i];
+    const double needed = story.response.watched.at(i).needed;
+    if (governing.watched == i && falls_short(floor.width, needed, governing.scale)) table.mark(elevations.size());
+    elevations.push_back(floor.elevation);
+    owners.push_back(floor_owner(story, floor));
+    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
+    widths.push_back(floor.width);
+    simulated.push_back(needed);
+    marks.push_back(say(falls_short(floor.width, needed, governing.scale) ? "gap.too_close" : "gap.wide_enough"));
+  }
+  table.add(say("column.elevation"), story.c.units.length, elevations);
+  table.add(say("gap.floor_of"), "", owners, false);
+  table.add(say("gap.faces"), "", faces, false);
+  table.add(say("column.given"), story.c.units.length, widths);
+  table.add(say("column.simulated"), story.c.units.length, simulated);
+  table.add(say("gap.given_is"), "", marks, false);
+  return element("p", say("gap.watched")) + table.markup();
+}
+
+}  // namespace
+
+Html gap_section(const Story& story) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  Html content;
+  bool codes = false;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
+    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
+    const GoverningLevel governing = governing_level(story.problem, story.response, gap);
+    HtmlTable table;
+    std::vector<double> elevations, widths, simulated, abs, srss, ddc;
+    std::vector<std::string> marks;
+    for (const Eigen::Index i : points) {
+      const PointSeparation& s = story.separations.at(i);
+      const bool governs = !governing.watched && story.problem.points[i].elevation == governing.elevation;
+      if (governs && falls_short(story.problem.points[i].width, s.simulated, governing.scale))
+        table.mark(elevations.size());
+      elevations.push_back(story.problem.points[i].elevation);
+      widths.push_back(story.problem.points[i].width);
+      simulated.push_back(falls_short(0, s.simulated, governing.scale) ? s.simulated : 0);
+      abs.push_back(s.abs);
+      srss.push_back(s.srss);
+      ddc.push_back(s.ddc > 0 && !falls_short(0, s.ddc, governing.scale) ? 0 : s.ddc);
+      marks.push_back(
+          say(falls_short(widths.back(), s.simulated, governing.scale) ? "gap.too_close" : "gap.wide_enough"));
+    }
+    table.add(say("column.elevation"), length, elevations);
+    table.add(say("gap.given_is"), "", marks, false);
+    table.add(say("column.given"), length, widths);
+    table.add(say("column.simulated"), length, simulated);
+    table.add("ABS", length, abs);
+    table.add("SRSS", length, srss);
+    if (story.from_case()) table.add("DDC", length, ddc);
+    content += element("h3", gap_name(story.problem, gap));
+    if (!points.empty()) content += table.markup();
+    content += watched_table(story, gap, governing);
+    if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
+      codes = true;
+      content += code_table(story, points);
+    }
+    if (story.from_case()) content += screening_table(story, gap);
+  }
+  content += element("p", say("gap.note"), "class=\"note\"");
+  if (story.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
+  content += element("p",
+                     say(!story.from_case() ? "gap.no_case"
+                         : codes            ? "gap.codes_note"
+                                            : "gap.no_codes"),
+                     "class=\"note\"");
+  return section("gaps", say("heading.gaps"), content);
+}
+
+}  // namespace bentur::html
