@@ -70,6 +70,11 @@ py::array_t<double> view_of(const std::vector<double>& values, const py::object&
 
 std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std::vector<OwnLaw>& laws,
                               const py::object& progress) {
+  if (const auto& spectrum = given.c.excitation.spectrum) {
+    Diagnostics found;
+    found.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
+    raise_case_error(found);
+  }
   Problem problem = given.problem;
   for (const OwnLaw& own : laws) {
     bool there = false;
@@ -266,6 +271,12 @@ void bind_run(py::module_& module) {
         return solved(given, output_step, own, progress);
       },
       py::arg("case"), py::arg("output_step"), py::arg("laws"), py::arg("progress"));
+  module.def("has_spectrum", [](const PyCase& given) { return given.c.excitation.spectrum.has_value(); });
+  module.def("spectral_gap_json", [](const PyCase& given) {
+    const Case& c = given.c;
+    return spectral_gap_json(c, given.problem, spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units),
+                             BENTUR_VERSION);
+  });
   module.def("report_output_step", [](const PyCase& given) { return report_output_step(given.problem); });
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
 }
