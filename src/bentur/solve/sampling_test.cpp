@@ -103,7 +103,8 @@ TEST_P(ExactCourse, FollowsTheSolution) {
   EXPECT_LT(course.time.size(), 20000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(, ExactCourse, testing::ValuesIn(example_laws()), [](const auto& one) { return one.param.label; });
+INSTANTIATE_TEST_SUITE_P(, ExactCourse, testing::ValuesIn(example_laws()),
+                         [](const auto& one) { return one.param.label; });
 
 /// The account is one sum: where samples cut its integrals cannot matter but for round-off.
 TEST(EnergyAccount, SamplesOnlyReadItsCurves) {
