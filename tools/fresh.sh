@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# fresh.sh ROOT SUITE COMMAND...: runs commands of ./dev in a Debian as debootstrap leaves it, on a clean clone of what is
+# fresh.sh ROOT SUITE COMMAND...: runs commands of ./dev (or `wheel`: build/wheels for a newcomer, tools/newcomer.sh) in a Debian as debootstrap leaves it, on a clean clone of what is
 # committed at ROOT. It uses this machine's mirror, proxies, name servers and certificates, and nothing else of it.
 # Status 77: cannot be tried here (no root, no debootstrap, no network). The bare system is kept as build/fresh/SUITE.tar
 # (remove it to fetch it anew), a folder in which a command failed as build/fresh/SUITE.
@@ -86,10 +86,20 @@ for name in http_proxy https_proxy no_proxy; do
 done
 for name in "$@"; do
   say "./dev $name in a bare $suite"
+  command="cd ~/bentur && time ./dev $name"
+  if [ "$name" = wheel ]; then
+    ls "$root"/build/wheels/*.whl >/dev/null || { say "no wheels: ./dev wheels builds them"; exit 1; }
+    mkdir -p "$tree/root/wheels"
+    cp "$root"/build/wheels/*.whl "$tree/root/wheels"
+    if [ -f /etc/pip.conf ]; then cp -L /etc/pip.conf "$tree/etc/pip.conf"; fi
+    while IFS= read -r setting; do variables+=("$setting"); done < <(env | grep '^PIP_' || true)
+    command="(apt-get update -q && apt-get install -y -q --no-install-recommends python3-venv ca-certificates) >/dev/null &&
+      time ~/bentur/tools/newcomer.sh ~/wheels"
+  fi
   log=$folder/$suite-$name.log begin=$(date +%s) status=0
   # All processes in there end when this one does, however it ends.
   setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$tree" \
-    /usr/bin/env -i "${variables[@]}" bash -c "cd ~/bentur && time ./dev $name" >"$log" 2>&1 || status=$?
+    /usr/bin/env -i "${variables[@]}" bash -c "$command" >"$log" 2>&1 || status=$?
   seconds=$(($(date +%s) - begin))
   if [ $status != 0 ]; then
     tail -n 60 "$log" >&2

@@ -46,6 +46,7 @@ page() {
     cp "$root/web/package-lock.json" "$root/web/node_modules/.bentur-lock"
   fi
   (cd "$root/web" && npm run --silent build)
+  cp "$out/page/index.html" "$out/bentur-studio.html"
 }
 
 mkdir -p "$out"

@@ -10,6 +10,7 @@
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
+#include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/sweep_report.h"
 #include "commands.h"
 #include "output.h"
@@ -51,6 +52,10 @@ std::string from_netcdf(const std::filesystem::path& file, ReportOptions options
 }
 
 std::string from_case(const Loaded& loaded, ReportOptions options) {
+  if (const auto& spectrum = loaded.c.excitation.spectrum) {
+    const SpectralGaps gaps = spectral_gaps(loaded.problem, *spectrum, loaded.c.code, loaded.c.units);
+    return spectral_report_html(loaded.c, loaded.problem, gaps, options);
+  }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
   if (gnuplot_version()) results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
   options.figures = report_figures(results, options.language);
@@ -70,7 +75,7 @@ void run(const ReportArguments& arguments) {
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
   const bool from_files = is_folder || is_netcdf;
-  const Loaded loaded = from_files ? Loaded{} : load(input);
+  const Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run);
   // Before the work, so that a place that cannot be written to costs none.
   OutputFile output(arguments.output, ResultKind::report,
                     {from_files ? files_of_results(input, is_folder) : loaded.files, arguments.force});

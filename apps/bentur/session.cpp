@@ -17,6 +17,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/report/utf8.h"
@@ -165,34 +166,6 @@ std::string record_line(const RecordEcho& record) {
                      echo_notes(record), record.count, number(record.time_step), number(record.duration));
 }
 
-namespace {
-
-std::string spectrum_line(const SpectrumSpec& spec, const Units& units) {
-  const double g = units.gravity;
-  struct Shape {
-    double g;
-    std::string operator()(const TwoPeriodSpectrum& shape) const {
-      return fmt::format("S_DS {} g, S_D1 {} g, T_L {} s", number(shape.short_period / g), number(shape.one_second / g),
-                         number(shape.long_period));
-    }
-    std::string operator()(const EurocodeSpectrum& shape) const {
-      return fmt::format("a_g {} g, S {}, T_B, T_C, T_D {}, {}, {} s", number(shape.ground_acceleration / g),
-                         number(shape.soil_factor), number(shape.corner_b), number(shape.corner_c),
-                         number(shape.corner_d));
-    }
-    std::string operator()(const TableSpectrum& shape) const {
-      return fmt::format("{} periods from {} to {} s", shape.periods.size(), number(shape.periods.front()),
-                         number(shape.periods.back()));
-    }
-  };
-  return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}", spec.file.empty() ? spec.shape : spec.file,
-                     std::visit(Shape{g}, spec.spectrum.shape), number(spec.spectrum.damping_ratio),
-                     spec.spectrum.corrects_damping ? ", corrected for others" : "",
-                     spec.combination == ModalCombination::cqc ? "CQC" : "SRSS");
-}
-
-}  // namespace
-
 std::string excitation_line(const Case& c) {
   std::string line;
   const std::string acceleration = c.units.length + "/s²";
@@ -206,7 +179,12 @@ std::string excitation_line(const Case& c) {
                        number(harmonic->displacement_amplitude), c.units.length,
                        number(peak_acceleration(c.excitation.motion)), acceleration);
   } else if (c.excitation.spectrum) {
-    return spectrum_line(*c.excitation.spectrum, c.units);
+    const SpectrumSpec& spectrum = *c.excitation.spectrum;
+    return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}",
+                       spectrum.file.empty() ? spectrum.shape : spectrum.file, spectrum_parameters(spectrum, c.units),
+                       number(spectrum.spectrum.damping_ratio),
+                       spectrum.spectrum.corrects_damping ? ", corrected for others" : "",
+                       spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS");
   } else {
     return "No ground motion: free vibration";
   }

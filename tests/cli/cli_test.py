@@ -27,7 +27,8 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
 EXAMPLES = ["m12-el-centro", "free-impact", "generic-neighbour", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
-            "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "two-frames-si", "yielding-pair"]
+            "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
+            "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
 COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
 
@@ -935,7 +936,7 @@ kind = "spectrum"
         study = self.folder / "study.toml"
         study.write_text(f'case = "{case}"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.1, 0.2]\n')
         line = next(i for i, text in enumerate(case.read_text().splitlines(), 1) if text.startswith("kind ="))
-        for command in (["run", case], ["report", case, "-o", self.folder / "r.html"], ["gap", study],
+        for command in (["run", case], ["run", case, "-o", self.folder / "r"], ["gap", study],
                         ["sweep", study, "-o", self.folder / "r.nc"]):
             message = self.fails(2, *command).stderr
             self.assertIn(f"design-spectrum.toml:{line}:8: error: excitation.kind = \"spectrum\"", message)
@@ -943,6 +944,19 @@ kind = "spectrum"
         self.assertEqual([file.name for file in self.folder.iterdir()], ["study.toml"])
         self.assertIn("no errors", self.done("check", case).stdout)
         self.assertIn("Eight storeys", self.done("modes", case).stdout)
+
+    def test_a_report_of_gaps_peaks_and_screening(self):
+        case = self.FOLDER / "spectrum-table.toml"
+        gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
+        for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated"]),
+                                ("id", ["Selisih", "Penapisan", "kurang 0.004232 m", "tidak ada yang disimulasikan"])):
+            output = self.folder / "r.html"
+            self.done("report", case, "-o", output, "--lang", language)
+            page = html.unescape(output.read_text()).replace("\u00a0", " ")
+            for word in [*words, "CQC", "ASCE 7-16, IBC", "FEMA P-154", "site-spectrum.csv", "Six | Four",
+                         f"{gap['spectral_difference']:.4g}", f"{gap['abs']:.4g}"]:
+                self.assertIn(word, page)
+            self.assertIn('<meta http-equiv="Content-Security-Policy"', page)
 
     def test_srss_and_cqc_are_told_and_one_is_combined(self):
         text = (self.FOLDER / "design-spectrum.toml").read_text()
@@ -963,7 +977,7 @@ class Screening(CommandLine):
     def test_in_table_json_and_report(self):
         case = SOURCE / "examples" / "gaps" / "design-spectrum.toml"
         text = self.done("gap", case).stdout
-        for words in (r"floors apart in height +1\.5 +0\.6096 +m +attention +FEMA P-154", r"storeys more +3 +2 +attention",
+        for words in (r"floors apart in height +1\.5 +0\.6096 +m +attention +FEMA P-154", r"difference in storeys +3 +2 +attention",
                       r"pounding to be scored +yes", r"gap over height +0\.5714 +1\.5 +% +attention +ASCE 41-17",
                       r"mass ratio +2\.048 +2 +attention +ours", "by memory: check the text"):
             self.assertRegex(text, words)
@@ -1089,7 +1103,7 @@ duration = 5.0
         self.assertEqual((met[0]["floor_of"], met[0]["elevation"]), ("A", 9))
         self.assertLess(met[0]["least_opening"], -0.001)
         self.assertEqual([one["least_opening"] for one in met], sorted(one["least_opening"] for one in met))
-        self.assertIn("B as building.matrices with a level at elevation 9 m", met[0]["to_model"])
+        self.assertIn("give B as building.frame, whose column it can strike", met[0]["to_model"])
         text = self.done("run", case).stdout
         verdict = text.split("\n\n")[1].splitlines()
         self.assertRegex(verdict[0], r"^A \| B: POUNDING THAT IS NOT MODELLED: the floor of A at elevation 9 m goes "

@@ -1,34 +1,74 @@
-"""Every Python block of the documents runs, each by itself and in order, in the folder of the repository; where the next
-block has no language and stands behind "prints", that is what it prints."""
+"""What stands in blocks of the documents runs.
+
+  python   each by itself, in the folder of the repository; where the next block stands behind "prints", that is what it
+           prints
+  sh       those of one page one after the other, in a scratch folder with `bentur` on the path
+  toml     is TOML; a whole case is read without an error, with the records of data/ beside it
+  none     each line that begins with `bentur ` is a command with options that it has; it runs where its files are there
+"""
 
 import contextlib
 import io
 import os
 import pathlib
 import re
+import shutil
+import subprocess
+import tomllib
 
 import pytest
 
+import bentur
+
 ROOT = pathlib.Path(__file__).parents[2]
-BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\n+prints\n+```\n(.*?)^```$)?", re.MULTILINE | re.DOTALL)
+DOCUMENTS = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PRINTS = re.compile(r"\A\n+prints\n+```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # What cannot run, by words in it, and why.
 SKIPPED = {
     "my-case.toml": "a case that the reader has",
-    "m12-gaps.nc": "results of a study of minutes; test of bentur.sweep: doors_test.py",
+    "m12-gaps.nc": "results of a study of minutes; doors_test.py compares sweeps",
+    "mpirun": "a cluster; tests/sweep runs it",
+    "far-field": "needs the records of ./dev records; doors_test.py compares ida and fragility",
+    "eight-and-six": "the same",
+    "ida.nc": "results of the same",
+    "records/": "needs the records of ./dev records",
 }
 
 
-def _blocks():
-    for document in sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]):
-        for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):
-            yield pytest.param(match[1], match[2], id=f"{document.relative_to(ROOT)}-{number}")
+def _blocks(language):
+    for document in DOCUMENTS:
+        text = document.read_text()
+        number = 0
+        for match in FENCE.finditer(text):
+            if match[1] != language:
+                continue
+            number += 1
+            prints = PRINTS.match(text[match.end() :])
+            name = str(document.relative_to(ROOT))
+            yield name, match[2], prints[1] if prints else None, f"{name}-{number}"
 
 
-@pytest.mark.parametrize("code, printed", list(_blocks()))
-def test_block(code, printed, monkeypatch):
+def skip(text):
     for words, why in SKIPPED.items():
-        if words in code:
+        if words in text:
             pytest.skip(why)
+
+
+@pytest.fixture
+def bin_folder(program, tmp_path):
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    (folder / "bentur").symlink_to(program)
+    return folder
+
+
+PYTHON = list(_blocks("python"))
+
+
+@pytest.mark.parametrize("code, printed", [b[1:3] for b in PYTHON], ids=[b[3] for b in PYTHON])
+def test_python(code, printed, monkeypatch):
+    skip(code)
     monkeypatch.chdir(ROOT)
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
@@ -36,3 +76,61 @@ def test_block(code, printed, monkeypatch):
     if printed is not None:
         assert out.getvalue() == printed
     assert os.getcwd() == str(ROOT)
+
+
+SHELL = sorted({b[0] for b in _blocks("sh")})
+
+
+@pytest.mark.parametrize("page", SHELL)
+def test_shell(page, tmp_path, bin_folder):
+    """A TOML block of the page that says "Save it as `NAME`" stands there under that name."""
+    if page == "docs/gallery.md":
+        pytest.skip("`./dev gallery` runs its commands, to draw its pictures")
+    text = (ROOT / page).read_text()
+    work = tmp_path / "work"
+    work.mkdir()
+    for name in re.findall(r"Save it as `([\w.-]+)`", text):
+        (work / name).write_text(re.search(r"^```toml\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1])
+    script = "set -e\n" + "\n".join(b[1] for b in _blocks("sh") if b[0] == page)
+    run = subprocess.run(["bash", "-c", script], cwd=work, capture_output=True, text=True,
+                         env={**os.environ, "PATH": f"{bin_folder}:{os.environ['PATH']}"})
+    assert run.returncode == 0, run.stdout[-2000:] + run.stderr
+
+
+TOML = list(_blocks("toml"))
+
+
+@pytest.mark.parametrize("text", [b[1] for b in TOML], ids=[b[3] for b in TOML])
+def test_toml(text, tmp_path):
+    if re.search(r"= \{ \.\. =|^# \.\.\.", text, re.MULTILINE):
+        tomllib.loads(re.sub(r"\{ \.\. = \{ \.\. \} \}", "{}", text))
+        return
+    tables = tomllib.loads(text)
+    if not {"building", "gap", "excitation"} <= set(tables):
+        return
+    for record in (ROOT / "data").glob("*.csv"):
+        shutil.copy(record, tmp_path)
+    bentur.Case.from_text(text, folder=tmp_path)
+
+
+COMMANDS = [(b[0], line) for b in _blocks("") for line in b[1].splitlines() if line.startswith("bentur ")]
+
+
+@pytest.mark.parametrize("line", [c[1] for c in COMMANDS], ids=[f"{c[0]}: {c[1]}" for c in COMMANDS])
+def test_command(line, program, tmp_path, bin_folder):
+    line = line.split("  #")[0]
+    words = line.split()
+    known = subprocess.run([program, words[1], "--help"], capture_output=True, text=True, check=True).stdout
+    for option in re.findall(r"(?<=\s)--[\w-]+", line):
+        assert option in known, f"bentur {words[1]} has no {option}"
+    skip(line)
+    inputs = [w for w in words[2:] if w.endswith((".toml", ".csv", ".AT2"))]
+    if not inputs or not all((ROOT / w).exists() for w in inputs):
+        pytest.skip("its files are the reader's")
+    work = tmp_path / "work"
+    work.mkdir()
+    for name in ("examples", "data"):
+        (work / name).symlink_to(ROOT / name)
+    run = subprocess.run(["bash", "-c", line], cwd=work, capture_output=True, text=True,
+                         env={**os.environ, "PATH": f"{bin_folder}:{os.environ['PATH']}"})
+    assert run.returncode == 0, run.stderr

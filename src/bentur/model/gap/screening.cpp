@@ -88,7 +88,7 @@ const std::vector<ScreeningRule>& screening_rules() {
   constexpr std::string_view memory = "by memory, check the text";
   static const std::vector<ScreeningRule> rules = {
       {"floors-meet", "floors apart in height", p154, memory, "length"},
-      {"storeys-apart", "storeys more", p154, memory, ""},
+      {"storeys-apart", "difference in storeys", p154, memory, ""},
       {"end-of-row", "at the end of a row", p154, memory, ""},
       {"gap-per-storey", "gap for the storeys", p154, memory, "length"},
       {"pounding", "pounding to be scored", p154, memory, ""},

@@ -1,9 +1,12 @@
 #include "bentur/model/gap/spectral_gap.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
+#include "bentur/core/number_text.h"
 #include "bentur/core/require.h"
 
 namespace bentur {
@@ -36,11 +39,10 @@ SpectralModes spectral_modes(const Building& building, const DesignSpectrum& spe
   }
   const Modes& modes = building.modes;
   result.omega = modes.omega;
-  result.damping = building.modal_damping.diagonal().cwiseQuotient(2 * modes.omega);
+  result.damping = building.modal_damping.diagonal().cwiseQuotient(2 * modes.omega).cwiseMax(0.0);  // round-off
   result.displacement.resize(modes.omega.size());
   for (Eigen::Index n = 0; n < modes.omega.size(); ++n) {
-    result.displacement(n) =
-        spectral_displacement(spectrum, 2 * std::numbers::pi / modes.omega(n), std::max(0.0, result.damping(n)));
+    result.displacement(n) = spectral_displacement(spectrum, 2 * std::numbers::pi / modes.omega(n), result.damping(n));
   }
   const Eigen::VectorXd participation = modes.shapes.transpose() * building.model.load;
   result.motion = modes.shapes * participation.cwiseProduct(result.displacement).asDiagonal();
@@ -83,6 +85,26 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
     gaps.watched.push_back(difference(floor.left, floor.left_row, floor.right_row));
   }
   return gaps;
+}
+
+std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units) {
+  struct Shape {
+    double g;
+    std::string operator()(const TwoPeriodSpectrum& shape) const {
+      return fmt::format("S_DS {} g, S_D1 {} g, T_L {} s", number(shape.short_period / g), number(shape.one_second / g),
+                         number(shape.long_period));
+    }
+    std::string operator()(const EurocodeSpectrum& shape) const {
+      return fmt::format("a_g {} g, S {}, T_B {} s, T_C {} s, T_D {} s", number(shape.ground_acceleration / g),
+                         number(shape.soil_factor), number(shape.corner_b), number(shape.corner_c),
+                         number(shape.corner_d));
+    }
+    std::string operator()(const TableSpectrum& shape) const {
+      return fmt::format("{} × S_a, T {} … {} s", shape.periods.size(), number(shape.periods.front()),
+                         number(shape.periods.back()));
+    }
+  };
+  return std::visit(Shape{units.gravity}, spectrum.spectrum.shape);
 }
 
 std::optional<SpectralObstacle> spectral_obstacle(const Case& c) {

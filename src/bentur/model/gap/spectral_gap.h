@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bentur/model/case.h"
@@ -42,6 +45,9 @@ struct SpectralGaps {
 /// @throws InvalidParameter where a period is beyond the last of a table, or a code rule lacks something.
 [[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
                                          const CodeSpec& code = {}, const Units& units = {});
+
+/// "S_DS 0.8 g, S_D1 0.55 g, T_L 12 s", in every language the same.
+[[nodiscard]] std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units);
 
 /// What keeps a case from having its gaps by a spectrum, in words; empty where nothing does: links couple the buildings
 /// (their modes are not those of each alone), bearings that yield have no stiffness of their own.

@@ -23,7 +23,8 @@ std::string wording_text(const CodeRule& rule, const Words& say) {
   return text;
 }
 
-/// The rules of codes at the level where each asks for most over what is given.
+}  // namespace
+
 Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
   const Words& say = story.say;
   const std::string& length = story.c.units.length;
@@ -63,7 +64,6 @@ Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
   return table.markup();
 }
 
-/// What rules of thumb say of how the neighbours stand; nothing where one of them is a wall.
 Html screening_table(const Story& story, Eigen::Index gap) {
   const Words& say = story.say;
   const std::vector<ScreeningFinding> findings = screening(story.problem, gap, story.c.screening, story.c.units);
@@ -97,6 +97,8 @@ Html screening_table(const Story& story, Eigen::Index gap) {
   table.add(say("screening.source"), "", sources, false);
   return element("h4", say("screening.heading")) + table.markup();
 }
+
+namespace {
 
 /// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
 Html watched_table(const Story& story, Eigen::Index gap, const GoverningLevel& governing) {

@@ -45,6 +45,10 @@ constexpr std::size_t most_impacts = 1500;
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
 [[nodiscard]] Html damage_section(const Story& story);
 
+/// Columns that floors strike, with and without contact, and how that compares with what they bear; nothing where
+/// floors meet at every contact point.
+[[nodiscard]] Html columns_section(const Story& story);
+
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
 [[nodiscard]] Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
 
@@ -52,6 +56,11 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] Html input_section(const Story& story);
 
 // What the sections share.
+
+/// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
+[[nodiscard]] Html code_table(const Story& story, const std::vector<Eigen::Index>& points);
+/// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
+[[nodiscard]] Html screening_table(const Story& story, Eigen::Index gap);
 
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
@@ -76,6 +85,10 @@ void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std
 [[nodiscard]] std::size_t table_language(const Words& say);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
+/// Contact points where a floor strikes a column, the highest first.
+[[nodiscard]] std::vector<Eigen::Index> struck_points(const Problem& problem);
+/// What is struck at a contact point: "column of B", or "floor".
+[[nodiscard]] std::string struck_text(const Story& story, Eigen::Index point);
 /// A heading and what belongs to it.
 [[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
 

@@ -1,0 +1,181 @@
+#include "bentur/report/html/spectral_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/sections.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+using html::element;
+using html::Html;
+using html::HtmlTable;
+using html::Story;
+using html::Words;
+
+/// One level of a gap: a contact point, or a floor where no contact is modelled.
+struct SpectralLevel {
+  double elevation = 0, width = 0, needed = 0;  ///< [length]
+  [[nodiscard]] double short_by() const { return needed - width; }
+};
+
+std::vector<SpectralLevel> levels_at(const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
+  std::vector<SpectralLevel> levels;
+  for (const Eigen::Index i : gap.points) {
+    levels.push_back({problem.points[i].elevation, problem.points[i].width, spectral.points[i].simulated});
+  }
+  for (const Eigen::Index i : gap.watched) {
+    levels.push_back({problem.watched[i].elevation, problem.watched[i].width, spectral.watched[i]});
+  }
+  return levels;
+}
+
+Html spectral_verdict(const Story& story, const SpectralGaps& spectral) {
+  Html blocks;
+  const std::string& length = story.c.units.length;
+  for (const Gap& gap : gaps_of(story.problem)) {
+    const std::vector<SpectralLevel> levels = levels_at(story.problem, spectral, gap);
+    if (levels.empty()) continue;
+    const SpectralLevel& worst = *std::max_element(
+        levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.short_by() < b.short_by(); });
+    const bool too_small = worst.short_by() > 0;
+    Html block = element(
+        "p", gap_name(story.problem, gap.left) + ": " + story.say(too_small ? "gap.too_close" : "gap.wide_enough"),
+        "class=\"badge\"");
+    block += element("p",
+                     story.say(too_small ? "spectral.short" : "spectral.enough",
+                               {{"needed", html::quantity(worst.needed, length)},
+                                {"elevation", html::quantity(worst.elevation, length)},
+                                {"width", html::quantity(worst.width, length)},
+                                {"difference", html::quantity(std::abs(worst.short_by()), length)}}),
+                     "class=\"lead\"");
+    blocks += element("div", block, too_small ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+  }
+  return html::section("verdict", story.say("heading.verdict"), blocks);
+}
+
+Html watched_floors_table(const Story& story, const SpectralGaps& spectral, const Gap& gap) {
+  if (gap.watched.empty()) return {};
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  std::vector<double> elevations, widths, differences;
+  std::vector<std::string> owners, faces;
+  HtmlTable table;
+  for (auto i = gap.watched.rbegin(); i != gap.watched.rend(); ++i) {
+    const WatchedFloor& floor = story.problem.watched[*i];
+    if (spectral.watched[*i] > floor.width) table.mark(elevations.size());
+    elevations.push_back(floor.elevation);
+    widths.push_back(floor.width);
+    differences.push_back(spectral.watched[*i]);
+    owners.push_back(story.problem.buildings[floor.floor_of].name);
+    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
+  }
+  table.add(say("column.elevation"), length, elevations);
+  table.add(say("gap.floor_of"), "", owners, false);
+  table.add(say("gap.faces"), "", faces, false);
+  table.add(say("column.given"), length, widths);
+  table.add(say("spectral.difference"), length, differences);
+  return element("p", say("gap.watched")) + table.markup();
+}
+
+Html spectral_gap_section(const Story& story, const SpectralGaps& spectral) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  Html content;
+  for (const Gap& gap : gaps_of(story.problem)) {
+    const std::vector<Eigen::Index> points = html::points_of(story.problem, gap.left);
+    content += element("h3", gap_name(story.problem, gap.left));
+    if (!points.empty()) {
+      HtmlTable table;
+      std::vector<double> elevations, widths, differences, abs, srss, ddc;
+      for (const Eigen::Index i : points) {
+        const PointSeparation& s = spectral.points[i];
+        if (s.simulated > story.problem.points[i].width) table.mark(elevations.size());
+        elevations.push_back(story.problem.points[i].elevation);
+        widths.push_back(story.problem.points[i].width);
+        differences.push_back(s.simulated);
+        abs.push_back(s.abs);
+        srss.push_back(s.srss);
+        ddc.push_back(s.ddc);
+      }
+      table.add(say("column.elevation"), length, elevations);
+      table.add(say("column.given"), length, widths);
+      table.add(say("spectral.difference"), length, differences);
+      table.add("ABS", length, abs);
+      table.add("SRSS", length, srss);
+      table.add("DDC", length, ddc);
+      content += table.markup();
+    }
+    content += watched_floors_table(story, spectral, gap);
+    if (!points.empty() && !story.c.code.rules.empty()) content += html::code_table(story, points);
+    content += html::screening_table(story, gap.left);
+  }
+  content += element("p", say("spectral.note"), "class=\"note\"");
+  content += element("p", say("screening.note"), "class=\"note\"");
+  content += element("p", say(story.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
+  return html::section("gaps", say("heading.gaps"), content);
+}
+
+/// Of each building the floors' peaks, and the modes they are made of.
+Html spectral_peaks_section(const Story& story, const SpectralGaps& spectral) {
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  Html content;
+  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
+    const Building& building = story.problem.buildings[b];
+    if (building.is_rigid()) continue;
+    std::vector<double> elevations, srss, cqc, periods, ratios, displacements, fractions;
+    for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
+      elevations.push_back(building.model.elevations[floor]);
+      srss.push_back(spectral.peaks[b].srss(floor));
+      cqc.push_back(spectral.peaks[b].cqc(floor));
+    }
+    HtmlTable peaks;
+    peaks.add(say("column.elevation"), length, elevations);
+    peaks.add("SRSS", length, srss);
+    peaks.add("CQC", length, cqc);
+    const ModalProperties properties = modal_properties(building);
+    for (Eigen::Index n = 0; n < properties.periods.size(); ++n) {
+      periods.push_back(properties.periods(n));
+      ratios.push_back(spectral.modes[b].damping(n));
+      displacements.push_back(spectral.modes[b].displacement(n));
+      fractions.push_back(100 * properties.effective_mass_fraction(n));
+    }
+    HtmlTable modes;
+    modes.add(say("spectral.period"), "s", periods);
+    modes.add(say("spectral.damping"), "", ratios);
+    modes.add("S_d", length, displacements);
+    modes.add(say("spectral.mass"), "%", fractions);
+    content += element("h3", building.name) + peaks.markup() + modes.markup();
+  }
+  return html::section("peaks", say("spectral.peaks"), content);
+}
+
+}  // namespace
+
+std::string spectral_report_html(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                                 const ReportOptions& options) {
+  const Words say(options.language);
+  const Response none;
+  const Story story{{problem, none, c.units}, c, problem, none, say, {}, spectral.points};
+  const SpectrumSpec& spectrum = *c.excitation.spectrum;
+  const std::string title = c.title.empty() ? say("report.untitled") : c.title;
+  Html body = element("header", element("h1", title) +
+                                    element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""));
+  body += spectral_verdict(story, spectral) + spectral_gap_section(story, spectral) +
+          spectral_peaks_section(story, spectral);
+  Html input =
+      html::facts({{say("spectral.spectrum"), spectrum.file.empty() ? spectrum.shape : spectrum.file},
+                   {say("spectral.parameters"), spectrum_parameters(spectrum, c.units)},
+                   {say("spectral.damping"), number(spectrum.spectrum.damping_ratio)},
+                   {say("spectral.combination"), spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}});
+  if (c.source) input += element("h3", say("heading.case")) + element("pre", c.source->text);
+  body += html::section("input", say("heading.input"), input);
+  return html::page(say, title, body, false);
+}
+
+}  // namespace bentur

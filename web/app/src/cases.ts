@@ -1,0 +1,22 @@
+// The cases that the page starts from: examples of the repository, as they are.
+import moat from "@repo/examples/isolated-moat.toml?raw";
+import monograph from "@repo/examples/m12-el-centro.toml?raw";
+import row from "@repo/examples/row-of-three.toml?raw";
+import frames from "@repo/examples/two-frames-si.toml?raw";
+import yielding from "@repo/examples/yielding-pair.toml?raw";
+import record from "@repo/data/el-centro-1940-ns.csv?raw";
+import columns from "../cases/eight-and-five.toml?raw";
+
+const bare = (text: string) => text.replaceAll('"../data/', '"');
+
+export const cases = [
+  { id: "frames", text: bare(frames) },
+  { id: "monograph", text: bare(monograph) },
+  { id: "columns", text: bare(columns) },
+  { id: "row", text: bare(row) },
+  { id: "moat", text: bare(moat) },
+  { id: "yielding", text: bare(yielding) },
+] as const;
+
+export const recordName = "el-centro-1940-ns.csv";
+export const recordBytes = new TextEncoder().encode(record);

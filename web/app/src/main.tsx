@@ -1,0 +1,80 @@
+import { effect, useSignal } from "@preact/signals";
+import { render } from "preact";
+import { useRef } from "preact/hooks";
+import { cases } from "./cases";
+import { Editor, Errors, Form, GapSlider, goTo, openFile } from "./edit";
+import { fromFragment } from "./link";
+import { MotionView } from "./motion";
+import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict } from "./results";
+import { chosen, errors, load, problem, result } from "./state";
+import "./style.css";
+import { Take } from "./take";
+import { language, languages, say, type Word } from "./texts";
+import { choice } from "./theme";
+
+function Head() {
+  return (
+    <header>
+      <a class="skip" href="#results" onClick={(event) => { event.preventDefault(); document.getElementById("results")?.focus(); }}>{say("skip")}</a>
+      <div class="top"><h1>bentur studio</h1>
+        <p class="controls">
+          <label>{say("language")} <select id="language" value={language.value} onChange={(event) => { language.value = event.currentTarget.value as keyof typeof languages; }}>
+            {Object.entries(languages).map(([tag, name]) => <option key={tag} value={tag} lang={tag} selected={tag === language.value}>{name}</option>)}</select></label>
+          <label>{say("theme")} <select id="theme" value={choice.value} onChange={(event) => { choice.value = event.currentTarget.value as "auto"; }}>
+            {(["auto", "light", "dark"] as const).map((one) => <option key={one} value={one} selected={one === choice.value}>{say(`theme.${one}`)}</option>)}</select></label>
+        </p></div>
+      <p class="lead">{say("lead")}</p>
+      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={chosen.value === one.id} onClick={() => load(one.text, one.id)}>{say(`case.${one.id}` as Word)}</button>)}</nav>
+    </header>
+  );
+}
+
+function App() {
+  const area = useRef<HTMLTextAreaElement>(null);
+  const dropping = useSignal(false);
+  const now = result.value;
+  return (
+    <div class={`page${dropping.value ? " dropping" : ""}`}
+      onDragOver={(event) => { event.preventDefault(); dropping.value = true; }}
+      onDragLeave={(event) => { if (event.relatedTarget === null) dropping.value = false; }}
+      onDrop={(event) => {
+        event.preventDefault();
+        dropping.value = false;
+        const file = event.dataTransfer?.files[0];
+        if (file) void openFile(file);
+      }}>
+      <Head />
+      {dropping.value && <div class="drop">{say("drop")}</div>}
+      <main id="results" tabIndex={-1} data-solved={now ? (errors.value.length > 0 ? "errors" : now.fine ? "fine" : "rough") : errors.value.length > 0 ? "errors" : ""} data-ms={now?.milliseconds.toFixed(1)}>
+        <div class="lives">
+          <div class="seen">
+            <GapSlider />
+            <Errors goTo={(line, column) => goTo(area.current, line, column)} />
+            <Verdict />
+            {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><MotionView data={now.motion} play={true} primary={true} /></section>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && ` · ${say("verdict.remark")}: ${now.overview.remarks.join("; ")}`}</p>}
+          </div>
+          <section id="edit" class="edit">
+            <h2>{say("edit")}</h2>
+            <details open><summary>{say("edit.text")}</summary><Editor area={area} /></details>
+            <details><summary>{say("edit.form")}</summary><Form /></details>
+          </section>
+        </div>
+        {now && <>
+          <Histories now={now} />
+          <div class="pair"><Envelopes now={now} /><GapCurve now={now} /></div>
+          <Impacts now={now} />
+          <Loops now={now} />
+          <Comparison now={now} />
+        </>}
+        <Take />
+      </main>
+      <footer><p class="note">{say("footer", { version: "0.1.0" })}</p></footer>
+    </div>
+  );
+}
+
+effect(() => { document.documentElement.lang = language.value; });
+fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = say("error.link"); });
+addEventListener("hashchange", () => { fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = say("error.link"); }); });
+render(<App />, document.getElementById("app")!);

@@ -1,0 +1,39 @@
+declare module "*?worker&inline" {
+  const create: new () => Worker;
+  export default create;
+}
+declare module "*?raw" {
+  const text: string;
+  export default text;
+}
+declare module "*.css";
+declare module "*/bentur_web.mjs" {
+  export interface Studio {
+    putFile(path: string, bytes: Uint8Array | string): void;
+    open(text: string, file: string): string;
+    solve(outputStep: number | null, progress: ((done: number) => boolean) | null): string;
+    summary(): string;
+    impacts(): string;
+    gaps(): string;
+    modes(): string;
+    motion(language: string): string;
+    report(language: string): string;
+    overview(language: string): string;
+    histories(): import("./solver").Histories;
+    atWidth(gap: number, width: number): string;
+  }
+  export default function createBentur(): Promise<{ Studio: new () => Studio }>;
+}
+declare module "*/report/html/motion.js" {
+  export interface Motion {
+    readonly impacts: { number: number; start: number; end: number }[];
+    number(value: number): string;
+    show(time: number): void;
+    showImpact(impact: unknown): void;
+    start(): void;
+    pause(): void;
+    isPlaying(): boolean;
+    update(data: unknown): void;
+  }
+  export function benturMotion(parts: Record<string, unknown>, data: unknown): Motion;
+}

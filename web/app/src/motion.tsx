@@ -1,0 +1,62 @@
+import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion.js";
+import { useEffect, useRef } from "preact/hooks";
+import { time } from "./state";
+import { language, say } from "./texts";
+
+const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 ×"], ["0.1", "1/10 ×"], ["0.01", "1/100 ×"], ["0.001", "1/1000 ×"]];
+
+/** The one that the charts and the impact list move. */
+export let main: Motion | null = null;
+
+/** The buildings in motion, by the report's own script. */
+export function MotionView({ data, play, primary }: { data: string; play: boolean; primary: boolean }) {
+  const root = useRef<HTMLDivElement>(null);
+  const motion = useRef<Motion | null>(null);
+  const unit = (JSON.parse(data.slice(data.indexOf('"units":') + 8, data.indexOf("}", data.indexOf('"units":')) + 1)) as { length: string }).length;
+  useEffect(() => {
+    const read = JSON.parse(data);
+    if (motion.current) {
+      motion.current.update(read);
+      return;
+    }
+    const parts: Record<string, unknown> = {};
+    for (const one of root.current!.querySelectorAll<HTMLElement>("[data-part]")) parts[one.dataset.part!] = one;
+    if (primary) parts.shown = (now: number) => { time.value = now; };
+    const made = benturMotion(parts, read);
+    motion.current = made;
+    if (primary) main = made;
+    if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      (parts.speed as HTMLSelectElement).value = "1";
+      made.start();
+    }
+  }, [data]);
+  useEffect(() => () => {
+    motion.current?.pause();
+    if (primary) main = null;
+  }, []);
+  void language.value;
+  return (
+    <div class="motion" ref={root}>
+      <div class="player">
+        <svg data-part="stage" class="stage" role="img" aria-label={say("motion.picture")} />
+        <div class="readout">
+          <p><output data-part="clock" class="clock" aria-live="off" /><br /><span data-part="event" class="event" /></p>
+          <div class="wide" tabIndex={0} role="group" aria-label={say("motion.opening", { unit })}>
+            <table class="live"><caption>{say("motion.opening", { unit })}</caption><tbody data-part="live" /></table>
+          </div>
+        </div>
+      </div>
+      <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
+      <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("motion.scrub")} />
+      <p class="controls">
+        <button type="button" data-part="play" class="play" aria-pressed="false">{say("motion.play")}</button>
+        <button type="button" data-part="previous" aria-label={say("motion.previous")}>«</button>
+        <button type="button" data-part="next" aria-label={say("motion.next")}>»</button>
+        <button type="button" data-part="hardest">{say("motion.hardest")}</button>
+        <label>{say("motion.speed")} <select data-part="speed">{speeds.map(([value, shown]) => <option key={value} value={value} selected={value === "1"}>{shown}</option>)}</select></label>
+        <label><input type="checkbox" data-part="slow" /> {say("motion.slow")}</label>
+        <label>{say("motion.magnify")} <input type="range" data-part="magnify" /><output data-part="magnified" /></label>
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,206 @@
+import { useState } from "preact/hooks";
+import { buildingColour, Chart, type Curve, curvesSvg } from "./charts";
+import { main, MotionView } from "./motion";
+import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
+import { cancel, curve, curveDone, gap, pinned, progress, result, slow, text, time, width } from "./state";
+import { language, number, say } from "./texts";
+import { theme } from "./theme";
+
+const unitOf = (overview: Overview) => overview.units.length;
+const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
+
+function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
+  const length = unitOf(overview);
+  const hit = one.impacts > 0 || one.unmodelled.length > 0;
+  return (
+    <div class={`verdict${hit ? " pounds" : ""}`}>
+      <p class="badge">{say(hit ? "pounds" : "clear")}</p>
+      {one.unmodelled.slice(0, 2).map((floor) => <p class="lead">{say("verdict.unmodelled", { floor: floor.floor, level: with_(floor.elevation, length), faced: floor.faced, remedy: floor.remedy })}</p>)}
+      {(one.impacts > 0 || !hit) && <p class="lead">{one.impacts === 0 ? say("verdict.clear", { name: one.name })
+        : one.hardest ? say("verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
+          : say("verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
+      <p>{say("verdict.gap", { level: with_(one.elevation, length), width: with_(one.width, length), needed: with_(one.needed, length) })}</p>
+      {one.rules.abs !== undefined && one.points > 0 && <p class="note">{say("verdict.rules", { abs: with_(one.rules.abs, length), srss: with_(one.rules.srss, length), ddc: with_(one.rules.ddc, length) })}</p>}
+    </div>
+  );
+}
+
+export function Verdict() {
+  const now = result.value;
+  return (
+    <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
+      {slow.value && <p class="busy">{say("solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
+      {now?.overview.collapse && <p class="verdict pounds lead">{say("verdict.collapse", { name: now.overview.collapse.building, time: with_(now.overview.collapse.time, "s") })}</p>}
+      {now?.overview.gaps.map((one) => <GapVerdict key={one.name} one={one} overview={now.overview} />)}
+    </div>
+  );
+}
+
+/** Roofs, openings and forces at one level, as curves. */
+function historyParts(now: Result, point: number) {
+  const { histories, overview } = now;
+  const length = unitOf(overview);
+  const roofs: Curve[] = histories.buildings.map((building, b) => ({ label: overview.buildings[b].name, colour: buildingColour(b), values: building.displacement[building.displacement.length - 1] }));
+  const parts = [{ title: say("history.displacement"), x: histories.time, yLabel: length, curves: roofs }];
+  if (histories.opening.length > 0) {
+    const at = with_(overview.points[point].elevation, length);
+    parts.push({ title: `${say("history.opening")}, ${at}`, x: histories.time, yLabel: length, curves: [{ label: say("history.opening"), colour: buildingColour(2), values: histories.opening[point] }] });
+    parts.push({ title: `${say("history.force")}, ${at}`, x: histories.time, yLabel: overview.units.force, curves: [{ label: say("history.force"), colour: buildingColour(3), values: histories.force[point] }] });
+  }
+  return parts;
+}
+
+/** The contact point with the largest force, else the highest of the gap that is looked at. */
+export function hardestPoint(now: Result): number {
+  const { points, gaps } = now.overview;
+  const hardest = gaps[gap.value]?.hardest;
+  const mine = points.map((point, i) => ({ ...point, i })).filter((point) => point.gap === gap.value);
+  return (mine.find((point) => hardest && point.elevation === hardest.elevation) ?? mine[mine.length - 1])?.i ?? 0;
+}
+
+export const historiesSvg = (now: Result) => curvesSvg(historyParts(now, hardestPoint(now)), `${say("time")} [s]`);
+
+export function Histories({ now }: { now: Result }) {
+  const [asked, ask] = useState<number | null>(null);
+  const points = now.overview.points;
+  const point = asked !== null && asked < points.length ? asked : hardestPoint(now);
+  return (
+    <section id="histories">
+      <h2>{say("histories")}</h2>
+      {points.length > 1 && <p class="controls"><label>{say("history.point")} <select value={point} onChange={(event) => ask(Number(event.currentTarget.value))}>
+        {points.map((one, i) => <option key={i} value={i} selected={i === point}>{now.overview.gaps[one.gap].name}, {with_(one.elevation, unitOf(now.overview))}</option>)}
+      </select></label></p>}
+      {historyParts(now, point).map((part, i) => <Chart key={i} {...part} xLabel={`${say("time")} [s]`} group="time" mark={time} theme={`${theme.value}${language.value}`}
+        onPick={(at) => { main?.pause(); main?.show(at); }} />)}
+      <p class="note">{say("history.hint")}</p>
+    </section>
+  );
+}
+
+function Profile({ title, unit, buildings, solid, dashed }: { title: string; unit: string; buildings: BuildingOverview[]; solid: (one: BuildingOverview) => (number | null)[]; dashed?: (one: BuildingOverview) => (number | null)[] }) {
+  const moving = buildings.map((one, index) => ({ one, index })).filter(({ one }) => !one.rigid);
+  const top = Math.max(...moving.map(({ one }) => one.elevations[one.elevations.length - 1]), 1e-300);
+  const most = Math.max(...moving.flatMap(({ one }) => [...solid(one), ...(dashed?.(one) ?? [])].map((value) => value ?? 0)), 1e-300);
+  const line = (one: BuildingOverview, values: (number | null)[]) => one.elevations
+    .map((level, floor) => [values[floor], level] as const).filter(([value]) => value !== null)
+    .map(([value, level], i) => `${i === 0 ? "M" : "L"}${(36 + (190 * value!) / most).toFixed(1)} ${(190 - (175 * level) / top).toFixed(1)}`).join("");
+  return (
+    <figure class="profile">
+      <figcaption>{title}</figcaption>
+      <svg viewBox="0 0 250 225" role="img" aria-label={title}>
+        <path class="frame" d="M36 10V190H232" />
+        <text x="36" y="206">0</text><text x="232" y="206" text-anchor="end">{number(most)} {unit}</text>
+        <text x="32" y="20" text-anchor="end">{number(top)}</text><text x="32" y="190" text-anchor="end">0</text>
+        {moving.map(({ one, index }) => <>
+          <path d={line(one, solid(one))} style={{ stroke: `var(--building-${(index % 5) + 1})` }} />
+          {dashed && <path d={line(one, dashed(one))} stroke-dasharray="4 3" style={{ stroke: `var(--building-${(index % 5) + 1})` }} />}
+          <text x={40 + 90 * (index % 2)} y={221 + 12 * Math.floor(index / 2)} style={{ fill: `var(--building-${(index % 5) + 1})` }}>{one.name.slice(0, 16)}</text>
+        </>)}
+      </svg>
+    </figure>
+  );
+}
+
+export function Envelopes({ now }: { now: Result }) {
+  const { buildings, units } = now.overview;
+  return (
+    <section id="envelopes">
+      <h2>{say("envelopes")}</h2>
+      <div class="profiles">
+        <Profile title={say("envelope.displacement")} unit={units.length} buildings={buildings} solid={(one) => one.displacement} dashed={(one) => one.alone} />
+        <Profile title={say("envelope.drift")} unit="" buildings={buildings} solid={(one) => one.drift} />
+      </div>
+      <p class="note">{say("envelope.solid")}</p>
+    </section>
+  );
+}
+
+const LISTED = 200;
+
+export function Impacts({ now }: { now: Result }) {
+  const { impacts, units, gaps, impactCount } = now.overview;
+  if (impactCount === 0) return <section id="impacts"><h2>{say("impacts")}</h2><p>{say("impact.none")}</p></section>;
+  return (
+    <section id="impacts">
+      <h2>{say("impacts")}</h2>
+      <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
+        <table>
+          <thead><tr>
+            <th scope="col">{say("impact.number")}</th><th scope="col">{say("impact.gap")}</th><th scope="col">{say("impact.level")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
+            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("impact.force")} <small>{units.force}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{say("impact.restitution")}</th>
+          </tr></thead>
+          <tbody>{impacts.slice(0, LISTED).map((one, k) => (
+            <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
+              <td><button type="button" aria-label={say("impact.show", { n: k + 1 })} onClick={() => { main?.showImpact(main.impacts[k]); document.getElementById("motion")?.scrollIntoView(); }}>{k + 1}</button></td>
+              <td class="t">{gaps[one[0]]?.name}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[7])}</td>
+            </tr>))}</tbody>
+        </table>
+      </div>
+      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}</p>}
+    </section>
+  );
+}
+
+export function GapCurve({ now }: { now: Result }) {
+  const points = curve.value;
+  if (points.length < 2) return null;
+  const { units, gaps } = now.overview;
+  return (
+    <section id="curve">
+      <h2>{say("curve")}: {gaps[gap.value]?.name}</h2>
+      <Chart title={curveDone.value < 1 ? say("curve.progress", { percent: Math.round(100 * curveDone.value) }) : `${say("curve.force")}, ${say("curve.amplification").toLowerCase()}`}
+        x={points.map((one) => one.width)} xLabel={`${say("width")} [${units.length}]`} yLabel={units.force} right={say("curve.amplification")} height={200} mark={width} theme={`${theme.value}${language.value}`}
+        curves={[{ label: say("curve.force"), colour: buildingColour(3), values: points.map((one) => one.force) },
+          { label: say("curve.amplification"), colour: buildingColour(1), values: points.map((one) => one.amplification), axis: "right", dash: [5, 3] }]} />
+      <p class="note">{say("curve.note")}</p>
+    </section>
+  );
+}
+
+/** Shear against drift, for storeys of buildings that yield. */
+export function Loops({ now }: { now: Result }) {
+  const yielding = now.overview.buildings.map((one, b) => ({ one, b })).filter(({ one }) => one.yields);
+  if (yielding.length === 0) return null;
+  return (
+    <section id="loops">
+      <h2>{say("loops")}</h2>
+      {yielding.map(({ one, b }) => (
+        <div key={b}><p class="note">{say("loop.note", { name: one.name })}</p><div class="loops">
+          {now.histories.buildings[b].drift.map((drift, k) => {
+            const shear = now.histories.buildings[b].shear[k];
+            const most = (values: Float64Array) => values.reduce((all, value) => Math.max(all, Math.abs(value)), 1e-300);
+            const x = most(drift), y = most(shear), by = Math.max(1, Math.floor(drift.length / 4000));
+            let d = "";
+            for (let i = 0; i < drift.length; i += by) if (Number.isFinite(drift[i])) d += `${d ? "L" : "M"}${(80 + (70 * drift[i]) / x).toFixed(1)} ${(75 - (65 * shear[i]) / y).toFixed(1)}`;
+            return d === "" ? null : <figure key={k}><svg viewBox="0 0 160 150" role="img" aria-label={`${one.name}, ${say("storey", { n: k + 1 })}`}>
+              <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: `var(--building-${(b % 5) + 1})` }} /></svg>
+            <figcaption>{say("storey", { n: k + 1 })}: {number(100 * x)} %, {with_(y, now.overview.units.force)}</figcaption></figure>;
+          })}
+        </div></div>))}
+    </section>
+  );
+}
+
+export function Comparison({ now }: { now: Result }) {
+  const other = pinned.value;
+  const rows = (one: Result) => [one.overview.gaps.map((each) => each.width).map(number).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
+    one.overview.gaps.map((each) => with_(each.needed, unitOf(one.overview))).join(" | "), number(one.overview.amplification)];
+  const heads = [`${say("gap")} [${unitOf(now.overview)}]`, say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
+  return (
+    <section id="compare">
+      <h2>{say("compare")}</h2>
+      <p class="controls">
+        <button type="button" onClick={() => { pinned.value = { text: text.value, result: now }; }}>{say("pin")}</button>
+        {other && <button type="button" onClick={() => { pinned.value = null; }}>{say("unpin")}</button>}
+      </p>
+      {other && <>
+        <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead><tbody>
+          <tr><th scope="row" class="t">{say("now")}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
+          <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other.result).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
+        </tbody></table></div>
+        <h3>{say("pinned")}: {other.result.overview.title}</h3>
+        <MotionView data={other.result.motion} play={false} primary={false} />
+      </>}
+    </section>
+  );
+}

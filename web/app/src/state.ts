@@ -1,0 +1,137 @@
+// What the page knows: one text, from which everything else follows.
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
+import { cases, recordBytes, recordName } from "./cases";
+import { type CaseError, type CurvePoint, type Result, Solver } from "./solver";
+import { language } from "./texts";
+import { outline, widths, withWidth } from "./toml";
+
+export const text = signal<string>(cases[0].text);
+export const chosen = signal<string>(cases[0].id);
+export const errors = signal<CaseError[]>([]);
+export const result = signal<Result | null>(null);
+export const solvedText = signal("");
+export const slow = signal(false); // the solver has been at it for longer than a moment
+export const progress = signal(0);
+export const gap = signal(0); // the one that the slider is of
+export const curve = signal<CurvePoint[]>([]);
+export const curveDone = signal(1);
+export const pinned = signal<{ text: string; result: Result } | null>(null);
+export const time = signal(0);
+export const problem = signal(""); // about what was dropped or linked
+export const ownRecord = signal(false);
+
+export const found = computed(() => outline(text.value));
+export const width = computed(() => {
+  const values = widths(found.value, gap.value).map((one) => one.value as number);
+  return values.length > 0 ? Math.min(...values) : 0;
+});
+
+const live = new Solver();
+const behind = new Solver(); // curves and files, so that nothing waits for them
+for (const solver of [live, behind]) solver.files = [[recordName, recordBytes], [`../data/${recordName}`, recordBytes]];
+
+let settle = 0, wait = 0, curveText = "";
+
+function refuse(list: CaseError[]) {
+  batch(() => {
+    errors.value = list;
+    slow.value = false;
+  });
+}
+
+/** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
+function run(fine: boolean) {
+  const wanted = text.value;
+  clearTimeout(settle);
+  clearTimeout(wait);
+  wait = window.setTimeout(() => { slow.value = true; }, 700);
+  const duration = result.value?.overview.duration ?? 20;
+  live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002) }, (answer) => {
+    if (answer.kind === "progress") progress.value = answer.done;
+    if (answer.kind === "refused") {
+      clearTimeout(wait);
+      refuse(answer.errors);
+    }
+    if (answer.kind === "result") {
+      clearTimeout(wait);
+      batch(() => {
+        errors.value = [];
+        slow.value = false;
+        progress.value = 0;
+        result.value = answer;
+        solvedText.value = wanted;
+      });
+      if (text.value === wanted) {
+        if (!fine) settle = window.setTimeout(() => run(true), 250);
+        else drawCurve(wanted);
+      }
+    }
+  });
+}
+
+/** The curve belongs to the case without its gap's width: a drag of the slider does not make it anew. */
+function drawCurve(wanted: string) {
+  const overview = result.value?.overview;
+  if (!overview || widths(outline(wanted), gap.value).length === 0) return;
+  const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
+  if (key === curveText) return;
+  curveText = key;
+  const needed = overview.gaps[gap.value]?.needed ?? 0;
+  const most = Math.max(1.25 * needed, 1e-9);
+  const list = Array.from({ length: 41 }, (_, k) => (most * k) / 40);
+  curve.value = [];
+  behind.ask({ kind: "curve", text: wanted, language: language.value, gap: gap.value, widths: list }, (answer) => {
+    if (answer.kind === "curve") batch(() => { curve.value = answer.curve; curveDone.value = answer.done; });
+    else if (answer.kind === "refused") { curveDone.value = 1; curveText = ""; }
+  });
+}
+
+export function change(next: string) {
+  if (next === text.value) return;
+  text.value = next;
+}
+
+export function cancel() {
+  live.giveUp("cancelled");
+  slow.value = false;
+}
+
+export function load(next: string, id = "") {
+  if (next === text.value) {
+    chosen.value = id;
+    return;
+  }
+  batch(() => {
+    text.value = next;
+    chosen.value = id;
+    gap.value = 0;
+    curve.value = [];
+    problem.value = "";
+  });
+  curveText = "";
+}
+
+export function addFile(name: string, bytes: Uint8Array) {
+  for (const solver of [live, behind]) solver.files = [...solver.files, [name, bytes]];
+  ownRecord.value = true;
+}
+
+export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"): Promise<string> {
+  return new Promise((resolve, reject) => {
+    curveText = "";
+    behind.ask({ kind: "take", what, text: text.value, language: language.value }, (answer) => {
+      if (answer.kind === "text") resolve(answer.text);
+      if (answer.kind === "refused") reject(new Error(answer.errors[0]?.message));
+    });
+  });
+}
+
+effect(() => {
+  void text.value;
+  void language.value;
+  untracked(() => run(false));
+});
+effect(() => {
+  void gap.value;
+  untracked(() => { if (result.value && solvedText.value === text.value) drawCurve(text.value); });
+});

@@ -1,0 +1,103 @@
+import { useState } from "preact/hooks";
+import { FilePicker } from "./edit";
+import { toFragment } from "./link";
+import { historiesSvg } from "./results";
+import type { Result } from "./solver";
+import { ownRecord, result, take, text } from "./state";
+import { say } from "./texts";
+
+function save(name: string, content: BlobPart, type: string) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+function historiesCsv(now: Result): string {
+  const { histories, overview } = now;
+  const quoted = (value: string) => `"${value.replaceAll('"', '""')}"`;
+  const heads = ["time [s]", `ground_acceleration [${overview.units.length}/s2]`];
+  const columns: Float64Array[] = [histories.time, histories.ground];
+  histories.buildings.forEach((building, b) => building.displacement.forEach((values, floor) => {
+    heads.push(quoted(`displacement ${overview.buildings[b].name} at ${overview.buildings[b].elevations[floor]} [${overview.units.length}]`));
+    columns.push(values);
+  }));
+  overview.points.forEach((point, i) => {
+    const where = `${overview.gaps[point.gap].name} at ${point.elevation}`;
+    heads.push(quoted(`opening ${where} [${overview.units.length}]`), quoted(`force ${where} [${overview.units.force}]`));
+    columns.push(histories.opening[i], histories.force[i]);
+  });
+  const lines = [heads.join(",")];
+  for (let k = 0; k < histories.time.length; ++k) lines.push(columns.map((values) => (k < values.length ? values[k] : "")).join(","));
+  return `${lines.join("\n")}\n`;
+}
+
+/** The picture as it stands, with the styles it has on the page. */
+function stageSvg(): string {
+  const stage = document.querySelector<SVGSVGElement>("#motion .stage")!;
+  const copy = stage.cloneNode(true) as SVGSVGElement;
+  const mine = [...stage.querySelectorAll<SVGElement>("*")], theirs = [...copy.querySelectorAll<SVGElement>("*")];
+  mine.forEach((node, i) => {
+    const style = getComputedStyle(node);
+    for (const property of ["fill", "stroke", "stroke-width", "stroke-dasharray", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
+  });
+  const box = stage.viewBox.baseVal;
+  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+  copy.setAttribute("width", String(Math.round(box.width)));
+  copy.setAttribute("height", String(Math.round(box.height)));
+  copy.setAttribute("font-family", "DejaVu Sans, sans-serif");
+  copy.style.background = getComputedStyle(stage).backgroundColor;
+  for (const name of ["class", "role", "data-part"]) copy.removeAttribute(name);
+  return new XMLSerializer().serializeToString(copy);
+}
+
+async function png(svg: string): Promise<Blob> {
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  canvas.width = 2 * image.naturalWidth;
+  canvas.height = 2 * image.naturalHeight;
+  const context = canvas.getContext("2d")!;
+  context.scale(2, 2);
+  context.drawImage(image, 0, 0);
+  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("png"))), "image/png"));
+}
+
+export function Take() {
+  const now = result.value;
+  const [said, tell] = useState("");
+  const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch((error: Error) => tell(error.message)); };
+  const link = () => {
+    void toFragment(text.value).then((fragment) => {
+      history.replaceState(null, "", fragment);
+      tell(`${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`);
+      return navigator.clipboard?.writeText(location.href);
+    }).catch(() => undefined);
+  };
+  return (
+    <section id="take">
+      <h2>{say("take")}</h2>
+      <p class="controls">
+        <FilePicker label={say("take.open")} accept="" />
+        <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("take.case")}</button>
+        <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
+        {now && <>
+          <button type="button" data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
+          <button type="button" data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
+          <button type="button" data-take="histories" onClick={() => save("histories.csv", historiesCsv(now), "text/csv")}>{say("take.histories")}</button>
+          <button type="button" data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
+          <button type="button" data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
+          <button type="button" data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
+          <button type="button" data-take="svg" onClick={() => save("buildings.svg", stageSvg(), "image/svg+xml")}>{say("take.svg")}</button>
+          <button type="button" data-take="png" onClick={() => void png(stageSvg()).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
+          <button type="button" data-take="history-svg" onClick={() => save("histories.svg", historiesSvg(now), "image/svg+xml")}>{say("take.history.svg")}</button>
+          <button type="button" data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
+        </>}
+      </p>
+      <p role="status">{said}</p>
+      <p class="note">{say("take.note")}</p>
+    </section>
+  );
+}

@@ -1,0 +1,87 @@
+// Every word of the page, in English and Indonesian. {name} is filled in.
+import { signal } from "@preact/signals";
+
+const en = {
+  lead: "Two buildings side by side in an earthquake. Drag the gap and see whether, where and how hard they collide.",
+  cases: "Cases", "case.frames": "Eight and six storeys", "case.monograph": "The monograph's pair", "case.columns": "Eight and five, floors that do not meet",
+  "case.row": "A row of three", "case.moat": "Isolated in its moat", "case.yielding": "A pair that yields",
+  gap: "Gap", "gap.of": "Gap {name}", needed: "needed", solving: "Simulating …", cancel: "Cancel", "solved.in": "Simulated in {ms} ms",
+  "verdict.hits": "{name}: they collide {n} times, the hardest with {force} at {level}.", "verdict.hits.bare": "{name}: they collide {n} times.",
+  "verdict.clear": "{name}: no collision.", "verdict.gap": "Gap at {level}: {width} given, {needed} needed to stay apart.",
+  "verdict.rules": "By rules: ABS {abs}, SRSS {srss}, DDC {ddc}.", "verdict.unmodelled": "{floor} at {level} meets {faced}, which is not modelled. To model it: {remedy}.",
+  "verdict.collapse": "{name} collapses at {time}.", pounds: "Pounding", clear: "No pounding", "verdict.remark": "Remarks",
+  motion: "In motion", histories: "Histories", envelopes: "Envelopes", impacts: "Impacts", curve: "Against the gap", loops: "Storey loops", edit: "The case", take: "Take away",
+  "motion.play": "Play", "motion.previous": "Previous impact", "motion.next": "Next impact", "motion.hardest": "Hardest impact", "motion.speed": "Speed",
+  "motion.slow": "Slow at impacts", "motion.magnify": "Magnification", "motion.picture": "The buildings in motion, to scale, displacements magnified", "motion.timeline": "Roof displacements over time, impacts as ticks",
+  "motion.scrub": "Time", "motion.opening": "Opening [{unit}]",
+  "history.displacement": "Displacement of the roofs", "history.opening": "Opening", "history.force": "Contact force", "history.point": "Level", "history.hint": "Drag across to zoom, double-click for all; a click moves the buildings to that time.", time: "Time",
+  "envelope.displacement": "Peak displacement", "envelope.drift": "Peak drift ratio", "envelope.solid": "solid: with contact; dashed: alone", elevation: "Elevation", floor: "Floor", with: "with contact", alone: "alone", drift: "Drift", acceleration: "Acceleration",
+  "impact.number": "No.", "impact.gap": "Gap", "impact.level": "Level", "impact.start": "Start", "impact.duration": "Duration", "impact.force": "Peak force", "impact.speed": "Closing speed", "impact.restitution": "Restitution", "impact.none": "No impact.", "impact.more": "The first {n} of {all}.", "impact.show": "Show impact {n}",
+  "curve.force": "Peak force", "curve.amplification": "Amplification", "curve.note": "Peak contact force, and the largest displacement over that without contact, simulated at every gap.", "curve.progress": "{percent} % of the curve", width: "Gap",
+  "loop.note": "Shear against drift of every storey of {name}.", storey: "Storey {n}",
+  "edit.form": "Form", "edit.text": "Case file", "edit.label": "Case file (TOML)", "errors.none": "No errors.", "errors.some": "{n} errors", "errors.at": "Line {line}, column {column}", errors: "Errors",
+  "form.units": "Units of all numbers", "form.length": "Length", "form.force": "Force", "form.add": "Add a neighbour known by little", "form.remove": "Remove {name}", "form.excitation": "Ground motion", "form.harmonic": "Harmonic ground motion", "form.elcentro": "El Centro 1940", "form.record": "Record file …", "form.unit": "Unit of the record", "form.analysis": "Analysis", "form.none": "The form comes back when the text is valid TOML.", "form.more": "{n} more numbers: edit them in the case file.", "form.gap": "Gap {name}",
+  "take.case": "Case file", "take.open": "Open a case or record …", "take.summary": "Summary (JSON)", "take.impacts": "Impacts (CSV)", "take.histories": "Histories (CSV)", "take.gaps": "Gaps needed (JSON)", "take.modes": "Modes (JSON)", "take.report": "Report (HTML)", "take.svg": "Picture (SVG)", "take.png": "Picture (PNG)", "take.history.svg": "Histories (SVG)", "take.history.png": "Histories (PNG)", "take.link": "Link with this case", "take.linked": "The link is in the address bar and, where the browser allows it, on the clipboard.", "take.link.record": "The link has no room for your record file; send it along.", "take.note": "Nothing leaves this page: no server, no request. A report made here has no figures of gnuplot; bentur report draws them.",
+  pin: "Pin this variant", unpin: "Unpin", pinned: "Pinned variant", now: "Now", compare: "Side by side", variant: "Variant", "compare.impacts": "Impacts", "compare.force": "Peak force", "compare.needed": "Gap needed", "compare.amplification": "Amplification",
+  language: "Language", theme: "Light or dark", "theme.auto": "As the system", "theme.light": "Light", "theme.dark": "Dark", drop: "Drop a case or a record file",
+  "error.cancelled": "Cancelled.", "error.limit": "Given up after 20 seconds: this is more than a page should do. bentur run takes as long as you let it.", "error.worker": "The solver ran out of memory or stopped. bentur run has more.", "error.file": "{name} is larger than {size} MiB.", "error.link": "The link's case cannot be read.",
+  skip: "To the results", footer: "bentur {version}: the solver of the command line, compiled to WebAssembly.",
+} as const;
+
+const id: Record<keyof typeof en, string> = {
+  lead: "Dua gedung bersebelahan dalam gempa. Geser celahnya dan lihat apakah, di mana dan sekeras apa keduanya berbenturan.",
+  cases: "Kasus", "case.frames": "Delapan dan enam lantai", "case.monograph": "Pasangan dalam monografi", "case.columns": "Delapan dan lima, lantai tidak sejajar",
+  "case.row": "Tiga sederet", "case.moat": "Terisolasi dalam paritnya", "case.yielding": "Pasangan yang leleh",
+  gap: "Celah", "gap.of": "Celah {name}", needed: "perlu", solving: "Menghitung …", cancel: "Batal", "solved.in": "Dihitung dalam {ms} ms",
+  "verdict.hits": "{name}: berbenturan {n} kali, terkeras {force} pada {level}.", "verdict.hits.bare": "{name}: berbenturan {n} kali.",
+  "verdict.clear": "{name}: tidak ada benturan.", "verdict.gap": "Celah pada {level}: {width} diberikan, {needed} diperlukan agar tidak bersentuhan.",
+  "verdict.rules": "Menurut aturan: ABS {abs}, SRSS {srss}, DDC {ddc}.", "verdict.unmodelled": "{floor} pada {level} mengenai {faced}, yang tidak dimodelkan. Untuk memodelkannya: {remedy}.",
+  "verdict.collapse": "{name} runtuh pada {time}.", pounds: "Berbenturan", clear: "Tidak berbenturan", "verdict.remark": "Catatan",
+  motion: "Gerakan", histories: "Riwayat waktu", envelopes: "Selubung", impacts: "Benturan", curve: "Terhadap celah", loops: "Histeresis tingkat", edit: "Kasus", take: "Simpan",
+  "motion.play": "Putar", "motion.previous": "Benturan sebelumnya", "motion.next": "Benturan berikutnya", "motion.hardest": "Benturan terkeras", "motion.speed": "Kecepatan",
+  "motion.slow": "Lambat saat benturan", "motion.magnify": "Pembesaran", "motion.picture": "Gedung bergerak, sesuai skala, perpindahan diperbesar", "motion.timeline": "Perpindahan atap terhadap waktu, benturan sebagai garis",
+  "motion.scrub": "Waktu", "motion.opening": "Bukaan [{unit}]",
+  "history.displacement": "Perpindahan atap", "history.opening": "Bukaan", "history.force": "Gaya kontak", "history.point": "Elevasi", "history.hint": "Seret untuk memperbesar, klik ganda untuk semua; klik memindahkan gedung ke waktu itu.", time: "Waktu",
+  "envelope.displacement": "Perpindahan puncak", "envelope.drift": "Rasio simpangan puncak", "envelope.solid": "garis penuh: dengan kontak; putus-putus: sendiri", elevation: "Elevasi", floor: "Lantai", with: "dengan kontak", alone: "sendiri", drift: "Simpangan", acceleration: "Percepatan",
+  "impact.number": "No.", "impact.gap": "Celah", "impact.level": "Elevasi", "impact.start": "Mulai", "impact.duration": "Lama", "impact.force": "Gaya puncak", "impact.speed": "Kecepatan mendekat", "impact.restitution": "Restitusi", "impact.none": "Tidak ada benturan.", "impact.more": "{n} pertama dari {all}.", "impact.show": "Tunjukkan benturan {n}",
+  "curve.force": "Gaya puncak", "curve.amplification": "Amplifikasi", "curve.note": "Gaya kontak puncak, dan perpindahan terbesar dibagi perpindahan tanpa kontak, dihitung pada setiap celah.", "curve.progress": "{percent} % dari kurva", width: "Celah",
+  "loop.note": "Geser terhadap simpangan setiap tingkat {name}.", storey: "Tingkat {n}",
+  "edit.form": "Formulir", "edit.text": "Berkas kasus", "edit.label": "Berkas kasus (TOML)", "errors.none": "Tidak ada kesalahan.", "errors.some": "{n} kesalahan", "errors.at": "Baris {line}, kolom {column}", errors: "Kesalahan",
+  "form.units": "Satuan semua angka", "form.length": "Panjang", "form.force": "Gaya", "form.add": "Tambah tetangga yang sedikit diketahui", "form.remove": "Hapus {name}", "form.excitation": "Gerakan tanah", "form.harmonic": "Gerakan tanah harmonik", "form.elcentro": "El Centro 1940", "form.record": "Berkas rekaman …", "form.unit": "Satuan rekaman", "form.analysis": "Analisis", "form.none": "Formulir kembali bila teksnya TOML yang sah.", "form.more": "{n} angka lagi: ubah dalam berkas kasus.", "form.gap": "Celah {name}",
+  "take.case": "Berkas kasus", "take.open": "Buka kasus atau rekaman …", "take.summary": "Ringkasan (JSON)", "take.impacts": "Benturan (CSV)", "take.histories": "Riwayat (CSV)", "take.gaps": "Celah perlu (JSON)", "take.modes": "Ragam (JSON)", "take.report": "Laporan (HTML)", "take.svg": "Gambar (SVG)", "take.png": "Gambar (PNG)", "take.history.svg": "Riwayat (SVG)", "take.history.png": "Riwayat (PNG)", "take.link": "Tautan dengan kasus ini", "take.linked": "Tautannya ada di bilah alamat dan, bila peramban mengizinkan, di papan klip.", "take.link.record": "Tautan tidak memuat berkas rekaman Anda; kirimkan juga.", "take.note": "Tidak ada yang meninggalkan halaman ini: tanpa server, tanpa permintaan. Laporan dari sini tanpa gambar gnuplot; bentur report menggambarnya.",
+  pin: "Sematkan varian ini", unpin: "Lepaskan", pinned: "Varian tersemat", now: "Sekarang", compare: "Berdampingan", variant: "Varian", "compare.impacts": "Benturan", "compare.force": "Gaya puncak", "compare.needed": "Celah perlu", "compare.amplification": "Amplifikasi",
+  language: "Bahasa", theme: "Terang atau gelap", "theme.auto": "Ikut sistem", "theme.light": "Terang", "theme.dark": "Gelap", drop: "Jatuhkan kasus atau rekaman",
+  "error.cancelled": "Dibatalkan.", "error.limit": "Dihentikan setelah 20 detik: lebih dari yang patut bagi sebuah halaman. bentur run boleh selama yang Anda mau.", "error.worker": "Penghitung kehabisan memori atau berhenti. bentur run punya lebih banyak.", "error.file": "{name} lebih besar dari {size} MiB.", "error.link": "Kasus dalam tautan tidak terbaca.",
+  skip: "Ke hasil", footer: "bentur {version}: penghitung dari baris perintah, dikompilasi ke WebAssembly.",
+};
+
+export type Word = keyof typeof en;
+export const languages = { en: "English", id: "Bahasa Indonesia" } as const;
+export const language = signal<keyof typeof languages>(navigator.language.toLowerCase().startsWith("id") ? "id" : "en");
+
+export function say(word: Word, values: Record<string, string | number> = {}): string {
+  const text: string = (language.value === "id" ? id : en)[word];
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => (name in values ? String(values[name]) : whole));
+}
+
+/** Four significant digits, as everywhere in bentur. */
+export function number(value: number | null | undefined): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size === 0) return "0";
+  if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
+  return String(Number(value.toFixed(Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size)))))));
+}
+
+/** Names of keys as people say them; a key without one is shown as it is written. */
+const keys: Record<string, [string, string]> = {
+  damping: ["Damping ratio", "Rasio redaman"], width: ["Width", "Lebar"], storeys: ["Storeys", "Jumlah lantai"], storey_height: ["Storey height", "Tinggi tingkat"],
+  floor_mass: ["Mass of a floor", "Massa lantai"], period: ["Period", "Periode"], storey_heights: ["Storey heights", "Tinggi tingkat"], masses: ["Floor masses", "Massa lantai"],
+  stiffnesses: ["Storey stiffnesses", "Kekakuan tingkat"], yield_forces: ["Yield shears", "Geser leleh"], hardening: ["Hardening", "Pengerasan"], elastic_modulus: ["Elastic modulus", "Modulus elastis"],
+  bay_widths: ["Bay widths", "Lebar bentang"], floor_masses: ["Floor masses", "Massa lantai"], stiffness: ["Stiffness", "Kekakuan"], restitution: ["Restitution", "Restitusi"],
+  damping_ratio: ["Damping ratio", "Rasio redaman"], displacement_amplitude: ["Ground displacement", "Perpindahan tanah"], acceleration_amplitude: ["Ground acceleration", "Percepatan tanah"], scale: ["Scale", "Skala"], pga: ["Peak ground acceleration", "Percepatan tanah puncak"],
+  duration: ["Duration", "Durasi"], output_step: ["Output step", "Langkah keluaran"], delays: ["Delays", "Keterlambatan"], wave_velocity: ["Wave velocity", "Kecepatan gelombang"], period_formula: ["Period formula", "Rumus periode"],
+  columns: ["Columns", "Kolom"], beams: ["Beams", "Balok"], depth: ["depth", "tinggi"], density: ["density", "kerapatan"], unit_weight: ["unit weight", "berat isi"], mass: ["Mass", "Massa"],
+  base_elevation: ["Base elevation", "Elevasi dasar"], elevations: ["Elevations", "Elevasi"], characteristic_strength: ["Strength of the bearings", "Kuat bantalan"], yield_displacement: ["Yield displacement", "Perpindahan leleh"], gravity: ["Gravity", "Gravitasi"],
+};
+export const keyName = (key: string) => (keys[key] ? keys[key][language.value === "id" ? 1 : 0] : key);

@@ -1,0 +1,82 @@
+// The solver, away from the page: one request at a time, each answered once, with progress on the way.
+import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
+import type { Answer, Request } from "./solver";
+
+const ready: Promise<Studio> = createBentur().then((module) => new module.Studio());
+const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
+let opened = "";
+let stop = 0; // requests up to this number are no longer wanted
+
+function buffers(value: unknown, found: Transferable[] = []): Transferable[] {
+  if (value instanceof Float64Array) found.push(value.buffer);
+  else if (value && typeof value === "object") for (const one of Object.values(value)) buffers(one, found);
+  return found;
+}
+
+async function answer(request: Request): Promise<void> {
+  const studio = await ready;
+  const { id } = request;
+  for (const [path, bytes] of request.files ?? []) {
+    studio.putFile(path, bytes);
+    opened = "";
+  }
+  const open = (text: string) => {
+    const result = JSON.parse(studio.open(text, "case.toml"));
+    opened = result.ok ? text : "";
+    return result;
+  };
+  if (request.kind === "run") {
+    const started = performance.now();
+    const result = open(request.text);
+    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
+    let told = started;
+    const solved = JSON.parse(studio.solve(request.step, (done) => {
+      const now = performance.now();
+      if (now - told > 200) post({ id, kind: "progress", done });
+      if (now - told > 200) told = now;
+      return true;
+    }));
+    if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
+    const overview = JSON.parse(studio.overview(request.language));
+    if (!overview.ok) return post({ id, kind: "refused", errors: overview.errors });
+    const histories = studio.histories();
+    return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
+      milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));
+  }
+  if (request.kind === "take") {
+    const result = open(request.text);
+    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
+    const solved = JSON.parse(studio.solve(request.what === "report" ? null : 0, null));
+    if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
+    const text = request.what === "summary" ? studio.summary() : request.what === "impacts" ? studio.impacts()
+      : request.what === "gaps" ? studio.gaps() : request.what === "modes" ? studio.modes() : studio.report(request.language);
+    return post({ id, kind: "text", text });
+  }
+  // A curve over gap widths; in between, requests that come in are heard.
+  if (opened !== request.text) {
+    const result = open(request.text);
+    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
+  }
+  const curve: { width: number; force: number; amplification: number; impacts: number }[] = [];
+  for (const [k, width] of request.widths.entries()) {
+    if (id <= stop) return;
+    const one = JSON.parse(studio.atWidth(request.gap, width));
+    if (!one.ok) return post({ id, kind: "refused", errors: one.errors });
+    curve.push({ width, force: one.force, amplification: one.amplification, impacts: one.impacts });
+    if (k % 4 === 3 || k + 1 === request.widths.length) {
+      post({ id, kind: "curve", curve: [...curve], done: (k + 1) / request.widths.length });
+      await new Promise((resolve) => setTimeout(resolve, 0));
+    }
+  }
+}
+
+let queue = Promise.resolve();
+self.addEventListener("message", (event: MessageEvent<Request>) => {
+  const request = event.data;
+  if (request.kind === "curve") stop = request.id - 1;
+  queue = queue.then(() => answer(request)).catch((error: unknown) => {
+    opened = "";
+    post({ id: request.id, kind: "refused", errors: [{ file: "", line: 0, column: 0, key: "",
+      message: error instanceof Error ? error.message : String(error) }] });
+  });
+});
