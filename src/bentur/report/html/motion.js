@@ -544,12 +544,12 @@ function benturMotion(parts, data) {
     if (others.length > 0) show((direction > 0 ? others[0] : others[others.length - 1]).start);
   }
 
-  function sayMagnification() {
+  function tellMagnified() {
     magnified.textContent = `× ${number(Number(magnification.toPrecision(2)))}`;
   }
 
   function buildControls() {
-    sayMagnification();
+    tellMagnified();
     scrub.max = duration;
     scrub.step = data.step;
     for (const button of [hardest, previous, next]) button.disabled = impacts.length === 0;
@@ -562,7 +562,7 @@ function benturMotion(parts, data) {
     magnify.value = 0;
     magnify.addEventListener("input", () => {
       magnification = usual * Math.pow(10, Number(magnify.value));
-      sayMagnification();
+      tellMagnified();
       frame();
       show(now);
     });

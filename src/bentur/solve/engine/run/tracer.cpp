@@ -202,7 +202,10 @@ void Tracer::take(const Expansion& motion, double time, double end, const std::v
       first.stays = true;
     }
   }
-  for (const Instant& one : list) take(one);
+  for (Instant& one : list) {  // where steps meet their times differ by round-off
+    latest_ = one.time = std::max(one.time, latest_);
+    take(one);
+  }
 }
 
 void Tracer::take(const Instant& one) {

@@ -68,6 +68,7 @@ class Tracer {
   std::vector<Instant> waiting_;
   Instant kept_;  ///< the last one
   bool has_begun_ = false;
+  double latest_ = 0;  ///< [s]
   std::vector<double> times_;
   std::vector<double> numbers_;
   State state_;
