@@ -98,6 +98,7 @@ Studies and fragilities <docs/studies>
 docs/report
 docs/figures
 docs/gallery
+docs/howto/etabs_sap2000
 docs/howto/add_contact_law
 docs/howto/add_element
 ```

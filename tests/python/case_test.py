@@ -233,6 +233,26 @@ def test_the_lock_is_released():
     assert all(same(one, results[0]) for one in results)
 
 
+def test_a_name_that_is_taken_in_the_results_is_refused(tmp_path):
+    pytest.importorskip("xarray")
+    study = tmp_path / "study.toml"
+    case = bentur.example().folder / "m12-el-centro.toml"
+    study.write_text(f'case = "{case}"\n[[vary]]\nparameter = "gap[0].width"\nname = "impacts"\nvalues = [0.1, 0.2]\n')
+    with pytest.raises(bentur.CaseError, match='"impacts" is the name of something else'):
+        bentur.sweep(study)
+
+
+def test_ctrl_c_stops_a_sweep(tmp_path):
+    pytest.importorskip("xarray")
+    case = long_case().replace({"analysis.duration": 2e4})
+    timer = threading.Timer(0.7, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        bentur.vary(case, {"gap[0].width": np.linspace(0, 0.1, 400)}, threads=2)
+    assert time.monotonic() - began < 20
+
+
 def test_vary():
     pytest.importorskip("xarray")
     found = bentur.vary(pair(), {"gap[0].width": [0.0, 0.02, 0.2], "building[0].damping": np.array([0.02, 0.05])})

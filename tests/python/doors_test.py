@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import subprocess
 
 import doors
@@ -66,6 +67,28 @@ def test_gap_and_modes(name, root, program):
                 np.testing.assert_array_equal(np.array(value), one[key])
             else:
                 assert one[key] == value
+
+
+SPECTRUM = """
+[excitation]
+kind = "spectrum"
+shape = "en-1998-1"
+ground_acceleration = 0.25
+spectrum_type = 1
+ground_type = "C"
+"""
+
+
+def test_gap_by_a_design_spectrum(root, program, tmp_path):
+    text = (root / "examples" / "two-frames-si.toml").read_text()
+    case = tmp_path / "case.toml"
+    case.write_text(re.sub(r"^\[excitation\]\n(?:[^\[].*\n|\n)*", SPECTRUM, text, flags=re.MULTILINE))
+    expected = json.loads(output(program, "gap", case, "--json"))
+    assert expected["gaps"][0]["srss"] > 0
+    assert list(doors.differences(expected, bentur.minimum_gap(case))) == []
+    with pytest.raises(bentur.CaseError, match='excitation.kind = "spectrum"') as caught:
+        bentur.run(case)
+    assert caught.value.errors[0].line > 0
 
 
 def test_spectrum(root, program):

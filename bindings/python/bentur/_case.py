@@ -53,6 +53,7 @@ class Case:
         initial: _model.Initial | _model.Table | None = None,
         analysis: _model.Analysis | _model.Table | None = None,
         code: _model.Table | None = None,
+        screening: _model.Table | None = None,
         folder: str | PathLike[str] = ".",
     ) -> None:
         given = {
@@ -65,6 +66,7 @@ class Case:
             "initial": initial,
             "analysis": analysis,
             "code": code,
+            "screening": screening,
         }
         made = Case.from_dict(given, folder=folder)
         self._made, self._laws, self._files = made._made, made._laws, made._files

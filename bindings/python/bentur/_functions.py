@@ -76,7 +76,8 @@ def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[
 def minimum_gap(
     case: Case | str | PathLike[str], *, at: float | None = None, progress: Progress = None
 ) -> dict[str, Any]:
-    """The gap that keeps the buildings apart, simulated and by the rules, as ``bentur gap --json`` has it.
+    """The gap that keeps the buildings apart, simulated (or by a design spectrum) and by the rules, as
+    ``bentur gap --json`` has it.
 
     :param case: a case or its file; or the file of a study: then over all of its records.
     :param at: for a study with ``[ida]``: the intensity; default its highest level.
@@ -89,6 +90,9 @@ def minimum_gap(
         if at is not None:
             raise ValueError("at is for a study with [ida]")
         asked = as_case(case)
+        if _core.has_spectrum(asked._made):
+            found = json.loads(_core.spectral_gap_json(asked._made))
+            return found
         found = json.loads(_core.solve(asked._made, 0.0, asked._laws, told).gap_json())
         return found
 

@@ -82,12 +82,13 @@ class Matrices:
 
 @dataclass(kw_only=True)
 class Modal:
-    """``[building.modal]``: known by its modes. `shapes` is modes × floors."""
+    """``[building.modal]``: known by its modes. `shapes` is modes × floors, or `shapes_file` a table floors × modes."""
 
     elevations: Numbers
     masses: Numbers
     periods: Numbers
-    shapes: ArrayLike
+    shapes: ArrayLike | None = None
+    shapes_file: str | PathLike[str] | None = None
 
 
 @dataclass(kw_only=True)
@@ -267,9 +268,12 @@ class Link:
 
 @dataclass(kw_only=True)
 class Excitation:
-    """``[excitation]``. In place of `file` a record may be given as `values` every `time_step`, in `unit`."""
+    """``[excitation]``. In place of `file` a record may be given as `values` every `time_step`, in `unit`.
 
-    kind: Literal["record", "harmonic", "none"]
+    ``kind="spectrum"`` is for :func:`bentur.minimum_gap` alone.
+    """
+
+    kind: Literal["record", "harmonic", "none", "spectrum"]
     file: str | PathLike[str] | None = None
     values: ArrayLike | None = field(default=None, repr=False)
     format: str | None = None
@@ -287,6 +291,19 @@ class Excitation:
     phase: Literal["sine", "cosine"] | None = None
     delays: Numbers | None = None
     wave_velocity: float | None = None
+    shape: Literal["asce-7-22", "sni-1726-2019", "en-1998-1", "table"] | None = None
+    short_period: float | None = None
+    one_second: float | None = None
+    long_period: float | None = None
+    ground_acceleration: float | None = None
+    spectrum_type: Literal[1, 2] | None = None
+    ground_type: Literal["A", "B", "C", "D", "E"] | None = None
+    periods: Numbers | None = None
+    accelerations: Numbers | None = None
+    damping_ratio: float | None = None
+    damping_correction: Literal["en-1998-1", "none"] | None = None
+    modal_combination: Literal["cqc", "srss"] | None = None
+    reduction: Numbers | None = None
     kinematics: Literal["relative", "absolute"] | None = None
 
 

@@ -60,6 +60,11 @@ def _run(study: str | PathLike[str], is_ida: bool, threads: int | None, progress
             else "[ida] is missing, with intensity and levels; without it use bentur.sweep"
         )
         raise CaseError([(os.fspath(study), 0, 0, message)])
+    names = [name for name, *_ in told["coordinates"]] + [part[0] for part in told["parts"]] + ["status", "message"]
+    taken = sorted({name for name in names if names.count(name) > 1})
+    if taken:
+        message = "{} is the name of something else in the results: give another name = \"..\""
+        raise CaseError([(os.fspath(study), 0, 0, message.format(f'"{name}"')) for name in taken])
     with shown(progress, told["title"] or "runs") as show:
         rows, status, messages = _solved(core, told["runs"], threads, show)
     return _dataset(xarray, told, rows, status, messages)
@@ -159,6 +164,9 @@ def vary(
         if "file" in excitation:
             where = Path(case._files[0].name) if case._files else case.folder
             excitation["file"] = str((where / excitation["file"]).resolve())
+        for building in tables["building"]:
+            if "shapes_file" in building.get("modal", {}):
+                building["modal"]["shapes_file"] = str((case.folder / building["modal"]["shapes_file"]).resolve())
         (Path(folder) / "case.toml").write_text(_toml(tables), encoding="utf-8")
         study: dict[str, Any] = {"case": "case.toml", "vary": []}
         for key, given in values.items():
@@ -172,14 +180,14 @@ def vary(
 
 
 def _toml(table: Mapping[str, Any]) -> str:
-    return "".join(f"{json.dumps(key)} = {_toml_value(value)}\n" for key, value in table.items())
+    return "".join(f"{_toml_value(str(key))} = {_toml_value(value)}\n" for key, value in table.items())
 
 
 def _toml_value(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(k)} = {_toml_value(v)}" for k, v in value.items()) + "}"
+        return "{" + ", ".join(f"{_toml_value(str(k))} = {_toml_value(v)}" for k, v in value.items()) + "}"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(_toml_value, value)) + "]"
     if isinstance(value, str):

@@ -24,7 +24,7 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
   ReadCase parts = read_case_parts(TomlView(root, "", name, found), folder, found);
   if (found.ok()) {
     try {
-      made->problem = parts.problem();
+      made->problem = parts.c.excitation.spectrum ? make_still_problem(parts.c) : parts.problem();
     } catch (const InvalidParameter& error) {
       found.error({name, 0, 0}, error.what());
     }

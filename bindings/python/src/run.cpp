@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <optional>
 
 #include "bentur/core/errors.h"
 #include "bentur/io/results/result_csv.h"
@@ -69,6 +70,11 @@ py::array_t<double> view_of(const std::vector<double>& values, const py::object&
 
 std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std::vector<OwnLaw>& laws,
                               const py::object& progress) {
+  if (const auto& spectrum = given.c.excitation.spectrum) {
+    Diagnostics found;
+    found.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
+    raise_case_error(found);
+  }
   Problem problem = given.problem;
   for (const OwnLaw& own : laws) {
     bool there = false;
@@ -116,7 +122,9 @@ py::dict histories(const std::shared_ptr<PyRun>& run) {
   arrays["force"] = view_of(found.force, owner);
   const auto of_buildings = [&](const char* name, const std::vector<Eigen::MatrixXd>& all) {
     py::list list;
-    for (const Eigen::MatrixXd& one : all) list.append(view_of(one, owner));
+    for (const Eigen::MatrixXd& one : all) {
+      list.append(one.size() > 0 ? py::object(view_of(one, owner)) : py::object(py::none()));
+    }
     arrays[name] = list;
   };
   of_buildings("displacement", found.displacement);
@@ -124,6 +132,8 @@ py::dict histories(const std::shared_ptr<PyRun>& run) {
   of_buildings("acceleration", found.acceleration);
   of_buildings("drift_ratio", found.drift_ratio);
   of_buildings("storey_shear", found.storey_shear);
+  of_buildings("node_displacement", found.node_displacement);
+  of_buildings("column_forces", found.column_forces);
   if (const auto& audit = run->results.response.energy) {
     const EnergyHistories& energy = audit->histories;
     const auto curve = [&](const char* name, const Eigen::VectorXd& values) {
@@ -149,7 +159,7 @@ py::list quantities_at(const PyRun& run, Owner owner, const std::vector<Quantity
   py::list found;
   const RunView view = run.results.view();
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (!places.empty() && !is_told(*quantity, view, places.front().item)) continue;
+    if (!is_told_at_any(*quantity, view, places)) continue;
     std::vector<double> values;
     values.reserve(places.size());
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, view, at));
@@ -171,11 +181,15 @@ py::dict places(const PyRun& run) {
     one["elevation"] = array_of(building.model.elevations);
     one["base_elevation"] = base;
     one["rigid"] = building.is_rigid();
+    one["node_elevation"] = array_of(building.model.node_elevations);
     buildings.append(one);
   }
   for (const ContactPoint& point : problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(problem, point);
     points.append(py::make_tuple(problem.buildings[point.left].name, problem.buildings[point.left + 1].name,
-                                 point.elevation, point.width));
+                                 point.elevation, point.width, struck ? problem.buildings[struck->building].name : "",
+                                 struck ? static_cast<int>(struck->node) : -1, struck ? point.column_shear_capacity : 0,
+                                 struck ? point.column_moment_capacity : 0));
   }
   for (const Link& link : problem.links) {
     links.append(py::make_tuple(problem.buildings[link.left].name, problem.buildings[link.right].name, link.elevation));
@@ -257,6 +271,12 @@ void bind_run(py::module_& module) {
         return solved(given, output_step, own, progress);
       },
       py::arg("case"), py::arg("output_step"), py::arg("laws"), py::arg("progress"));
+  module.def("has_spectrum", [](const PyCase& given) { return given.c.excitation.spectrum.has_value(); });
+  module.def("spectral_gap_json", [](const PyCase& given) {
+    const Case& c = given.c;
+    return spectral_gap_json(c, given.problem, spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units),
+                             BENTUR_VERSION);
+  });
   module.def("report_output_step", [](const PyCase& given) { return report_output_step(given.problem); });
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
 }
