@@ -90,7 +90,7 @@ def curve_figures(runs, found, output):
 
     def panel(motion, reading, values, y, title):
         lines = [(NAMES[pair], list(zip(c.relative(), values(c)))) for pair in PAIRS for c in [found[pair, motion, reading]]]
-        return Panel(lines, share, y, title, x_range=(0, 1))
+        return Panel(lines, share, y, title, x_range=(0, 1), band=(0.5, 0.7) if values is force else None)
 
     def force(c):
         return [max(row) / c.largest_force()[1] for row in c.force]
@@ -108,7 +108,9 @@ def curve_figures(runs, found, output):
                     c = found[pair, motion, "periods"]
                     if floor < len(c.amplification[building][0]):
                         lines.append((NAMES[pair], list(zip(c.relative(), [row[floor] for row in c.amplification[building]]))))
-                panels.append(Panel(lines, share, "Amplification [–]", f"{motion}, {title}", x_range=(0, 1)))
+                panels.append(Panel(lines, share, "Amplification [–]", f"{motion}, {title}", x_range=(0, 1), rule=1))
+            for panel in panels[-2:]:  # a pair has one scale
+                panel.y_range = tuple(end(one.y_range[i] for one in panels[-2:]) for i, end in enumerate((min, max)))
         make(name, panels)
 
 

@@ -3,15 +3,17 @@
 import math
 import subprocess
 
-STYLES = [("#000000", "solid"), ("#e08214", "(9,4)"), ("#1f5fa8", "(9,3,2,3)"), ("#8c8c8c", "(2,3)")]
+STYLES = [("#000000", "solid"), ("#b4540a", "(9,4)"), ("#1f5fa8", "(9,3,2,3)"), ("#5f6b76", "(3,3)")]
 PIXELS = 333 / 8.8  # a cm
 
 
 class Panel:
     """Curves (label, [(x, y), ...]) in one frame; x_range and y_range None: from the data. `solid`: long histories, where dashes
-    would blur; the first curve then lies on top."""
+    would blur; the first curve then lies on top. `band`: what a claim says of x, shaded, with a mark at the largest value of
+    each curve; `rule`: a line at this y, where nothing changes."""
 
-    def __init__(self, curves, x, y, title="", x_range=None, y_range=None, solid=False):
+    def __init__(self, curves, x, y, title="", x_range=None, y_range=None, solid=False, band=None, rule=None):
+        self.band, self.rule = band, rule
         self.curves, self.x, self.y, self.title, self.solid = curves, x, y, title, solid
         self.x_range = x_range or bounds([p[0] for _, c in curves for p in c], 0)
         self.y_range = y_range or bounds([p[1] for _, c in curves for p in c], 0.06)
@@ -58,7 +60,7 @@ def draw(folder, name, panels, columns=1, width=17.0, height=4.6):
     for i, panel in enumerate(panels):
         x0 = i % columns * panel_width
         top = legend + i // columns * (titles + height + bottom) + titles
-        lines += ["", "unset label", "unset arrow",
+        lines += ["", "unset label", "unset arrow", "unset object",
                   f"set lmargin at screen {(x0 + left) / width:.5f}",
                   f"set rmargin at screen {(x0 + panel_width - right) / width:.5f}",
                   f"set tmargin at screen {1 - top / total:.5f}",
@@ -69,6 +71,11 @@ def draw(folder, name, panels, columns=1, width=17.0, height=4.6):
                   f"set ytics {tics(*panel.y_range, 5)}",
                   f"set label '{panel.x}' at {at(x0 + (left + panel_width - right) / 2, top + height + 0.8)} center",
                   f"set label '{panel.y}' at {at(x0 + 0.3, top + height / 2)} center rotate"]
+        if panel.band:
+            low, high = panel.band
+            lines.append(f"set object {i + 1} rectangle from {low}, graph 0 to {high}, graph 1 fc rgb '#f2d3b8' fs solid noborder back")
+        if panel.rule is not None:
+            lines.append(f"set arrow from graph 0, first {panel.rule} to graph 1, first {panel.rule} nohead back lc rgb '#5f6b76' lw 0.7")
         if panel.title:
             lines.append(f"set label '{panel.title}' at {at(x0 + (left + panel_width - right) / 2, top - 0.25)} center")
         if i == 0 and labels[0]:
@@ -83,6 +90,10 @@ def draw(folder, name, panels, columns=1, width=17.0, height=4.6):
             plots.append(f"data index {len(blocks)} using 1:2 with lines lc rgb '{colour}' dt {dash} lw 1.01")
             blocks.append(f"# {panel.title} {label}; columns: {panel.x}, {panel.y}\n"
                           + "".join(f"{a:.8g} {b:.8g}\n" for a, b in points))
+        for (_, points), (colour, _) in zip(panel.curves, STYLES):
+            if panel.band and points:
+                x, y = max(points, key=lambda point: point[1])
+                lines.append(f"set label '' at {x:.8g},{y:.8g} point pt 7 ps 0.5 lc rgb '{colour}' front")
         if panel.solid:
             plots = [plot.replace(f"dt {dash}", "dt solid") for plot, (_, dash) in zip(plots, STYLES)][::-1]
         lines.append("plot " + ", \\\n     ".join(plots))

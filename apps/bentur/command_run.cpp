@@ -73,6 +73,24 @@ std::string force_table(const RunView& run, Eigen::Index building) {
 /// The contact points of a gap from the top down.
 std::vector<Eigen::Index> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
 
+/// What the columns bear that floors strike in a gap, from the top down; empty where floors meet.
+std::string struck_table(const RunView& run, const Gap& gap) {
+  std::vector<Eigen::Index> points = points_from_top(gap);
+  std::erase_if(points, [&](Eigen::Index i) { return !struck_column(run.problem, run.problem.points[i]); });
+  if (points.empty()) return "";
+  std::vector<double> elevations;
+  std::vector<std::string> struck;
+  for (const Eigen::Index i : points) {
+    const ContactPoint& point = run.problem.points[i];
+    elevations.push_back(point.elevation);
+    struck.push_back(run.problem.buildings[struck_column(run.problem, point)->building].name);
+  }
+  std::vector<TableColumn> columns = struck_column_columns(run, places_of(points));
+  columns.insert(columns.begin(), {"Column of", "", struck});
+  return fmt::format("\nColumns struck, {}\n\n{}", gap_name(run.problem, gap.left),
+                     table_of(std::move(columns), run, elevations).text());
+}
+
 /// What to do about floors that met something where no contact is modelled; empty where none did.
 std::string unmodelled_text(const RunResults& run, const std::vector<Eigen::Index>& floors) {
   const Problem& problem = run.problem;
@@ -223,7 +241,8 @@ std::string summary_text(const RunResults& run) {
   for (const Gap& gap : gaps) {
     if (gap.points.empty()) continue;
     text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap.left),
-                        quantity_table(view, Owner::point, places_of(points_from_top(gap))).text());
+                        quantity_table(view, Owner::point, places_of(points_from_top(gap))).text()) +
+            struck_table(view, gap);
   }
   text += law_text(run, view);
   const std::vector<std::vector<Eigen::Index>> links = links_by_spec(run.c.links);

@@ -27,7 +27,8 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
 EXAMPLES = ["m12-el-centro", "free-impact", "generic-neighbour", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
-            "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "two-frames-si", "yielding-pair"]
+            "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
+            "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
 COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
 
@@ -947,7 +948,8 @@ kind = "spectrum"
     def test_a_report_of_gaps_peaks_and_screening(self):
         case = self.FOLDER / "spectrum-table.toml"
         gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
-        for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated"]),
+        for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated",
+                                       "What codes amplify, of Six: divided by"]),
                                 ("id", ["Selisih", "Penapisan", "kurang 0.004232 m", "tidak ada yang disimulasikan"])):
             output = self.folder / "r.html"
             self.done("report", case, "-o", output, "--lang", language)
@@ -1102,7 +1104,7 @@ duration = 5.0
         self.assertEqual((met[0]["floor_of"], met[0]["elevation"]), ("A", 9))
         self.assertLess(met[0]["least_opening"], -0.001)
         self.assertEqual([one["least_opening"] for one in met], sorted(one["least_opening"] for one in met))
-        self.assertIn("B as building.matrices with a level at elevation 9 m", met[0]["to_model"])
+        self.assertIn("give B as building.frame, whose column it can strike", met[0]["to_model"])
         text = self.done("run", case).stdout
         verdict = text.split("\n\n")[1].splitlines()
         self.assertRegex(verdict[0], r"^A \| B: POUNDING THAT IS NOT MODELLED: the floor of A at elevation 9 m goes "

@@ -16,7 +16,8 @@ export default defineConfig({
   base: "./",
   plugins: [motion, viteSingleFile({ removeViteModuleLoader: true })],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-  resolve: { alias: { "@repo": root } },
+  // What emscripten's module would ask node for; there is none in a page.
+  resolve: { alias: { "@repo": root, ...Object.fromEntries(["fs", "path", "crypto"].map((name) => [name, `${root}/web/app/src/nothing.ts`])) } },
   server: { fs: { allow: [root] } },
   // A classic worker from a blob: what works from file://.
   worker: { format: "iife" },

@@ -198,6 +198,31 @@ test("a drag of the gap slider keeps 30 frames a second, and the results follow"
   });
 });
 
+test("from a change to the new curves", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click('[data-case="monograph"]');
+    await page.waitForTimeout(300);
+    await solved(page);
+    await page.waitForTimeout(2000);
+    const times = await page.evaluate(async () => {
+      const slider = document.querySelector("#gap"), main = document.querySelector("main"), all = [];
+      for (let k = 0; k < 25; ++k) {
+        const drawn = new Promise((resolve) => new MutationObserver((_, observer) => { observer.disconnect(); resolve(); }).observe(main, { attributeFilter: ["data-ms"] }));
+        const started = performance.now();
+        slider.value = String(Number(slider.max) * (0.1 + 0.03 * k));
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+        await drawn; // curves are set in the same task
+        all.push(performance.now() - started);
+        await new Promise((resolve) => setTimeout(resolve, 30));
+      }
+      return all.sort((a, b) => a - b);
+    });
+    console.log(`# from a change to the new curves ${times[12].toFixed(0)} ms (median), ${times[2].toFixed(0)} to ${times[22].toFixed(0)} ms`);
+    assert.ok(times[12] < (process.env.BENTUR_TIMES ? 50 : 1000), `${times[12]} ms`);
+  });
+});
+
 test("every view is in Indonesian too", async () => {
   await on(async (page) => {
     await solved(page);
@@ -267,7 +292,30 @@ test("hostile texts give a message and the page goes on", async () => {
     await write(page, good.replaceAll('"Tower"', JSON.stringify(name)));
     assert.equal(await page.evaluate(() => window.pwned), undefined);
     assert.ok((await page.textContent(".verdict")).includes(name));
+    await write(page, good.replaceAll('"Tower"', JSON.stringify("x".repeat(100000)))); // a long name is a case like any other
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 1280);
     await write(page, good);
+  });
+});
+
+test("hostile records give a message and the page goes on", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const good = await page.inputValue(editor);
+    for (const [what, content] of Object.entries({
+      "nothing.AT2": "",
+      "words.txt": "<script>window.pwned = 1</script> ".repeat(1000),
+      "bytes.AT2": Buffer.from(Array.from({ length: 50000 }, (_, i) => (i * 7919) % 256)),
+      "promises.AT2": "PEER\nX\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 99999999999, DT= 1e-300 SEC\n1 2 3\n",
+      "long.csv": "1e308\n".repeat(2e6),
+    })) {
+      await page.setInputFiles("#take input[type=file]", { name: what, mimeType: "text/plain", buffer: Buffer.from(content) });
+      await page.waitForTimeout(400);
+      await solved(page, "errors");
+      assert.ok((await page.textContent(".errors")).trim().length > 10, what);
+      await write(page, good);
+    }
+    assert.equal(await page.evaluate(() => window.pwned), undefined);
   });
 });
 

@@ -35,7 +35,6 @@ const fs::path folder = "/case";
 constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
 constexpr double most_memory = 300e6;  // [byte]
 constexpr std::size_t most_text = std::size_t{1} << 20;
-constexpr Eigen::Index most_floors = 300;  // of all buildings: 0.3 s for their modes
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -214,10 +213,9 @@ std::string Studio::report(const std::string& language) const {
   return run_ ? report_html(*run_, {.language = language, .version = BENTUR_VERSION}) : "";
 }
 
-std::string Studio::overview(const std::string& language) const {
+std::string Studio::overview() const {
   return guarded([&]() -> Json {
     if (!run_) return failure("nothing was run");
-    static_cast<void>(language);
     const RunResults& run = *run_;
     const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
     Json gaps = Json::array();
@@ -254,6 +252,7 @@ std::string Studio::overview(const std::string& language) const {
     }
     Json answer = {{"ok", true},
                    {"title", run.c.title},
+                   {"version", BENTUR_VERSION},
                    {"duration", run.problem.duration},
                    {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
                    {"gaps", gaps},

@@ -27,14 +27,14 @@ class Studio {
   [[nodiscard]] std::string solve(const emscripten::val& output_step, const emscripten::val& progress);
 
   // Of the run. @throws nothing; empty before there is one.
-  [[nodiscard]] std::string summary() const;                              ///< summary.json
-  [[nodiscard]] std::string impacts() const;                              ///< impacts.csv
-  [[nodiscard]] std::string gaps() const;                                 ///< as bentur gap --json
-  [[nodiscard]] std::string modes() const;                                ///< as bentur modes --json
-  [[nodiscard]] std::string motion(const std::string& language) const;    ///< what motion.js draws
-  [[nodiscard]] std::string report(const std::string& language) const;    ///< report.html, without figures
-  [[nodiscard]] std::string overview(const std::string& language) const;  ///< what the page tells first, JSON
-  [[nodiscard]] emscripten::val histories() const;                        ///< {time, buildings, points, ground}
+  [[nodiscard]] std::string summary() const;                            ///< summary.json
+  [[nodiscard]] std::string impacts() const;                            ///< impacts.csv
+  [[nodiscard]] std::string gaps() const;                               ///< as bentur gap --json
+  [[nodiscard]] std::string modes() const;                              ///< as bentur modes --json
+  [[nodiscard]] std::string motion(const std::string& language) const;  ///< what motion.js draws
+  [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html, without figures
+  [[nodiscard]] std::string overview() const;                           ///< what the page tells first, JSON
+  [[nodiscard]] emscripten::val histories() const;                      ///< {time, buildings, points, ground}
 
   /// Peak force and largest amplification of the case that is open with gap `gap` (0 the first) this wide [length]: its
   /// narrowest point, the others wider by as much as they are. Buildings move freely once for all widths.

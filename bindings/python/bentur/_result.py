@@ -85,6 +85,7 @@ class Result:
             "left": [p[0] for p in at],
             "right": [p[1] for p in at],
             "elevation": np.array([p[2] for p in at], dtype=float),
+            "struck": [p[4] for p in at],
         }
         units = {"elevation": self.case.length}
         for _, unit, _, _, values, key, whole in self._run.impact_quantities():
@@ -100,7 +101,9 @@ class Result:
 
         ``time`` [s], ``ground_acceleration``: samples. ``opening``, ``force``: samples × contact points.
         ``displacement``, ``velocity``, ``acceleration``, ``drift_ratio``, ``storey_shear``: a list with samples ×
-        floors for each building. With ``energy_audit`` also ``energy_input`` and so on.
+        floors for each building. ``node_displacement``: a list with samples × places where floors strike columns for
+        each building, None where there are none; ``column_forces``: with the forces at the ends of both pieces, six a
+        place, as ``histories.nc`` has them from ``node_shear_below`` to ``node_moment_top``. With ``energy_audit`` also ``energy_input`` and so on.
 
         :raises ValueError: for a run with ``histories=False``.
         """
@@ -212,6 +215,17 @@ class Result:
         return f"<bentur.Result of {self.case!r}>\n{self}"
 
 
+#: Of the forces at the ends of a struck column, in the order of ``column_forces``: names in ``histories.nc``.
+_COLUMN_ENDS = {
+    "node_shear_below": "shear of struck columns below the node",
+    "node_shear_above": "shear of struck columns above the node",
+    "node_moment_bottom": "moment at the bottom of struck columns",
+    "node_moment_below": "moment of struck columns at the node, of the piece below it",
+    "node_moment_above": "moment of struck columns at the node, of the piece above it",
+    "node_moment_top": "moment at the top of struck columns",
+}
+
+
 def _dataset(result: Result, xarray: Any) -> Any:
     run = result._run
     case = result.case
@@ -249,6 +263,13 @@ def _dataset(result: Result, xarray: Any) -> Any:
             put(name + number, ("time", floors), histories[name][b], units, what + owner)
         base_shear = histories["storey_shear"][b][:, 0]
         put("base_shear" + number, ("time",), base_shear, force, "shear of the lowest storey of " + owner)
+        if len(building["node_elevation"]) > 0:
+            nodes = f"node{number}"
+            put("node_elevation" + number, (nodes,), building["node_elevation"], length, "where columns are struck")
+            put("node_displacement" + number, ("time", nodes), histories["node_displacement"][b], length, "displacement")
+            for end, (name, what) in enumerate(_COLUMN_ENDS.items()):
+                units = f"{force} {length}" if "moment" in name else force
+                put(name + number, ("time", nodes), histories["column_forces"][b][:, end::6], units, what)
         quantities(run.floor_quantities(b), (floors,), number, " of the floors of " + owner)
         quantities(run.building_quantities(b), (), number, " of " + owner)
     put("building_name", ("building",), [b["name"] for b in places["buildings"]], "", "names, from left to right")
@@ -259,6 +280,11 @@ def _dataset(result: Result, xarray: Any) -> Any:
         put("point_right", ("point",), [p[1] for p in points], "", "building to the right of the contact points")
         put("opening", ("time", "point"), histories["opening"], length, "opening, negative in contact")
         put("force", ("time", "point"), histories["force"], force, "contact force")
+        if any(p[4] for p in points):
+            put("point_struck", ("point",), [p[4] for p in points], "", "building whose column is struck, or nothing")
+            put("point_node", ("point",), np.array([p[5] for p in points], dtype=np.int32), "", "number of its node")
+            put("column_shear_capacity", ("point",), [p[6] for p in points], force, "shear that the column bears")
+            put("column_moment_capacity", ("point",), [p[7] for p in points], f"{force} {length}", "moment that it bears")
         quantities(run.point_quantities(), ("point",))
     put("gap_name", ("gap",), places["gaps"], "", "buildings on both sides of the gaps")
     quantities(run.gap_quantities(), ("gap",))

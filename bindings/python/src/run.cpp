@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <optional>
 
 #include "bentur/core/errors.h"
 #include "bentur/io/results/result_csv.h"
@@ -121,7 +122,9 @@ py::dict histories(const std::shared_ptr<PyRun>& run) {
   arrays["force"] = view_of(found.force, owner);
   const auto of_buildings = [&](const char* name, const std::vector<Eigen::MatrixXd>& all) {
     py::list list;
-    for (const Eigen::MatrixXd& one : all) list.append(view_of(one, owner));
+    for (const Eigen::MatrixXd& one : all) {
+      list.append(one.size() > 0 ? py::object(view_of(one, owner)) : py::object(py::none()));
+    }
     arrays[name] = list;
   };
   of_buildings("displacement", found.displacement);
@@ -129,6 +132,8 @@ py::dict histories(const std::shared_ptr<PyRun>& run) {
   of_buildings("acceleration", found.acceleration);
   of_buildings("drift_ratio", found.drift_ratio);
   of_buildings("storey_shear", found.storey_shear);
+  of_buildings("node_displacement", found.node_displacement);
+  of_buildings("column_forces", found.column_forces);
   if (const auto& audit = run->results.response.energy) {
     const EnergyHistories& energy = audit->histories;
     const auto curve = [&](const char* name, const Eigen::VectorXd& values) {
@@ -154,7 +159,7 @@ py::list quantities_at(const PyRun& run, Owner owner, const std::vector<Quantity
   py::list found;
   const RunView view = run.results.view();
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (!places.empty() && !is_told(*quantity, view, places.front().item)) continue;
+    if (!is_told_at_any(*quantity, view, places)) continue;
     std::vector<double> values;
     values.reserve(places.size());
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, view, at));
@@ -176,11 +181,15 @@ py::dict places(const PyRun& run) {
     one["elevation"] = array_of(building.model.elevations);
     one["base_elevation"] = base;
     one["rigid"] = building.is_rigid();
+    one["node_elevation"] = array_of(building.model.node_elevations);
     buildings.append(one);
   }
   for (const ContactPoint& point : problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(problem, point);
     points.append(py::make_tuple(problem.buildings[point.left].name, problem.buildings[point.left + 1].name,
-                                 point.elevation, point.width));
+                                 point.elevation, point.width, struck ? problem.buildings[struck->building].name : "",
+                                 struck ? static_cast<int>(struck->node) : -1, struck ? point.column_shear_capacity : 0,
+                                 struck ? point.column_moment_capacity : 0));
   }
   for (const Link& link : problem.links) {
     links.append(py::make_tuple(problem.buildings[link.left].name, problem.buildings[link.right].name, link.elevation));

@@ -317,11 +317,11 @@ TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
   impact.open_ended = false;
   f.response.impacts.push_back(impact);
   EXPECT_EQ(impacts_csv({f.problem, f.response, f.c.units}),
-            "left,right,elevation [m],start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
+            "left,right,elevation [m],struck,start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
             "restitution,peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m],"
             "peak_tension [tf],duration [s]\n"
-            "\"Left, old\",Right,3,0.5,0.75,1,0.1,0.2,,3,0.625,0.001,4,5,6,0.25\n"
-            "\"Left, old\",Right,3,0.5,0.75,0,0.1,0.2,2,3,0.625,0.001,4,5,6,0.25\n");
+            "\"Left, old\",Right,3,,0.5,0.75,1,0.1,0.2,,3,0.625,0.001,4,5,6,0.25\n"
+            "\"Left, old\",Right,3,,0.5,0.75,0,0.1,0.2,2,3,0.625,0.001,4,5,6,0.25\n");
 }
 
 /// Reads one variable back.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -29,7 +30,7 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
                       const std::vector<Dimension>& dimensions, const std::vector<QuantityPlace>& places,
                       const std::string& suffix, const std::string& of) {
   for (const Quantity* quantity : quantities_of(owner)) {
-    if (!places.empty() && !is_told(*quantity, run, places.front().item)) continue;
+    if (!is_told_at_any(*quantity, run, places)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, run, at));
     const Variable variable = file.write(file_name(*quantity) + suffix, dimensions, values,
@@ -38,8 +39,39 @@ void write_quantities(const NetcdfWriter& file, Owner owner, const RunView& run,
   }
 }
 
-Dimension write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
-                         const std::string& length, const std::string& force) {
+/// Those of one building that the exact course takes part in.
+struct BuildingDimensions {
+  Dimension floors;
+  std::optional<Dimension> nodes;
+};
+
+/// Columns of a building that are struck between floors; nothing where there are none.
+std::optional<Dimension> write_nodes(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
+                                     const std::string& length, const std::string& force) {
+  const Histories& histories = run.response.histories;
+  const Building& building = run.problem.buildings[b];
+  const Eigen::Index nodes = building.model.nodes();
+  if (nodes == 0) return std::nullopt;
+  const std::string number = fmt::format("_{}", b + 1);
+  const std::string owner = fmt::format(" of building \"{}\"", building.name);
+  const Dimension dimension = file.dimension("node" + number, static_cast<std::size_t>(nodes));
+  file.write("node_elevation" + number, {dimension}, building.model.node_elevations, length,
+             "elevation of the places in columns" + owner + " that floors strike");
+  file.write("node_displacement" + number, {time, dimension}, by_columns(histories.node_displacement.at(b)), length,
+             "displacement of struck columns" + owner + " where they are struck, relative to the own base");
+  for (std::size_t end = 0; end < column_ends.size(); ++end) {
+    const Eigen::MatrixXd& forces = histories.column_forces.at(b);
+    Eigen::MatrixXd values(nodes, forces.cols());
+    for (Eigen::Index n = 0; n < nodes; ++n) values.row(n) = forces.row(6 * n + static_cast<Eigen::Index>(end));
+    file.write(std::string(column_ends[end].name) + number, {time, dimension}, by_columns(values),
+               column_ends[end].is_moment ? force + " " + length : force,
+               std::string(column_ends[end].long_name) + owner);
+  }
+  return dimension;
+}
+
+BuildingDimensions write_building(const NetcdfWriter& file, Dimension time, Eigen::Index b, const RunView& run,
+                                  const std::string& length, const std::string& force) {
   const Histories& histories = run.response.histories;
   const Building& building = run.problem.buildings[b];
   const std::string number = fmt::format("_{}", b + 1);
@@ -71,13 +103,35 @@ Dimension write_building(const NetcdfWriter& file, Dimension time, Eigen::Index 
   file.write("base_elevation" + number, {}, std::span(&base, 1), length, "elevation of the base of " + owner);
   write_quantities(file, Owner::floor, run, {floors}, floors_of(run.problem, b), number, " of the floors of " + owner);
   write_quantities(file, Owner::building, run, {}, {{b, 0}}, number, " of " + owner);
-  if (building.is_rigid()) return floors;  // a dimension of size zero would be an unlimited one
+  const std::optional<Dimension> nodes = write_nodes(file, time, b, run, length, force);
+  if (building.is_rigid()) return {floors, nodes};  // a dimension of size zero would be an unlimited one
   const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
   const Dimension modes = file.dimension("mode" + number, static_cast<std::size_t>(periods.size()));
   file.write("period" + number, {modes}, by_columns(periods), "s", "periods of " + owner);
   file.write("shape" + number, {modes, floors}, by_columns(sway_shapes(building)), "1",
              "sways of the mode shapes, the largest 1, of " + owner);
-  return floors;
+  return {floors, nodes};
+}
+
+/// Which columns are struck at the contact points, and what they bear; nothing where floors meet at all of them.
+void write_struck(const NetcdfWriter& file, Dimension points, const Problem& problem, const std::string& length,
+                  const std::string& force) {
+  std::vector<std::string> names;
+  std::vector<int> nodes;
+  std::vector<double> shears, moments;
+  for (const ContactPoint& point : problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(problem, point);
+    names.push_back(struck ? problem.buildings[struck->building].name : "");
+    nodes.push_back(struck ? static_cast<int>(struck->node) : -1);
+    shears.push_back(struck ? point.column_shear_capacity : 0);
+    moments.push_back(struck ? point.column_moment_capacity : 0);
+  }
+  if (std::all_of(nodes.begin(), nodes.end(), [](int node) { return node < 0; })) return;
+  file.write("point_struck", {points}, names, "", "building whose column is struck at the contact points, or nothing");
+  file.write("point_node", {points}, nodes, "", "number of its node, counted from 0; -1 where floors meet");
+  file.write("column_shear_capacity", {points}, shears, force, "shear that the struck column bears; 0: not given");
+  file.write("column_moment_capacity", {points}, moments, force + " " + length,
+             "moment that the struck column bears; 0: not given");
 }
 
 /// Nothing without a contact point: a dimension of size zero would be an unlimited one.
@@ -100,6 +154,7 @@ std::optional<Dimension> write_points(const NetcdfWriter& file, Dimension time, 
     file.attribute(variable, "coordinates", "point_elevation point_width point_left point_right");
   }
   write_quantities(file, Owner::point, run, {points}, first_places(std::ssize(problem.points)), "", "");
+  write_struck(file, points, problem, length, force);
   return points;
 }
 
@@ -192,7 +247,7 @@ namespace {
 
 /// The exact course, in a group of its own whose time has no even steps; it takes part in dimensions of the file.
 struct CourseDimensions {
-  std::vector<Dimension> floors;  ///< one a building
+  std::vector<BuildingDimensions> buildings;
   std::optional<Dimension> points;
 };
 
@@ -206,16 +261,21 @@ void write_course(NetcdfWriter& file, const CourseDimensions& of, const RunView&
       file.write("time", {time}, course.time, "s",
                  "instants between which straight lines follow the solution; two at one time where a force jumps");
   file.attribute(coordinate, "axis", "T");
-  for (std::size_t b = 0; b < of.floors.size(); ++b) {
+  for (std::size_t b = 0; b < of.buildings.size(); ++b) {
     const std::string number = fmt::format("_{}", b + 1);
     const std::string owner = fmt::format("building \"{}\"", run.problem.buildings[b].name);
     const auto write = [&](const char* name, const Eigen::MatrixXd& values, const std::string& units,
                            const std::string& what) {
-      if (values.size() > 0) file.write(name + number, {time, of.floors[b]}, by_columns(values), units, what + owner);
+      if (values.size() == 0) return;
+      file.write(name + number, {time, of.buildings[b].floors}, by_columns(values), units, what + owner);
     };
     write("displacement", course.displacement[b], length, "displacement relative to the own base of the floors of ");
     write("drift_ratio", course.drift_ratio[b], "1", "relative floor displacement over the height of the storeys of ");
     write("storey_shear", course.storey_shear[b], force, "shear of the storeys of ");
+    if (of.buildings[b].nodes) {
+      file.write("node_displacement" + number, {time, *of.buildings[b].nodes}, by_columns(course.node_displacement[b]),
+                 length, "displacement of struck columns where they are struck, relative to the own base of " + owner);
+    }
   }
   if (!of.points) return;
   file.write("opening", {time, *of.points}, by_columns(course.opening), length,
@@ -252,7 +312,7 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
   std::vector<std::string> names;
   CourseDimensions of_course;
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    of_course.floors.push_back(write_building(file, time, b, run, length, force));
+    of_course.buildings.push_back(write_building(file, time, b, run, length, force));
     names.push_back(problem.buildings[b].name);
   }
   const Dimension buildings = file.dimension("building", problem.buildings.size());

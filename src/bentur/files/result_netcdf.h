@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,20 @@
 #include "bentur/model/run_results.h"
 
 namespace bentur {
+
+/// Of the forces at the ends of a struck column, in the order of StructuralModel::column_forces: a name in NetCDF.
+struct ColumnEndName {
+  std::string_view name, long_name;
+  bool is_moment = false;
+};
+inline constexpr std::array<ColumnEndName, 6> column_ends = {{
+    {"node_shear_below", "shear of struck columns below the node", false},
+    {"node_shear_above", "shear of struck columns above the node", false},
+    {"node_moment_bottom", "moment at the bottom of struck columns", true},
+    {"node_moment_below", "moment of struck columns at the node, of the piece below it", true},
+    {"node_moment_above", "moment of struck columns at the node, of the piece above it", true},
+    {"node_moment_top", "moment at the top of struck columns", true},
+}};
 
 /// Writes `point_left` and `point_right`, the names of the buildings on both sides of each contact point.
 void write_point_sides(const NetcdfWriter& file, NetcdfWriter::Dimension points, const Problem& problem);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bentur/files/netcdf.h"
+#include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
@@ -92,8 +93,9 @@ void take_quantities(const NetcdfReader& file, Owner owner, const std::vector<Qu
   for (const Quantity* quantity : quantities_of(owner)) {
     if (!is_kept(*quantity)) continue;
     const std::string name = file_name(*quantity) + suffix;
-    const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity);
-    if (of_some && file.find(name) == nullptr) continue;  // nothing of the building can yield, or it is not on soil
+    const bool of_some =
+        is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity) || is_of_columns(*quantity);
+    if (of_some && file.find(name) == nullptr) continue;  // nothing can yield, is on soil or is struck between floors
     const std::vector<double> values = file.numbers(name);
     if (values.size() != places.size()) throw NetcdfError(file.name(), "variables disagree in size at " + name);
     for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], places[i], response);
@@ -120,6 +122,46 @@ Building read_building(const NetcdfReader& file, const std::string& name, const 
   building.modes.omega = 2 * std::numbers::pi * vector(periods).cwiseInverse();
   building.modes.shapes = table(file, "shape" + number, model.elevations.size(), periods.size());
   return building;
+}
+
+/// Columns of building `b` that are struck between floors.
+void read_nodes(const NetcdfReader& file, Eigen::Index b, Building& building, Histories& histories) {
+  const std::string number = fmt::format("_{}", b + 1);
+  const std::size_t samples = histories.time.size();
+  std::size_t nodes = 0;
+  if (file.find("node_elevation" + number) != nullptr) {
+    building.model.node_elevations = file.numbers("node_elevation" + number);
+    nodes = building.model.node_elevations.size();
+  }
+  Eigen::MatrixXd forces(6 * nodes, samples);
+  for (std::size_t end = 0; nodes > 0 && end < column_ends.size(); ++end) {
+    const Eigen::MatrixXd values = table(file, std::string(column_ends[end].name) + number, nodes, samples);
+    for (Eigen::Index n = 0; n < values.rows(); ++n) forces.row(6 * n + static_cast<Eigen::Index>(end)) = values.row(n);
+  }
+  histories.node_displacement.push_back(nodes > 0 ? table(file, "node_displacement" + number, nodes, samples)
+                                                  : Eigen::MatrixXd(0, samples));
+  histories.column_forces.push_back(std::move(forces));
+}
+
+/// Which contact points strike columns, of points that have been read.
+void read_struck(const NetcdfReader& file, Problem& problem) {
+  if (file.find("point_struck") == nullptr) return;
+  const std::vector<std::string> names = file.texts("point_struck");
+  const std::vector<double> nodes = file.numbers("point_node");
+  const std::vector<double> shears = file.numbers("column_shear_capacity");
+  const std::vector<double> moments = file.numbers("column_moment_capacity");
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    if (names.at(i).empty()) continue;
+    ContactPoint& point = problem.points[i];
+    const bool left = problem.buildings.at(point.left).name == names[i];
+    const StructuralModel& model = problem.buildings.at(point.left + (left ? 0 : 1)).model;
+    if (!(nodes.at(i) < static_cast<double>(model.nodes()))) {
+      throw NetcdfError(file.name(), "a floor strikes a column that is not in it");
+    }
+    (left ? point.left_floor : point.right_floor) = model.floors() + static_cast<Eigen::Index>(nodes[i]);
+    point.column_shear_capacity = shears.at(i);
+    point.column_moment_capacity = moments.at(i);
+  }
 }
 
 int floor_at(const Building& building, double elevation) {
@@ -264,6 +306,7 @@ void read_points(const NetcdfReader& file, RunResults& results) {
     point.right_floor = floor_at(named[1], point.elevation);
     problem.points.push_back(point);
   }
+  read_struck(file, problem);
   Response& response = results.response;
   response.points.resize(left.size());
   take_quantities(file, Owner::point, first_places(std::ssize(left)), "", response);
@@ -368,6 +411,7 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
 void read_course(const NetcdfReader& file, Response& response) {
   Histories& course = response.course;
   course.time = file.numbers("exact/time");
+  const Eigen::Index count = std::ssize(course.time);
   const auto read = [&](const std::string& name) {
     const NetcdfVariable* variable = file.find("exact/" + name);
     if (variable == nullptr) return Eigen::MatrixXd();
@@ -378,6 +422,8 @@ void read_course(const NetcdfReader& file, Response& response) {
     course.displacement.push_back(read("displacement" + number));
     course.drift_ratio.push_back(read("drift_ratio" + number));
     course.storey_shear.push_back(read("storey_shear" + number));
+    course.node_displacement.push_back(read("node_displacement" + number));
+    if (course.node_displacement.back().size() == 0) course.node_displacement.back().resize(0, count);
   }
   course.opening = read("opening");
   course.force = read("force");
@@ -414,6 +460,7 @@ RunResults read_histories(const NetcdfReader& file) {
     histories.displacement.push_back(history("displacement"));
     histories.drift_ratio.push_back(history("drift_ratio"));
     histories.storey_shear.push_back(history("storey_shear"));
+    read_nodes(file, b, problem.buildings.back(), histories);
   }
   if (file.find("exact/time") != nullptr) read_course(file, response);
   if (file.find("opening") != nullptr) read_points(file, results);  // else no contact is modelled

@@ -124,8 +124,8 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
     point.right_floor = floors.right_floor;
     const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
     if (spec.column_capacity) {
-      point.column_shear_capacity = spec.column_capacity->shear;
-      point.column_moment_capacity = spec.column_capacity->moment;
+      point.column_shear_capacity = spec.column_capacity->shear.at(i);
+      point.column_moment_capacity = spec.column_capacity->moment.at(i);
     }
     point.elevation = at_level ? spec.elevations[i] : floors.elevation;
     point.width = spec.widths[i];

@@ -98,9 +98,10 @@ struct GapSpec {
   ContactSpec contact;
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
   bool strikes_columns = false;                          ///< floors may strike columns between floors
-  /// Capacities of a struck column [force, force·length].
+  /// What the column that is struck at each contact point bears; one value per point.
   struct ColumnCapacity {
-    double shear = 0, moment = 0;
+    std::vector<double> shear;   ///< [force]
+    std::vector<double> moment;  ///< [force·length]
   };
   std::optional<ColumnCapacity> column_capacity = std::nullopt;
 };

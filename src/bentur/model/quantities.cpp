@@ -87,6 +87,22 @@ double impact_duration(const RunView& r, const QuantityPlace& at) {
   return r.response.impacts[at.item].end - r.response.impacts[at.item].start;
 }
 
+// Demand over capacity of a column; NaN where its capacity is not given.
+double over(double demand, double capacity) { return capacity > 0 ? demand / capacity : none; }
+double shear_ratio(const ColumnPeaks& column, const ContactPoint& point) {
+  return over(column.shear, point.column_shear_capacity);
+}
+double moment_ratio(const ColumnPeaks& column, const ContactPoint& point) {
+  return over(column.moment, point.column_moment_capacity);
+}
+double column_ratio(const ColumnPeaks& column, const ContactPoint& point) {
+  return std::max(shear_ratio(column, point), moment_ratio(column, point));
+}
+double column_ratio_no_contact(const ColumnPeaks& column, const ContactPoint& point) {
+  return std::max(over(column.shear_no_contact, point.column_shear_capacity),
+                  over(column.moment_no_contact, point.column_moment_capacity));
+}
+
 constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,
                 gap = Owner::gap, impact = Owner::impact, link_ = Owner::link;
 
@@ -96,6 +112,9 @@ constexpr YieldingSource yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list
 constexpr YieldingSource yielding_no_contact(Eigen::VectorXd BuildingPeaks::Yielding::*list) {
   return {&BuildingPeaks::yielding_no_contact, list};
 }
+
+constexpr ColumnSource kept(double ColumnPeaks::*value) { return {value, nullptr}; }
+constexpr ColumnSource computed(double (*value)(const ColumnPeaks&, const ContactPoint&)) { return {nullptr, value}; }
 
 // clang-format off
 std::deque<Quantity>& list() {
@@ -141,6 +160,20 @@ std::deque<Quantity>& list() {
       {"peak_tension", point, "F", "max −F", "largest pull of the contact", {}, &PointSummary::peak_tension},
       {"restitution_smallest", point, "1", "min e", "smallest coefficient of restitution of an impact", {}, smallest_restitution, "/restitution/smallest"},
       {"restitution_largest", point, "1", "max e", "largest coefficient of restitution of an impact", {}, largest_restitution, "/restitution/largest"},
+      // Of contact points where a floor strikes a column.
+      {"column_shear", point, "F", "max |V_c|", "largest shear of the struck column", {"Shear", "Gaya geser"}, kept(&ColumnPeaks::shear), "/column/peak_shear"},
+      {"column_shear_no_contact", point, "F", "max |V_c⁰|", "largest shear of the struck column with contact switched off", {"Without contact", "Tanpa kontak"}, kept(&ColumnPeaks::shear_no_contact), "/column/peak_shear_no_contact"},
+      {"column_moment", point, "F L", "max |M_c|", "largest moment of the struck column", {"Moment", "Momen"}, kept(&ColumnPeaks::moment), "/column/peak_moment"},
+      {"column_moment_no_contact", point, "F L", "max |M_c⁰|", "largest moment of the struck column with contact switched off", {"Without contact", "Tanpa kontak"}, kept(&ColumnPeaks::moment_no_contact), "/column/peak_moment_no_contact"},
+      {"column_shear_below", point, "F", "max |V_b|", "largest shear of the struck column below the node", {}, kept(&ColumnPeaks::shear_below), "/column/peak_shear_below"},
+      {"column_shear_above", point, "F", "max |V_a|", "largest shear of the struck column above the node", {}, kept(&ColumnPeaks::shear_above), "/column/peak_shear_above"},
+      {"column_moment_bottom", point, "F L", "max |M_b|", "largest moment at the bottom of the struck column", {}, kept(&ColumnPeaks::moment_bottom), "/column/peak_moment_bottom"},
+      {"column_moment_node", point, "F L", "max |M_n|", "largest moment of the struck column at the node", {}, kept(&ColumnPeaks::moment_node), "/column/peak_moment_node"},
+      {"column_moment_top", point, "F L", "max |M_t|", "largest moment at the top of the struck column", {}, kept(&ColumnPeaks::moment_top), "/column/peak_moment_top"},
+      {"column_shear_demand_capacity", point, "1", "max |V_c|/V_R", "largest shear of the struck column over its capacity", {"Shear, D/C", "Geser, D/C"}, computed(shear_ratio), "/column/shear_demand_capacity", {}, 1, 2},
+      {"column_moment_demand_capacity", point, "1", "max |M_c|/M_R", "largest moment of the struck column over its capacity", {"Moment, D/C", "Momen, D/C"}, computed(moment_ratio), "/column/moment_demand_capacity", {}, 1, 2},
+      {"column_demand_capacity", point, "1", "max D/C", "demand of the struck column over its capacity, the larger of shear and moment", {}, computed(column_ratio), "/column/demand_capacity"},
+      {"column_demand_capacity_no_contact", point, "1", "max D⁰/C", "demand of the struck column over its capacity with contact switched off, the larger of shear and moment", {"D/C without contact", "D/C tanpa kontak"}, computed(column_ratio_no_contact), "/column/demand_capacity_no_contact", {}, 1, 2},
       // Gaps.
       {"gap_minimum_no_contact", gap, "L", "max w⁰", "gap that the free response needs, the largest of its points", {}, gap_of_points, "/minimum_gap_no_contact"},
       {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, whole_gap},
@@ -223,10 +256,24 @@ bool is_of_forces(const Quantity& quantity) {
                                             quantity.key.find("storey_shear") != std::string_view::npos);
 }
 
+bool is_of_columns(const Quantity& quantity) { return std::holds_alternative<ColumnSource>(quantity.source); }
+
+bool column_has(const Quantity& quantity, const Problem& problem, const ContactPoint& at) {
+  const auto* source = std::get_if<ColumnSource>(&quantity.source);
+  if (source == nullptr || !struck_column(problem, at)) return false;
+  return source->kept != nullptr || !std::isnan(source->computed({}, at));
+}
+
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
+  if (is_of_columns(quantity)) return column_has(quantity, r.problem, r.problem.points[item]);
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
+}
+
+bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vector<QuantityPlace>& places) {
+  return places.empty() || std::any_of(places.begin(), places.end(),
+                                       [&](const QuantityPlace& at) { return is_told(quantity, r, at.item); });
 }
 
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
@@ -243,6 +290,12 @@ double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace&
               [&](const FoundationSource& source) {
                 const Eigen::VectorXd& values = response.buildings[at.item].foundation;
                 return source.entry < values.size() ? values(source.entry) : none;
+              },
+              [&](const ColumnSource& source) {
+                const std::optional<ColumnPeaks>& column = response.points[at.item].column;
+                if (!column) return none;
+                return source.kept != nullptr ? *column.*source.kept
+                                              : source.computed(*column, r.problem.points[at.item]);
               },
               [&](double LinkSummary::*member) {
                 return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
@@ -265,6 +318,7 @@ bool is_whole(const Quantity& quantity) {
 }
 
 bool is_kept(const Quantity& quantity) {
+  if (const auto* source = std::get_if<ColumnSource>(&quantity.source)) return source->kept != nullptr;
   return !std::holds_alternative<double (*)(const RunView&, const QuantityPlace&)>(quantity.source) &&
          !std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
 }
@@ -284,6 +338,12 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
                        Eigen::VectorXd& values = response.buildings.at(at.item).foundation;
                        if (values.size() <= source.entry) values.conservativeResize(source.entry + 1);
                        values(source.entry) = value;
+                     },
+                     [&](const ColumnSource& source) {
+                       std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
+                       if (source.kept == nullptr || std::isnan(value)) return;  // NaN: no column is struck there
+                       if (!column) column.emplace();
+                       *column.*source.kept = value;
                      },
                      [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
                      [&](std::optional<double> PointSummary::*member) {
@@ -345,7 +405,7 @@ std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantit
   std::vector<TableColumn> columns;
   for (const Quantity* quantity : quantities_of(owner)) {
     if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
-    if (!places.empty() && !is_told(*quantity, r, places.front().item)) continue;
+    if (!is_told_at_any(*quantity, r, places)) continue;
     std::vector<double> values;
     for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
     std::vector<std::string> cells = column(values);
@@ -365,7 +425,9 @@ std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantit
 
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
                                        std::size_t language) {
-  const auto is_wanted = [](const Quantity& one) { return !is_of_yielding(one) && !is_of_forces(one); };
+  const auto is_wanted = [](const Quantity& one) {
+    return !is_of_yielding(one) && !is_of_forces(one) && !is_of_columns(one);
+  };
   return columns_of(owner, is_wanted, r, places, language);
 }
 
@@ -377,6 +439,11 @@ std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<Qu
 std::vector<TableColumn> force_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
                                        std::size_t language) {
   return columns_of(Owner::floor, is_of_forces, r, floors, language);
+}
+
+std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vector<QuantityPlace>& points,
+                                               std::size_t language) {
+  return columns_of(Owner::point, is_of_columns, r, points, language);
 }
 
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {

@@ -45,11 +45,18 @@ struct FoundationSource {
   Eigen::Index entry = 0;
 };
 
+/// What a column bears that is struck: as it stands in a response, or computed of it and of what the case says of the
+/// contact point.
+struct ColumnSource {
+  double ColumnPeaks::*kept = nullptr;
+  double (*computed)(const ColumnPeaks&, const ContactPoint&) = nullptr;
+};
+
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
 using QuantitySource =
-    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, double PointSummary::*,
-                 int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*, bool Impact::*,
-                 double LinkSummary::*, double (*)(const RunView&, const QuantityPlace&),
+    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, ColumnSource,
+                 double PointSummary::*, int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*,
+                 bool Impact::*, double LinkSummary::*, double (*)(const RunView&, const QuantityPlace&),
                  long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
@@ -88,8 +95,16 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_foundation(const Quantity& quantity);
 /// Whether it tells what contact does to floor accelerations and storey shears, which have a table of their own.
 [[nodiscard]] bool is_of_forces(const Quantity& quantity);
+/// Whether it is told only of contact points where a floor strikes a column.
+[[nodiscard]] bool is_of_columns(const Quantity& quantity);
+/// Whether a quantity of columns has a value at a contact point: a column is struck there and, of demand over capacity,
+/// the case says what it bears.
+[[nodiscard]] bool column_has(const Quantity& quantity, const Problem& problem, const ContactPoint& point);
 /// Whether it is told of item `item` of its owner.
 [[nodiscard]] bool is_told(const Quantity& quantity, const RunView& run, Eigen::Index item);
+/// The same of any of these places, or where there are none.
+[[nodiscard]] bool is_told_at_any(const Quantity& quantity, const RunView& run,
+                                  const std::vector<QuantityPlace>& places);
 
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
@@ -115,8 +130,8 @@ struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
 };
-/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding
-/// and of forces.
+/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding,
+/// of forces and of struck columns.
 /// @param language 0 English, 1 Indonesian
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
                                                      const std::vector<QuantityPlace>& places,
@@ -127,6 +142,10 @@ struct TableColumn {
 /// The same of accelerations and storey shears of one building, with and without contact.
 [[nodiscard]] std::vector<TableColumn> force_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
                                                      std::size_t language = 0);
+/// The same of columns that are struck, at contact points where they are.
+[[nodiscard]] std::vector<TableColumn> struck_column_columns(const RunView& run,
+                                                             const std::vector<QuantityPlace>& points,
+                                                             std::size_t language = 0);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.

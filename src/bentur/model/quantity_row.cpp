@@ -8,6 +8,15 @@
 
 namespace bentur {
 
+namespace {
+
+bool any_column_has(const Quantity& quantity, const Problem& problem) {
+  return std::any_of(problem.points.begin(), problem.points.end(),
+                     [&](const ContactPoint& point) { return column_has(quantity, problem, point); });
+}
+
+}  // namespace
+
 std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {
   std::vector<RowPart> parts;
   const auto add = [&](const Quantity& quantity, Eigen::Index count) -> RowPart& {
@@ -36,6 +45,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
   for (const Owner owner : {Owner::point, Owner::gap, Owner::link, Owner::run}) {
     for (const Quantity* quantity : quantities_of(owner)) {
       if (quantity->audit_only && !energy_audit) continue;
+      if (is_of_columns(*quantity) && !any_column_has(*quantity, problem)) continue;
       add(*quantity, owner == Owner::point  ? std::ssize(problem.points)
                      : owner == Owner::gap  ? std::ssize(problem.buildings) - 1
                      : owner == Owner::link ? std::ssize(problem.links)
@@ -54,11 +64,17 @@ bool same_places(const Problem& a, const Problem& b) {
     return x.model.floors() == y.model.floors() && x.can_yield() == y.can_yield() &&
            x.model.has_soil == y.model.has_soil;
   };
-  const auto left = [](const ContactPoint& x, const ContactPoint& y) { return x.left == y.left; };
+  const auto left = [&](const ContactPoint& x, const ContactPoint& y) {
+    return x.left == y.left && struck_column(a, x).has_value() == struck_column(b, y).has_value();
+  };
   const auto sides = [](const Link& x, const Link& y) { return x.left == y.left && x.right == y.right; };
+  const auto columns = [&](const Quantity& quantity) {
+    return !is_of_columns(quantity) || any_column_has(quantity, a) == any_column_has(quantity, b);
+  };
   return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), floors) &&
          std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), left) &&
-         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), sides);
+         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), sides) &&
+         std::all_of(quantities().begin(), quantities().end(), columns);
 }
 
 void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<double> row) {

@@ -28,8 +28,8 @@ struct RowPart {
 /// Values of a row: the sum of all counts.
 [[nodiscard]] std::size_t row_size(const std::vector<RowPart>& parts);
 
-/// Whether the floors, points, gaps and links of two problems are as many, and the same buildings can yield or
-/// stand on soil, so that their rows are alike.
+/// Whether the floors, points, gaps and links of two problems are as many, the same buildings can yield or stand on
+/// soil, and the same points strike columns, so that their rows are alike.
 [[nodiscard]] bool same_places(const Problem& a, const Problem& b);
 
 /// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.

@@ -185,6 +185,15 @@ double delay_of(const Problem& problem, std::size_t building) {
   return problem.delays.empty() ? 0.0 : problem.delays.at(building);
 }
 
+std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point) {
+  for (const Eigen::Index b : {point.left, point.left + 1}) {
+    const StructuralModel& model = problem.buildings.at(b).model;
+    const Eigen::Index node = (b == point.left ? point.left_floor : point.right_floor) - model.floors();
+    if (node >= 0) return StruckColumn{b, node};
+  }
+  return std::nullopt;
+}
+
 std::string gap_name(const Problem& problem, Eigen::Index gap) {
   return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
 }

@@ -66,6 +66,13 @@ struct Problem {
   double collapse_drift = 0.1;
 };
 
+/// A column between floors that a floor strikes: of a building, and which of its nodes.
+struct StruckColumn {
+  Eigen::Index building = 0, node = 0;
+};
+/// The one at a contact point; nothing where floors meet.
+[[nodiscard]] std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point);
+
 /// What lies between building `left` and building `left` + 1: indices into Problem::points and Problem::watched, from
 /// the lowest up.
 struct Gap {

@@ -45,27 +45,38 @@ struct BuildingPeaks {
   // With contact switched off, as displacement_no_contact; empty where that is not known.
   Eigen::VectorXd acceleration_no_contact = {};
   Eigen::VectorXd storey_shear_no_contact = {};
-  /// max of each of StructuralModel::column_forces [force, force·length]; empty where there are none.
-  Eigen::VectorXd column_forces = {};
+  /// max of each of StructuralModel::column_forces [force, force·length], and the same with contact switched off; empty
+  /// where there are none.
+  Eigen::VectorXd column_forces = {}, column_forces_no_contact = {};
   /// max |u| [length] and max |θ| [rad] of the foundation; empty where the building stands on none.
   Eigen::VectorXd foundation = {};
   Yielding yielding = {};
   Yielding yielding_no_contact = {};  ///< the same with contact switched off
 };
 
+/// Largest forces at the ends of the two pieces of a column that a floor strikes between floors
+/// (docs/theory/structure.md, Columns that are struck). Elastic, from K: without dashpots.
+struct ColumnPeaks {
+  double shear = 0, moment = 0;                               ///< the largest of both pieces [force], [force·length]
+  double shear_no_contact = 0, moment_no_contact = 0;         ///< the same with contact switched off
+  double shear_below = 0, shear_above = 0;                    ///< of the piece below the node, above it [force]
+  double moment_bottom = 0, moment_node = 0, moment_top = 0;  ///< at the node the larger of both pieces [force·length]
+};
+
 /// Totals of one contact point over the run.
 struct PointSummary {
   double minimum_gap_no_contact = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
   int impacts = 0;
-  int slow_starts = 0;                    ///< of these, Impact::slow_start
-  double contact_duration = 0;            ///< [s]
-  double peak_force = 0;                  ///< [force]
-  std::optional<double> peak_force_time;  ///< [s]
-  double peak_tension = 0;                ///< [force]
-  double peak_penetration = 0;            ///< [length]
-  double peak_closing_speed = 0;          ///< [length/s]
-  double impulse = 0;                     ///< [force·s]
-  double energy_lost = 0;                 ///< [force·length]
+  int slow_starts = 0;                     ///< of these, Impact::slow_start
+  double contact_duration = 0;             ///< [s]
+  double peak_force = 0;                   ///< [force]
+  std::optional<double> peak_force_time;   ///< [s]
+  double peak_tension = 0;                 ///< [force]
+  double peak_penetration = 0;             ///< [length]
+  double peak_closing_speed = 0;           ///< [length/s]
+  double impulse = 0;                      ///< [force·s]
+  double energy_lost = 0;                  ///< [force·length]
+  std::optional<ColumnPeaks> column = {};  ///< of the column that it strikes; nothing where floors meet
 };
 
 /// What a link did over the run.
@@ -95,8 +106,11 @@ struct Histories {
   std::vector<Eigen::MatrixXd> drift_ratio;   ///< per storey, relative floor displacement over storey height [-]
   std::vector<Eigen::MatrixXd> storey_shear;  ///< per storey, Σ_{floors ≥ j} (K x) [force]
   std::vector<double> ground_acceleration;    ///< of the motion without delay [length/s²]
-  Eigen::MatrixXd opening;                    ///< points × samples [length]
-  Eigen::MatrixXd force;                      ///< points × samples [force]
+  /// Per building, nodes in struck columns × samples [length], and StructuralModel::column_forces, 6 · nodes × samples
+  /// [force, force·length]; no rows where it has none.
+  std::vector<Eigen::MatrixXd> node_displacement, column_forces;
+  Eigen::MatrixXd opening;  ///< points × samples [length]
+  Eigen::MatrixXd force;    ///< points × samples [force]
 };
 
 /// Where all energy is [force·length], over the sample times of Histories. Motion is relative to each building's base:

@@ -54,10 +54,10 @@ TEST_P(Sampling, DoesNotChangeTheImpacts) {
 INSTANTIATE_TEST_SUITE_P(, Sampling, testing::ValuesIn(example_laws()),
                          [](const auto& one) { return one.param.label; });
 
-class Course : public testing::TestWithParam<LawExample> {};
+class ExactCourse : public testing::TestWithParam<LawExample> {};
 
 /// The polygon through the instants of the course: its area in each impact, its peaks, and its distance from samples.
-TEST_P(Course, FollowsTheSolution) {
+TEST_P(ExactCourse, FollowsTheSolution) {
   const Problem problem = problem_with(GetParam());
   const Response plain = solve(problem);
   SolveOptions options;
@@ -103,7 +103,8 @@ TEST_P(Course, FollowsTheSolution) {
   EXPECT_LT(course.time.size(), 20000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Course, testing::ValuesIn(example_laws()), [](const auto& one) { return one.param.label; });
+INSTANTIATE_TEST_SUITE_P(, ExactCourse, testing::ValuesIn(example_laws()),
+                         [](const auto& one) { return one.param.label; });
 
 /// The account is one sum: where samples cut its integrals cannot matter but for round-off.
 TEST(EnergyAccount, SamplesOnlyReadItsCurves) {

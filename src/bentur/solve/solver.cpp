@@ -97,6 +97,27 @@ void leave_out_what_is_not_there(const Problem& problem, std::vector<BuildingPea
   }
 }
 
+/// What the columns bear that are struck, of what their buildings' pieces did.
+void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>& buildings,
+                       std::vector<PointSummary>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<StruckColumn> struck = struck_column(problem, problem.points[i]);
+    if (!struck) continue;
+    const BuildingPeaks& peaks = buildings[struck->building];
+    const Eigen::Vector<double, 6> with = peaks.column_forces.segment<6>(6 * struck->node);
+    const Eigen::Vector<double, 6> without = peaks.column_forces_no_contact.segment<6>(6 * struck->node);
+    points[i].column = ColumnPeaks{.shear = with.head<2>().maxCoeff(),
+                                   .moment = with.tail<4>().maxCoeff(),
+                                   .shear_no_contact = without.head<2>().maxCoeff(),
+                                   .moment_no_contact = without.tail<4>().maxCoeff(),
+                                   .shear_below = with(0),
+                                   .shear_above = with(1),
+                                   .moment_bottom = with(2),
+                                   .moment_node = std::max(with(3), with(4)),
+                                   .moment_top = with(5)};
+  }
+}
+
 void summarise_links(Run& run, const ModalSystem& system, std::vector<LinkSummary>& links) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Eigen::Index element = system.switched + static_cast<Eigen::Index>(i);
@@ -210,7 +231,9 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   for (std::size_t b = 0; b < response.buildings.size(); ++b) {
     run.watch().report(b, response.buildings[b]);
     response.buildings[b].displacement_no_contact = response.buildings[b].displacement;
+    response.buildings[b].column_forces_no_contact = response.buildings[b].column_forces;
   }
+  engine::summarise_columns(parts->problem, response.buildings, response.points);
   for (std::size_t i = 0; i < response.points.size(); ++i) {
     response.points[i].minimum_gap_no_contact = run.idle().nearest()[i].reach;
   }
@@ -277,6 +300,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   response.events = run.elements().events();
   response.steps = run.steps();
   engine::summarise(response.impacts, response.points);
+  engine::summarise_columns(problem, response.buildings, response.points);
   engine::summarise_watched(problem, run.floors().nearest(), parts_->watched_scale, response.watched);
   engine::summarise_yielding(problem, run, parts_->system, &BuildingPeaks::yielding, response.buildings);
   engine::leave_out_what_is_not_there(problem, response.buildings);

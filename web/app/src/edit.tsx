@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { addFile, change, errors, found, gap, load, ownRecord, problem, result, text, width } from "./state";
+import { addFile, change, errors, found, gap, load, loads, problem, result, text, width } from "./state";
 import { recordName } from "./cases";
 import { keyName, number, say, type Word } from "./texts";
 import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
@@ -60,7 +60,7 @@ function NumberField({ at, label, names }: { at: Leaf; label: string; names: str
   if (!(Math.abs(value) <= 4 * Math.abs(anchor.current)) || (anchor.current === 0 && value !== 0)) anchor.current = value;
   const share = /damping|restitution|hardening|ratio/.test(names);
   const whole = /^[+-]?\d+$/.test(at.text) && /storeys$/.test(names);
-  const most = share ? Math.max(1, value) : anchor.current === 0 ? 1 : whole ? Math.max(12, 2 * Math.abs(anchor.current)) : 3 * Math.abs(anchor.current);
+  const most = share ? Math.max(1, value) : anchor.current === 0 ? 1 : whole ? Math.max(12, 2 * Math.abs(anchor.current)) : Math.max(3 * Math.abs(anchor.current), Math.abs(value));
   const set = (next: number) => { if (Number.isFinite(next)) change(put(text.value, at, whole ? Math.round(next) : next)); };
   return (
     <div class="field">
@@ -85,7 +85,7 @@ function Group({ path, title, without = [] }: { path: Path; title: string; witho
   return (
     <fieldset>
       <legend>{title}</legend>
-      {name && <div class="field"><label><span>{path[0] === "building" ? "" : ""}name</span><input type="text" maxLength={80} value={String(name.value)} onChange={(event) => {
+      {name && <div class="field"><label><span>{keyName("name")}</span><input type="text" maxLength={80} value={String(name.value)} onChange={(event) => {
         const next = event.currentTarget.value;
         let made = text.value;
         const old = String(name.value);
@@ -94,7 +94,7 @@ function Group({ path, title, without = [] }: { path: Path; title: string; witho
         for (const one of places) made = put(made, one, next);
         change(made);
       }} /></label></div>}
-      {numbers.slice(0, MOST).map((one) => <NumberField key={one.path.join(".")} at={one} label={label(one.path.slice(path.length))} names={[title, ...one.path.slice(path.length)].join(" ")} />)}
+      {numbers.slice(0, MOST).map((one) => <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} label={label(one.path.slice(path.length))} names={[title, ...one.path.slice(path.length)].join(" ")} />)}
       {numbers.length > MOST && <p class="note">{say("form.more", { n: numbers.length - MOST })}</p>}
     </fieldset>
   );
@@ -198,11 +198,9 @@ export function GapSlider() {
   return (
     <div class="gap-slider">
       {overview.gaps.length > 1 && <label>{say("gap")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
-      <label class="slide"><span>{say("gap.of", { name: overview.gaps.length > 1 ? "" : one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
+      <label class="slide"><span>{overview.gaps.length > 1 ? say("width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} /></label>
       <div class="needed" style={{ "--at": `${Math.min(100, (100 * one.needed) / span)}%` }}><span>▲ {say("needed")} {number(one.needed)} {overview.units.length}</span></div>
     </div>
   );
 }
-
-export { ownRecord };

@@ -6,10 +6,10 @@ import { Editor, Errors, Form, GapSlider, goTo, openFile } from "./edit";
 import { fromFragment } from "./link";
 import { MotionView } from "./motion";
 import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict } from "./results";
-import { chosen, errors, load, problem, result } from "./state";
+import { chosen, errors, load, pinned, problem, result } from "./state";
 import "./style.css";
 import { Take } from "./take";
-import { language, languages, say, type Word } from "./texts";
+import { language, languages, number, say, type Word } from "./texts";
 import { choice } from "./theme";
 
 function Head() {
@@ -51,8 +51,13 @@ function App() {
             <GapSlider />
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><MotionView data={now.motion} play={true} primary={true} /></section>}
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && ` · ${say("verdict.remark")}: ${now.overview.remarks.join("; ")}`}</p>}
+            {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+              <div class={pinned.value ? "motions" : ""}>
+                <MotionView data={now.motion} play={true} primary={true} />
+                {pinned.value && <div><h3>{say("pinned")}: {say("gap")} {pinned.value.result.overview.gaps.map((one) => number(one.width)).join(" | ")} {pinned.value.result.overview.units.length}</h3>
+                  <MotionView data={pinned.value.result.motion} play={false} primary={false} /></div>}
+              </div></section>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: <span lang="en">{now.overview.remarks.join(" ")}</span></>}</p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
@@ -69,7 +74,7 @@ function App() {
         </>}
         <Take />
       </main>
-      <footer><p class="note">{say("footer", { version: "0.1.0" })}</p></footer>
+      <footer><p class="note">{say("footer", { version: now?.overview.version ?? "" })}</p></footer>
     </div>
   );
 }

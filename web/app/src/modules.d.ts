@@ -18,7 +18,7 @@ declare module "*/bentur_web.mjs" {
     modes(): string;
     motion(language: string): string;
     report(language: string): string;
-    overview(language: string): string;
+    overview(): string;
     histories(): import("./solver").Histories;
     atWidth(gap: number, width: number): string;
   }

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { buildingColour, Chart, type Curve, curvesSvg } from "./charts";
-import { main, MotionView } from "./motion";
+import { main } from "./motion";
 import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
 import { cancel, curve, curveDone, gap, pinned, progress, result, slow, text, time, width } from "./state";
 import { language, number, say } from "./texts";
@@ -17,8 +17,8 @@ function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview })
       <p class="badge">{say(hit ? "pounds" : "clear")}</p>
       {one.unmodelled.slice(0, 2).map((floor) => <p class="lead">{say("verdict.unmodelled", { floor: floor.floor, level: with_(floor.elevation, length), faced: floor.faced, remedy: floor.remedy })}</p>)}
       {(one.impacts > 0 || !hit) && <p class="lead">{one.impacts === 0 ? say("verdict.clear", { name: one.name })
-        : one.hardest ? say("verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
-          : say("verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
+        : one.hardest ? say(one.impacts === 1 ? "verdict.hit" : "verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
+          : say(one.impacts === 1 ? "verdict.hit.bare" : "verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
       <p>{say("verdict.gap", { level: with_(one.elevation, length), width: with_(one.width, length), needed: with_(one.needed, length) })}</p>
       {one.rules.abs !== undefined && one.points > 0 && <p class="note">{say("verdict.rules", { abs: with_(one.rules.abs, length), srss: with_(one.rules.srss, length), ddc: with_(one.rules.ddc, length) })}</p>}
     </div>
@@ -198,8 +198,6 @@ export function Comparison({ now }: { now: Result }) {
           <tr><th scope="row" class="t">{say("now")}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
           <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other.result).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
         </tbody></table></div>
-        <h3>{say("pinned")}: {other.result.overview.title}</h3>
-        <MotionView data={other.result.motion} play={false} primary={false} />
       </>}
     </section>
   );

@@ -23,7 +23,7 @@ export interface BuildingOverview {
 /** [left building, elevation, start, end, peak force, closing speed, penetration, restitution] */
 export type ImpactRow = [number, number, number, number, number, number, number, number | null];
 export interface Overview {
-  title: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
+  title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; width: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; remarks: string[]; milliseconds: number;
   collapse?: { building: string; time: number };

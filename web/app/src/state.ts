@@ -18,6 +18,8 @@ export const curveDone = signal(1);
 export const pinned = signal<{ text: string; result: Result } | null>(null);
 export const time = signal(0);
 export const problem = signal(""); // about what was dropped or linked
+/** How many cases were loaded: sliders then start anew. */
+export const loads = signal(0);
 export const ownRecord = signal(false);
 
 export const found = computed(() => outline(text.value));
@@ -104,6 +106,7 @@ export function load(next: string, id = "") {
   batch(() => {
     text.value = next;
     chosen.value = id;
+    loads.value += 1;
     gap.value = 0;
     curve.value = [];
     problem.value = "";

@@ -2,11 +2,11 @@
 import { signal } from "@preact/signals";
 
 const en = {
-  lead: "Two buildings side by side in an earthquake. Drag the gap and see whether, where and how hard they collide.",
+  lead: "Buildings side by side in an earthquake: drag the gap and see whether, where and how hard they collide.",
   cases: "Cases", "case.frames": "Eight and six storeys", "case.monograph": "The monograph's pair", "case.columns": "Eight and five, floors that do not meet",
   "case.row": "A row of three", "case.moat": "Isolated in its moat", "case.yielding": "A pair that yields",
   gap: "Gap", "gap.of": "Gap {name}", needed: "needed", solving: "Simulating …", cancel: "Cancel", "solved.in": "Simulated in {ms} ms",
-  "verdict.hits": "{name}: they collide {n} times, the hardest with {force} at {level}.", "verdict.hits.bare": "{name}: they collide {n} times.",
+  "verdict.hits": "{name}: they collide {n} times, the hardest with {force} at {level}.", "verdict.hits.bare": "{name}: they collide {n} times.", "verdict.hit": "{name}: they collide once, with {force} at {level}.", "verdict.hit.bare": "{name}: they collide once.",
   "verdict.clear": "{name}: no collision.", "verdict.gap": "Gap at {level}: {width} given, {needed} needed to stay apart.",
   "verdict.rules": "By rules: ABS {abs}, SRSS {srss}, DDC {ddc}.", "verdict.unmodelled": "{floor} at {level} meets {faced}, which is not modelled. To model it: {remedy}.",
   "verdict.collapse": "{name} collapses at {time}.", pounds: "Pounding", clear: "No pounding", "verdict.remark": "Remarks",
@@ -29,11 +29,11 @@ const en = {
 } as const;
 
 const id: Record<keyof typeof en, string> = {
-  lead: "Dua gedung bersebelahan dalam gempa. Geser celahnya dan lihat apakah, di mana dan sekeras apa keduanya berbenturan.",
+  lead: "Gedung bersebelahan dalam gempa: geser celahnya dan lihat apakah, di mana dan sekeras apa mereka berbenturan.",
   cases: "Kasus", "case.frames": "Delapan dan enam lantai", "case.monograph": "Pasangan dalam monografi", "case.columns": "Delapan dan lima, lantai tidak sejajar",
   "case.row": "Tiga sederet", "case.moat": "Terisolasi dalam paritnya", "case.yielding": "Pasangan yang leleh",
   gap: "Celah", "gap.of": "Celah {name}", needed: "perlu", solving: "Menghitung …", cancel: "Batal", "solved.in": "Dihitung dalam {ms} ms",
-  "verdict.hits": "{name}: berbenturan {n} kali, terkeras {force} pada {level}.", "verdict.hits.bare": "{name}: berbenturan {n} kali.",
+  "verdict.hits": "{name}: berbenturan {n} kali, terkeras {force} pada {level}.", "verdict.hits.bare": "{name}: berbenturan {n} kali.", "verdict.hit": "{name}: berbenturan sekali, {force} pada {level}.", "verdict.hit.bare": "{name}: berbenturan sekali.",
   "verdict.clear": "{name}: tidak ada benturan.", "verdict.gap": "Celah pada {level}: {width} diberikan, {needed} diperlukan agar tidak bersentuhan.",
   "verdict.rules": "Menurut aturan: ABS {abs}, SRSS {srss}, DDC {ddc}.", "verdict.unmodelled": "{floor} pada {level} mengenai {faced}, yang tidak dimodelkan. Untuk memodelkannya: {remedy}.",
   "verdict.collapse": "{name} runtuh pada {time}.", pounds: "Berbenturan", clear: "Tidak berbenturan", "verdict.remark": "Catatan",
@@ -75,6 +75,7 @@ export function number(value: number | null | undefined): string {
 
 /** Names of keys as people say them; a key without one is shown as it is written. */
 const keys: Record<string, [string, string]> = {
+  name: ["Name", "Nama"], contact: ["Contact", "Kontak"], limits: ["Limits", "Batas"], elastic: ["Elastic", "Elastis"], isolation: ["Bearings", "Bantalan"], soil: ["Soil", "Tanah"], ratios: ["ratios", "rasio"], periods: ["periods", "periode"],
   damping: ["Damping ratio", "Rasio redaman"], width: ["Width", "Lebar"], storeys: ["Storeys", "Jumlah lantai"], storey_height: ["Storey height", "Tinggi tingkat"],
   floor_mass: ["Mass of a floor", "Massa lantai"], period: ["Period", "Periode"], storey_heights: ["Storey heights", "Tinggi tingkat"], masses: ["Floor masses", "Massa lantai"],
   stiffnesses: ["Storey stiffnesses", "Kekakuan tingkat"], yield_forces: ["Yield shears", "Geser leleh"], hardening: ["Hardening", "Pengerasan"], elastic_modulus: ["Elastic modulus", "Modulus elastis"],

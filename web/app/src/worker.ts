@@ -37,8 +37,12 @@ async function answer(request: Request): Promise<void> {
       return true;
     }));
     if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
-    const overview = JSON.parse(studio.overview(request.language));
+    const overview = JSON.parse(studio.overview());
     if (!overview.ok) return post({ id, kind: "refused", errors: overview.errors });
+    // A name may be as long as a case allows; what is shown of it is not.
+    const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
+    overview.title = clip(overview.title);
+    for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
     const histories = studio.histories();
     return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
       milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));

@@ -18,6 +18,20 @@ bool has_floor(const FloorLevels& levels, double elevation) {
                      [&](double floor) { return std::abs(floor - elevation) <= round_off * height; });
 }
 
+/// The storey that an elevation is in: its foot and its top; nothing outside the building.
+struct Storey {
+  double below = 0, above = 0;
+  [[nodiscard]] bool has_node_at(double elevation) const {
+    return std::min(elevation - below, above - elevation) > least_part * (above - below);
+  }
+};
+
+std::optional<Storey> storey_at(const FloorLevels& levels, double elevation) {
+  const auto above = std::upper_bound(levels.elevations.begin(), levels.elevations.end(), elevation);
+  if (elevation <= levels.base || above == levels.elevations.end()) return std::nullopt;
+  return Storey{above == levels.elevations.begin() ? levels.base : *std::prev(above), *above};
+}
+
 /// Puts a node into the column of `struck` that faces the gap; false (and an error) where there can be none.
 bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuilding& struck) {
   auto* frame = std::get_if<PlaneFrame>(&struck.spec.structure);
@@ -29,15 +43,13 @@ bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuildi
     return false;
   }
   const FloorLevels levels = floor_levels(struck);
-  const auto above = std::upper_bound(levels.elevations.begin(), levels.elevations.end(), elevation);
-  if (elevation <= levels.base || above == levels.elevations.end()) {
+  const std::optional<Storey> storey = storey_at(levels, elevation);
+  if (!storey) {
     at.error_value(fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
                                levels.elevations.back()));
     return false;
   }
-  const double below = above == levels.elevations.begin() ? levels.base : *std::prev(above);
-  const double distance = std::min(elevation - below, *above - elevation);
-  if (distance <= least_part * (*above - below)) {
+  if (!storey->has_node_at(elevation)) {
     at.error_value(
         fmt::format("is less than 1 % of the storey height from a floor of {}: there the floor itself is "
                     "struck, let the floors meet with level_tolerance",
@@ -56,6 +68,17 @@ bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuildi
 }
 
 }  // namespace
+
+std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuilding& striking) {
+  std::vector<double> elevations;
+  if (!std::holds_alternative<PlaneFrame>(struck.spec.structure) || struck.elevations.empty()) return elevations;
+  const FloorLevels levels = floor_levels(struck);
+  for (const double elevation : striking.elevations) {
+    const std::optional<Storey> storey = storey_at(levels, elevation);
+    if (storey && storey->has_node_at(elevation)) elevations.push_back(elevation);
+  }
+  return elevations;
+}
 
 std::vector<double> read_struck_columns(const TomlView& list, const std::vector<double>& wanted,
                                         const std::vector<LevelPair>& pairs, ReadBuilding& left, ReadBuilding& right) {

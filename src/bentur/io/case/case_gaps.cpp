@@ -35,6 +35,17 @@ bool face_each_other(const FloorLevels& left, const FloorLevels& right) {
   return faces(left, right) || faces(right, left);
 }
 
+/// How floors are to strike columns where none meet, with the elevations at which they can.
+std::string strike_columns(const ReadBuilding& left, const ReadBuilding& right) {
+  std::vector<double> elevations = columns_in_reach(left, right);
+  const std::vector<double> of_left = columns_in_reach(right, left);
+  elevations.insert(elevations.end(), of_left.begin(), of_left.end());
+  std::sort(elevations.begin(), elevations.end());
+  return elevations.empty() ? "give one of them as a frame, whose columns floors can strike (strikes_columns = true)"
+                            : fmt::format("let floors strike columns with strikes_columns = true and elevations = [{}]",
+                                          fmt::join(elevations, ", "));
+}
+
 /// What to do where no floors meet: those nearest to one another say how far the tolerance is from it.
 std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& right) {
   double apart = std::numeric_limits<double>::infinity();
@@ -43,12 +54,10 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
   }
   return fmt::format(
       "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
-      "meet do so with level_tolerance (the nearest two are {} apart), let floors strike the columns of a frame with "
-      "elevations = [...] and strikes_columns = true, or model no contact with elevations = []: floors are then "
-      "watched "
-      "against the columns they face, for the gap they need",
+      "meet do so with level_tolerance (the nearest two are {} apart), {}, or model no contact with elevations = []: "
+      "floors are then watched against the columns they face, for the gap they need",
       in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
-      fmt::join(right.elevations, ", "), number(apart));
+      fmt::join(right.elevations, ", "), number(apart), strike_columns(left, right));
 }
 
 /// elevations = []
@@ -234,18 +243,28 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
   }
 }
 
-/// Whether floors strike columns in this gap, and what these columns bear.
-void read_columns(const TomlView& gap, GapSpec& spec) {
+/// Whether floors strike columns in this gap.
+void read_strikes_columns(const TomlView& gap, GapSpec& spec) {
   spec.strikes_columns = gap.flag("strikes_columns", Need::optional).value_or(false);
   if (!spec.strikes_columns) {
     gap.refuse({"column_capacity"}, "goes with strikes_columns = true");
     return;
   }
   if (!gap.has("elevations")) gap.error_missing("elevations", "strikes_columns = true needs to know where");
-  const auto capacity = gap.find("column_capacity");
+}
+
+/// What the columns bear that are struck.
+void read_column_capacity(const TomlView& gap, const GapSides& sides, GapSpec& spec) {
+  const auto capacity = spec.strikes_columns ? gap.find("column_capacity") : std::nullopt;
   if (!capacity || !capacity->is_table_of({"shear", "moment"})) return;
-  spec.column_capacity = GapSpec::ColumnCapacity{capacity->number("shear", Rule::positive).value_or(0),
-                                                 capacity->number("moment", Rule::positive).value_or(0)};
+  const auto of_points = [&](const char* key) {
+    const auto given = capacity->get(key);
+    std::vector<double> values =
+        given ? given->as_number_or_numbers(Rule::positive, sides.points()) : std::vector<double>();
+    if (values.size() == 1) values.assign(spec.elevations.size(), values.front());
+    return values;
+  };
+  spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
 }
 
 GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
@@ -263,7 +282,7 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
                                            in_quotes(left.spec.name), in_quotes(right.spec.name)));
   }
   spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
-  read_columns(gap, spec);
+  read_strikes_columns(gap, spec);
   spec.elevations = read_elevations(gap, left, right, spec.level_tolerance, spec.strikes_columns);
   const std::size_t points = spec.elevations.size();
   const auto given = gap.find("elevations");
@@ -277,6 +296,7 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
     }
     if (spec.widths.size() == 1 && points > 1) spec.widths.resize(points, double{spec.widths.front()});
   }
+  read_column_capacity(gap, sides, spec);
   if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {
     spec.contact = *contact;
     check_laws(*gap.find("contact"), spec, sides);

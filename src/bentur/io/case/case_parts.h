@@ -66,6 +66,9 @@ void read_support(const TomlView& table, double gravity, ReadBuilding& building)
                                                       const std::vector<LevelPair>& pairs, ReadBuilding& left,
                                                       ReadBuilding& right);
 
+/// case_columns.cpp: the elevations of `striking`'s floors that face a column of `struck`; none unless that is a frame.
+[[nodiscard]] std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuilding& striking);
+
 /// case_buildings.cpp: the model of what has been read, its slab's floor among the others.
 void make(ReadBuilding& building);
 

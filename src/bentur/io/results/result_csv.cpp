@@ -33,14 +33,16 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::form
 
 std::string impacts_csv(const RunView& run) {
   const std::vector<const Quantity*> columns = quantities_of(Owner::impact);
-  std::string csv = fmt::format("left,right,elevation [{}]", run.units.length);
+  std::string csv = fmt::format("left,right,elevation [{}],struck", run.units.length);
   for (const Quantity* quantity : columns) csv += "," + heading(*quantity, run.units);
   csv += "\n";
   for (Eigen::Index i = 0; i < std::ssize(run.response.impacts); ++i) {
     const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));
     const auto left = static_cast<std::size_t>(point.left);
-    csv += fmt::format("{},{},{}", field(run.problem.buildings[left].name), field(run.problem.buildings[left + 1].name),
-                       csv_number(point.elevation));
+    const std::optional<StruckColumn> struck = struck_column(run.problem, point);
+    csv +=
+        fmt::format("{},{},{},{}", field(run.problem.buildings[left].name), field(run.problem.buildings[left + 1].name),
+                    csv_number(point.elevation), struck ? field(run.problem.buildings[struck->building].name) : "");
     for (const Quantity* quantity : columns) csv += "," + csv_number(value_of(*quantity, run, {i, 0}));
     csv += "\n";
   }

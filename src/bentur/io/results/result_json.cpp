@@ -163,36 +163,15 @@ Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
   return json;
 }
 
-/// A column that is struck between floors: member end forces of the pieces below and above, and how they compare with
-/// what it bears.
-void put_column(Json& json, const RunView& run, const ContactPoint& point) {
-  for (const Eigen::Index b : {point.left, point.left + 1}) {
-    const Building& building = run.problem.buildings[b];
-    const Eigen::Index node = (b == point.left ? point.left_floor : point.right_floor) - building.model.floors();
-    const Eigen::VectorXd& forces = run.response.buildings[b].column_forces;
-    if (node < 0 || 6 * (node + 1) > forces.size()) continue;
-    const auto of = [&](Eigen::Index n) { return forces(6 * node + n); };
-    const double at_node = std::max(of(3), of(4));
-    json["struck"] = building.name;
-    Json& column = json["column"];
-    column = {{"peak_shear_below", of(0)},
-              {"peak_shear_above", of(1)},
-              {"peak_moment_bottom", of(2)},
-              {"peak_moment_node", at_node},
-              {"peak_moment_top", of(5)}};
-    if (!(point.column_shear_capacity > 0)) continue;
-    column["shear_demand_capacity"] = std::max(of(0), of(1)) / point.column_shear_capacity;
-    column["moment_demand_capacity"] = std::max({of(2), at_node, of(5)}) / point.column_moment_capacity;
-  }
-}
-
 Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) {
   const ContactPoint& point = run.problem.points[i];
   Json json = {{"elevation", point.elevation}, {"width", point.width}};
   json["restitution"] = {{"asked", or_null(run.restitutions[i].asked)}};
+  if (const auto struck = struck_column(run.problem, point)) {
+    json["struck"] = run.problem.buildings[struck->building].name;
+  }
   put_quantities(json, Owner::point, run, i);
   json["contact"] = contact_json(*point.law, contact);
-  put_column(json, run, point);
   return json;
 }
 

@@ -113,7 +113,8 @@ Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
       }
     }
   }
-  return {Remedy::Kind::give_matrices, floor.elevation, 0};
+  const bool is_frame = faced_building(problem, floor).model.left_joints.size() > 0;
+  return {is_frame ? Remedy::Kind::strike_column : Remedy::Kind::give_columns, floor.elevation, 0};
 }
 
 std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length) {
@@ -125,11 +126,17 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
     case Remedy::Kind::raise_tolerance:
       return fmt::format("gap.level_tolerance = {} lets it meet the floor of {} at elevation {} {}",
                          number(remedy.tolerance), other, number(remedy.level), length);
-    case Remedy::Kind::give_matrices:
+    case Remedy::Kind::strike_column:
+      return fmt::format(
+          "gap.strikes_columns = true with {} among gap.elevations lets it strike the column of {} there",
+          number(remedy.level), other);
+    case Remedy::Kind::give_columns:
       break;
   }
-  return fmt::format("give {} as building.matrices with a level at elevation {} {}, where its column is struck", other,
-                     number(remedy.level), length);
+  return fmt::format(
+      "give {} as building.frame, whose column it can strike with gap.strikes_columns = true and {} among "
+      "gap.elevations, or as building.matrices with a level at elevation {} {}",
+      other, number(remedy.level), number(remedy.level), length);
 }
 
 std::string floor_text(const Problem& problem, const WatchedFloor& floor) {

@@ -57,9 +57,10 @@ struct Remedy {
   enum class Kind {
     name_elevation,   ///< the two floors are at one level: name it in gap.elevations
     raise_tolerance,  ///< a floor of the other building is near: let them meet by gap.level_tolerance
-    give_matrices,    ///< it faces a column: give that building as matrices with a level there
+    strike_column,    ///< it faces a column of a frame: name it in gap.elevations with gap.strikes_columns
+    give_columns,     ///< it faces a building whose columns are not known: give that one as a frame
   };
-  Kind kind = Kind::give_matrices;
+  Kind kind = Kind::give_columns;
   double level = 0;      ///< [length] of the level to name, or of the floor that is near
   double tolerance = 0;  ///< [length] that lets them meet
 };

@@ -260,6 +260,25 @@ TEST(WatchedWidth, IsTheSmallerOfThePointsAboveAndBelow) {
   EXPECT_FALSE(watched_width(points, 1, 4).has_value());
 }
 
+// A's roof at 6 faces the column of B between 4.2 and 7.5: what to do depends on whether B has columns.
+TEST(RemedyFor, AColumnCanBeStruckWhereItsBuildingIsAFrame) {
+  const PlaneFrame frame = concrete_frame({4.2, 3.3}, 0.5, MassMatrix::consistent);
+  Case c = pair_of(spec("A", Stick{{3, 3}, {30, 30}, {4e4, 4e4}}), spec("B", frame), 0.01);
+  c.gaps[0] = {.widths = {0.01}, .elevations = {}, .contact = {}, .level_tolerance = {}};
+  Problem problem = make_problem(c);
+  const auto roof = std::find_if(problem.watched.begin(), problem.watched.end(),
+                                 [](const WatchedFloor& floor) { return floor.elevation == 6; });
+  ASSERT_NE(roof, problem.watched.end());
+  EXPECT_EQ(remedy_for(problem, *roof).kind, Remedy::Kind::strike_column);
+  EXPECT_EQ(remedy_text(problem, *roof, "m"),
+            "gap.strikes_columns = true with 6 among gap.elevations lets it strike the column of B there");
+  c.buildings[1].structure = Stick{{4.2, 3.3}, {20, 20}, {6e4, 6e4}};
+  problem = make_problem(c);
+  EXPECT_EQ(remedy_text(problem, problem.watched[2], "m"),
+            "give B as building.frame, whose column it can strike with gap.strikes_columns = true and 6 among "
+            "gap.elevations, or as building.matrices with a level at elevation 6 m");
+}
+
 TEST(RemedyFor, SaysWhatACaseCanDo) {
   Case c = pair_of(spec("A", Stick{{3, 3, 3}, {30, 30, 30}, {4e4, 4e4, 4e4}}),
                    spec("B", Stick{{3, 3.5, 3.5, 3}, {20, 20, 20, 20}, {6e4, 6e4, 6e4, 6e4}}), 0.01);
@@ -276,7 +295,7 @@ TEST(RemedyFor, SaysWhatACaseCanDo) {
   EXPECT_EQ(problem.points.size(), 2U);
   EXPECT_EQ(problem.points[1].elevation, 6.25);
   ASSERT_EQ(problem.watched.size(), 1U);  // A's roof at 9 is 1 m from a floor
-  EXPECT_EQ(remedy_for(problem, problem.watched[0]).kind, Remedy::Kind::give_matrices);
+  EXPECT_EQ(remedy_for(problem, problem.watched[0]).kind, Remedy::Kind::give_columns);
   c.gaps[0].elevations = {6};
   c.gaps[0].widths = {0.01};
   problem = make_problem(c);

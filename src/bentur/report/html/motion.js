@@ -45,7 +45,7 @@ function benturMotion(parts, data) {
 
   // ---------------------------------------------------------------- samples
 
-  /** int16 samples, little endian in base64, floors of one instant side by side. */
+  /** int16 samples, little endian in base64, floors and then struck columns of one instant side by side. */
   function decode(text) {
     const bytes = atob(text);
     const view = new DataView(new ArrayBuffer(bytes.length));
@@ -64,6 +64,8 @@ function benturMotion(parts, data) {
       base: given.base,
       bays: given.bays,
       rigid: given.rigid,
+      nodes: given.nodes, // where columns are struck between floors, counted after the floors
+      rows: given.elevations.length + given.nodes.length,
       width: given.bays.reduce((sum, bay) => sum + bay, 0),
       scale: given.scale,
       samples: decode(given.samples),
@@ -79,7 +81,7 @@ function benturMotion(parts, data) {
   /** Joins even samples and the exact starts, peaks and ends of impacts (data.keys) into one row of instants. */
   function join() {
     const keys = data.keys || [];
-    const count = buildings[0].samples.length / buildings[0].elevations.length;
+    const count = buildings[0].samples.length / buildings[0].rows;
     frames = [];
     let key = 0;
     for (let k = 0; k < count; ++k) {
@@ -90,12 +92,12 @@ function benturMotion(parts, data) {
     }
     for (; key < keys.length; ++key) frames.push({ time: keys[key], key });
     for (const building of buildings) {
-      const floors = building.elevations.length;
-      building.values = new Int16Array(frames.length * floors);
+      const rows = building.rows;
+      building.values = new Int16Array(frames.length * rows);
       frames.forEach((one, k) => {
         const from = one.key === undefined ? building.samples : building.keys;
-        const place = (one.key === undefined ? one.sample : one.key) * floors;
-        for (let floor = 0; floor < floors; ++floor) building.values[k * floors + floor] = from[place + floor];
+        const place = (one.key === undefined ? one.sample : one.key) * rows;
+        for (let row = 0; row < rows; ++row) building.values[k * rows + row] = from[place + row];
       });
     }
   }
@@ -111,13 +113,13 @@ function benturMotion(parts, data) {
     return low;
   }
 
-  /** Displacement of a floor at time t: cubic between frames, with slopes from their neighbours. */
+  /** Displacement of a floor or of a struck column at time t: cubic between frames, with slopes from their neighbours. */
   function displacement(building, floor, t) {
-    const floors = building.elevations.length;
+    const rows = building.rows;
     const last = frames.length - 1;
     const frame = Math.min(frameAt(t), Math.max(last - 1, 0));
     const place = (k) => Math.min(Math.max(k, 0), last);
-    const value = (k) => building.values[place(k) * floors + floor];
+    const value = (k) => building.values[place(k) * rows + floor];
     const time = (k) => frames[place(k)].time;
     const length = time(frame + 1) - time(frame);
     const s = length > 0 ? Math.min(Math.max((t - time(frame)) / length, 0), 1) : 0;
@@ -240,7 +242,7 @@ function benturMotion(parts, data) {
     buildings.forEach((building, b) => {
       building.label.setAttribute("x", leftFace(b) + unit * building.width / 2);
       building.label.setAttribute("y", base + 20 * pixel);
-      const zero = building.elevations.map(() => 0);
+      const zero = new Array(building.rows).fill(0);
       const shape = outline(building, b, zero);
       drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
     });
@@ -284,9 +286,13 @@ function benturMotion(parts, data) {
     let line = left;
     for (let bay = 0; bay <= building.bays.length; ++bay) {
       columns += `M${line.toFixed(2)} ${y(foot).toFixed(2)}`;
-      building.elevations.forEach((elevation, floor) => {
-        columns += `L${(line + shift[floor]).toFixed(2)} ${y(elevation).toFixed(2)}`;
+      const places = building.elevations.map((elevation, floor) => [elevation, shift[floor]]);
+      building.nodes.forEach((node, n) => { // it bends where it is struck
+        if (bay !== (node.left ? 0 : building.bays.length)) return;
+        places.push([node.elevation, shift[building.elevations.length + n]]);
       });
+      places.sort((a, b) => a[0] - b[0]);
+      for (const [elevation, by] of places) columns += `L${(line + by).toFixed(2)} ${y(elevation).toFixed(2)}`;
       line += unit * (building.bays[bay] || 0);
     }
     let slabs = "";
@@ -312,14 +318,14 @@ function benturMotion(parts, data) {
     svg("path", { class: "axis", d: `M0 ${MIDDLE}H${WIDTH}` }, line);
     buildings.forEach((building, b) => {
       const floors = building.elevations.length;
-      const frames = building.samples.length / floors;
+      const frames = building.samples.length / building.rows;
       const bins = Math.min(WIDTH, frames);
       let path = "";
       for (let bin = 0; bin < bins; ++bin) { // smallest and largest of each bin, so that no peak is lost
         let low = Infinity, high = -Infinity;
         const end = Math.max(Math.floor((bin + 1) * frames / bins), Math.floor(bin * frames / bins) + 1);
         for (let k = Math.floor(bin * frames / bins); k < end; ++k) {
-          const value = building.samples[k * floors + floors - 1] * building.scale / largest;
+          const value = building.samples[k * building.rows + floors - 1] * building.scale / largest;
           low = Math.min(low, value);
           high = Math.max(high, value);
         }
@@ -379,7 +385,7 @@ function benturMotion(parts, data) {
   function show(t, since) {
     now = Math.min(Math.max(t, 0), duration);
     buildings.forEach((building, b) => {
-      const x = building.elevations.map((_, floor) => displacement(building, floor, now));
+      const x = Array.from({ length: building.rows }, (_, floor) => displacement(building, floor, now));
       const shape = outline(building, b, x);
       drawn.columns[b].setAttribute("d", shape.columns);
       drawn.slabs[b].setAttribute("d", shape.slabs);
@@ -538,12 +544,12 @@ function benturMotion(parts, data) {
     if (others.length > 0) show((direction > 0 ? others[0] : others[others.length - 1]).start);
   }
 
-  function sayMagnification() {
+  function tellMagnified() {
     magnified.textContent = `× ${number(Number(magnification.toPrecision(2)))}`;
   }
 
   function buildControls() {
-    sayMagnification();
+    tellMagnified();
     scrub.max = duration;
     scrub.step = data.step;
     for (const button of [hardest, previous, next]) button.disabled = impacts.length === 0;
@@ -556,7 +562,7 @@ function benturMotion(parts, data) {
     magnify.value = 0;
     magnify.addEventListener("input", () => {
       magnification = usual * Math.pow(10, Number(magnify.value));
-      sayMagnification();
+      tellMagnified();
       frame();
       show(now);
     });

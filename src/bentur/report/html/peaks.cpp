@@ -222,18 +222,21 @@ Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed
   const Words& say = story.say;
   const std::vector<Impact>& all = story.response.impacts;
   if (all.empty()) return section("impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none"))));
-  std::vector<std::string> numbers, gaps;
+  std::vector<std::string> numbers, gaps, struck;
   std::vector<double> elevations;
   for (const Eigen::Index k : listed) {
     const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
     gaps.push_back(short_gap_name(story, point.left));
     elevations.push_back(point.elevation);
+    struck.push_back(struck_text(story, all[k].point));
   }
+  const bool of_columns = !struck_points(story.problem).empty();
   HtmlTable table;
   table.add("#", "", numbers);
   if (story.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   table.add(say("column.elevation"), story.c.units.length, elevations);
+  if (of_columns) table.add(say("columns.struck"), "", struck, false);
   add_quantities(table, story, Owner::impact, places_of(listed));
   Html content;
   if (listed.size() < all.size()) {
@@ -244,7 +247,8 @@ Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
-  int sorted = story.c.gaps.size() > 1 ? 3 : 2;  // column of the peak force, by which they are
+  int sorted =
+      2 + (story.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
   for (const Quantity* quantity : quantities_of(Owner::impact)) {
     if (quantity->key == "peak_force") break;
     sorted += quantity->label[0].empty() ? 0 : 1;

@@ -170,8 +170,8 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                                     identity(story));
   body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
           html::gap_section(story) + html::peaks_section(story) + html::damage_section(story) +
-          html::impacts_section(story, listed) + html::figures_section(say, options.figures) +
-          html::input_section(story);
+          html::columns_section(story) + html::impacts_section(story, listed) +
+          html::figures_section(say, options.figures) + html::input_section(story);
   body += element("footer", element("p", say("report.footer"), "class=\"note\""));
   body += element("script", html::json_markup(html::animation_json(story, listed)),
                   "type=\"application/json\" id=\"data\"") +

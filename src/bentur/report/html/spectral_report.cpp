@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/html/internal/page.h"
@@ -168,11 +169,16 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                                     element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""));
   body += spectral_verdict(story, spectral) + spectral_gap_section(story, spectral) +
           spectral_peaks_section(story, spectral);
-  Html input =
-      html::facts({{say("spectral.spectrum"), spectrum.file.empty() ? spectrum.shape : spectrum.file},
-                   {say("spectral.parameters"), spectrum_parameters(spectrum, c.units)},
-                   {say("spectral.damping"), number(spectrum.spectrum.damping_ratio)},
-                   {say("spectral.combination"), spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}});
+  std::vector<std::pair<std::string, std::string>> rows = {
+      {say("spectral.spectrum"), spectrum.file.empty() ? spectrum.shape : spectrum.file},
+      {say("spectral.parameters"), spectrum_parameters(spectrum, c.units)},
+      {say("spectral.damping"), number(spectrum.spectrum.damping_ratio)},
+      {say("spectral.combination"), spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}};
+  for (std::size_t b = 0; b < spectrum.reduction.size(); ++b) {
+    rows.emplace_back(say("spectral.reduction", {{"building", problem.buildings[b].name}}),
+                      number(spectrum.reduction[b]));
+  }
+  Html input = html::facts(rows);
   if (c.source) input += element("h3", say("heading.case")) + element("pre", c.source->text);
   body += html::section("input", say("heading.input"), input);
   return html::page(say, title, body, false);

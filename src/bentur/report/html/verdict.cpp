@@ -76,10 +76,12 @@ std::string remedy(const Story& story, const WatchedFloor& floor) {
     case Remedy::Kind::raise_tolerance:
       return story.say("verdict.remedy.tolerance",
                        {{"tolerance", number(remedy.tolerance)}, {"other", faced(story, floor)}, {"level", level}});
-    case Remedy::Kind::give_matrices:
+    case Remedy::Kind::strike_column:
+      return story.say("verdict.remedy.strike", {{"other", faced(story, floor)}, {"level", number(remedy.level)}});
+    case Remedy::Kind::give_columns:
       break;
   }
-  return story.say("verdict.remedy.matrices", {{"other", faced(story, floor)}, {"level", level}});
+  return story.say("verdict.remedy.columns", {{"other", faced(story, floor)}, {"level", level}});
 }
 
 /// Where a floor met something that no contact is modelled with, and what to do.

@@ -212,6 +212,56 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
   return figure;
 }
 
+namespace {
+
+/// Rows of StructuralModel::column_forces of the column that is struck at a point, over time.
+Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen::Index point, const std::string& label,
+                     const std::vector<std::pair<Eigen::Index, Curve>>& rows, double largest, double capacity) {
+  const StruckColumn struck = struck_column(run.problem, run.problem.points[point]).value();
+  const Eigen::MatrixXd& forces = run.response.histories.column_forces.at(struck.building);
+  std::vector<Curve> curves;
+  for (const auto& [row, style] : rows) {
+    curves.push_back(style);
+    curves.back().x = run.response.histories.time;
+    curves.back().y = row_of(forces, 6 * struck.node + row);
+    // What acts on the foot of a piece has the other sign than on its head: drawn is the same sign for the same
+    // bending.
+    if (row == 1 || row == 2 || row == 4) {
+      for (double& y : curves.back().y) y = -y;
+    }
+  }
+  // Impacts are shorter than samples: the largest is told as it was.
+  std::vector<Rule> rules;
+  for (const double sign : {1.0, -1.0}) {
+    rules.push_back({.at = sign * largest, .label = sign > 0 ? "largest" : "", .line = Line::dotted});
+    if (capacity > 0) {
+      rules.push_back({.at = sign * capacity, .label = sign > 0 ? "capacity" : "", .line = Line::dashed});
+    }
+  }
+  Figure figure = histories(run, options, point, label, curves, rules, true);
+  figure.title = fmt::format("Column of {} struck at elevation {} {}", run.problem.buildings[struck.building].name,
+                             number_text(run.problem.points[point].elevation), run.c.units.length);
+  return figure;
+}
+
+}  // namespace
+
+Figure column_shear_figure(const RunResults& run, const FigureOptions& options) {
+  const Eigen::Index i = chosen_struck_point(run, options);
+  return column_figure(run, options, i, with_unit("Shear V", run.c.units.force),
+                       {{0, {.label = "below"}}, {1, {.label = "above", .tone = Tone::orange}}},
+                       run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
+}
+
+Figure column_moment_figure(const RunResults& run, const FigureOptions& options) {
+  const Eigen::Index i = chosen_struck_point(run, options);
+  return column_figure(run, options, i, with_unit("Moment M", unit_text("F L", run.c.units)),
+                       {{2, {.label = "bottom", .tone = Tone::blue, .line = Line::dashed}},
+                        {3, {.label = "where struck"}},
+                        {5, {.label = "top", .tone = Tone::orange}}},
+                       run.response.points[i].column->moment, run.problem.points[i].column_moment_capacity);
+}
+
 Figure energy_figure(const RunResults& run, const FigureOptions& options) {
   if (!run.response.energy || run.response.energy->histories.input.size() == 0) {
     throw NoFigure("the run kept no energies: analysis.energy_audit = true in its case does");

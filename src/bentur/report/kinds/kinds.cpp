@@ -43,6 +43,10 @@ bool has_yielding(const RunResults& run) {
                                [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
   return any && !run.response.histories.time.empty();
 }
+bool has_column(const RunResults& run) {
+  const std::vector<PointSummary>& points = run.response.points;
+  return std::any_of(points.begin(), points.end(), [](const PointSummary& point) { return point.column.has_value(); });
+}
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
@@ -60,6 +64,9 @@ const RunKind run_kinds[] = {
     {"modes", "mode shapes of each building", always, modes_figure},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
      storey_loop_figure},
+    {"column-shear", "shear of a struck column below and above the blow", has_column, column_shear_figure},
+    {"column-moment", "moments of a struck column at its ends and where it is struck", has_column,
+     column_moment_figure},
     {"energy", "where the energy is", has_energy, energy_figure},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <variant>
 
 #include "bentur/io/results/result_csv.h"
@@ -75,11 +76,34 @@ std::vector<Eigen::Index> key_columns(const Story& story, const std::vector<Eige
   return columns;
 }
 
+/// Where columns are struck between floors: behind the floors in the samples, in the outer column that faces the gap.
+Json nodes_json(const Story& story, std::size_t b) {
+  const Building& building = story.problem.buildings[b];
+  Json nodes = Json::array();
+  for (const double elevation : building.model.node_elevations) nodes.push_back({{"elevation", elevation}});
+  for (const ContactPoint& point : story.problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(story.problem, point);
+    if (struck && struck->building == static_cast<Eigen::Index>(b)) {
+      nodes.at(static_cast<std::size_t>(struck->node))["left"] = point.left != struck->building;
+    }
+  }
+  return nodes;
+}
+
+/// Displacements of floors, then of nodes in columns; of some instants where `columns` names them.
+Eigen::MatrixXd displacements(const Histories& histories, std::size_t b) {
+  const Eigen::MatrixXd& floors = histories.displacement.at(b);
+  const Eigen::MatrixXd& nodes = histories.node_displacement.at(b);
+  Eigen::MatrixXd all(floors.rows() + nodes.rows(), floors.cols());
+  all << floors, nodes;
+  return all;
+}
+
 Json building_json(const Story& story, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
   const Building& building = story.problem.buildings[b];
-  const Eigen::MatrixXd& displacement = story.response.histories.displacement.at(b);
-  const Eigen::MatrixXd exact =
-      keys.empty() ? Eigen::MatrixXd() : Eigen::MatrixXd(story.response.course.displacement.at(b)(Eigen::all, keys));
+  const Eigen::MatrixXd displacement = displacements(story.response.histories, b);
+  Eigen::MatrixXd exact;
+  if (!keys.empty()) exact = displacements(story.response.course, b)(Eigen::all, keys);
   double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
@@ -88,6 +112,7 @@ Json building_json(const Story& story, std::size_t b, Eigen::Index stride, const
           {"base", building.model.elevations.front() - building.model.storey_heights.front()},
           {"bays", bays(story, b)},
           {"rigid", building.is_rigid()},
+          {"nodes", nodes_json(story, b)},
           {"scale", scale},
           {"samples", samples(displacement, stride, scale)},
           {"keys", samples(exact, 1, scale)}};
@@ -123,12 +148,11 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
   }
   Json points = Json::array();
   for (const ContactPoint& point : story.problem.points) {
-    points.push_back(
-        {{"left", point.left},
-         {"leftFloor", story.problem.buildings[point.left].model.floor_at_or_above(point.left_floor)},
-         {"rightFloor", story.problem.buildings[point.left + 1].model.floor_at_or_above(point.right_floor)},
-         {"elevation", point.elevation},
-         {"width", point.width}});
+    points.push_back({{"left", point.left},
+                      {"leftFloor", point.left_floor},
+                      {"rightFloor", point.right_floor},
+                      {"elevation", point.elevation},
+                      {"width", point.width}});
   }
   std::vector<double> widths;  // of the gaps at rest
   for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {

@@ -45,6 +45,10 @@ constexpr std::size_t most_impacts = 1500;
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
 [[nodiscard]] Html damage_section(const Story& story);
 
+/// Columns that floors strike, with and without contact, and how that compares with what they bear; nothing where
+/// floors meet at every contact point.
+[[nodiscard]] Html columns_section(const Story& story);
+
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
 [[nodiscard]] Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
 
@@ -81,6 +85,10 @@ void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std
 [[nodiscard]] std::size_t table_language(const Words& say);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
+/// Contact points where a floor strikes a column, the highest first.
+[[nodiscard]] std::vector<Eigen::Index> struck_points(const Problem& problem);
+/// What is struck at a contact point: "column of B", or "floor".
+[[nodiscard]] std::string struck_text(const Story& story, Eigen::Index point);
 /// A heading and what belongs to it.
 [[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
 

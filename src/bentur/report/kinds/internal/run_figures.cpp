@@ -20,6 +20,22 @@ const Impact* hardest_impact(const RunResults& run, Eigen::Index point) {
   return found;
 }
 
+Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options) {
+  std::optional<Eigen::Index> best;
+  for (Eigen::Index i = 0; i < std::ssize(run.problem.points); ++i) {
+    const ContactPoint& point = run.problem.points[i];
+    const std::optional<ColumnPeaks>& column = run.response.points[i].column;
+    const double tolerance = 1e-6 * std::max(1.0, std::abs(point.elevation));
+    if (!column || (options.gap && point.left != static_cast<Eigen::Index>(*options.gap)) ||
+        (options.elevation && std::abs(point.elevation - *options.elevation) > tolerance)) {
+      continue;
+    }
+    if (!best || column->shear > run.response.points[*best].column->shear) best = i;
+  }
+  if (!best) throw NoFigure("no column is struck there: strikes_columns = true in a gap of the case lets floors do so");
+  return *best;
+}
+
 Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   const std::vector<ContactPoint>& points = run.problem.points;
   const std::vector<Building>& buildings = run.problem.buildings;

@@ -12,6 +12,8 @@ namespace bentur {
 /// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
 /// @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options);
+/// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
+[[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
 /// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point.
 [[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
 /// The hardest impact of a point; nullptr without one.
@@ -38,6 +40,8 @@ namespace bentur {
 [[nodiscard]] Figure forces_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure storey_loop_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure column_shear_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure column_moment_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 

@@ -52,6 +52,8 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.floors = building.model.floors();
   block.has_foundation = building.model.has_soil;
   block.outputs = output_rows(building, block.size);
+  block.nodes = building.modes.shapes.middleRows(block.floors, building.model.nodes());
+  block.column_forces = building.model.column_forces.rows();
   block.acceleration = block.outputs.topRows(block.floors);
   block.acceleration.col(modes).setOnes();
 

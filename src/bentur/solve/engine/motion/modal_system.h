@@ -50,9 +50,11 @@ struct ModalSystem {
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
-    bool has_foundation = false;   ///< the last two outputs are its sway and rocking
-    Eigen::MatrixXd outputs;       ///< rows × size: displacement, drift ratio, storey shear of floors, and more
-    Eigen::MatrixXd acceleration;  ///< floors × size, applied to q̈
+    bool has_foundation = false;     ///< the last two outputs are its sway and rocking
+    Eigen::MatrixXd outputs;         ///< rows × size: displacement, drift ratio, storey shear of floors, and more
+    Eigen::MatrixXd acceleration;    ///< floors × size, applied to q̈
+    Eigen::MatrixXd nodes;           ///< nodes in struck columns × modes: displacement
+    Eigen::Index column_forces = 0;  ///< number of outputs that are forces in these columns, after those of floors
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
     double omega_max = 0;                    ///< largest Ω [1/s]

@@ -11,6 +11,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
+/// Those of columns that are struck.
+std::array<std::vector<MatrixXd>*, 2> of_columns(Histories& h) { return {&h.node_displacement, &h.column_forces}; }
+
 /// Those of every floor or storey.
 std::array<std::vector<MatrixXd>*, 5> of_floors(Histories& h) {
   return {&h.displacement, &h.velocity, &h.acceleration, &h.drift_ratio, &h.storey_shear};
@@ -30,6 +33,8 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
   state_.v.setZero(system.size);
   for (const auto& block : system.blocks) {
     for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
+    histories_.node_displacement.emplace_back(MatrixXd::Zero(block.nodes.rows(), count_));
+    histories_.column_forces.emplace_back(MatrixXd::Zero(block.column_forces, count_));
   }
   const Index points = system.switched;
   histories_.opening = MatrixXd::Zero(points, count_);
@@ -56,6 +61,8 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.displacement[b].col(taken_) = rows * q;
       histories_.drift_ratio[b].col(taken_) = block.outputs.middleRows(block.floors, block.floors) * q;
       histories_.storey_shear[b].col(taken_) = block.outputs.middleRows(2 * block.floors, block.floors) * q;
+      histories_.node_displacement[b].col(taken_) = block.nodes * q.head(block.modes);
+      histories_.column_forces[b].col(taken_) = block.outputs.middleRows(3 * block.floors, block.column_forces) * q;
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
@@ -68,9 +75,11 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
 
 void Sampler::finish() {
   if (taken_ == count_) return;
-  for (auto* list : of_floors(histories_)) {
-    for (MatrixXd& matrix : *list) matrix.conservativeResize(Eigen::NoChange, taken_);
-  }
+  const auto cut = [&](std::vector<MatrixXd>& list) {
+    for (MatrixXd& matrix : list) matrix.conservativeResize(Eigen::NoChange, taken_);
+  };
+  for (auto* list : of_floors(histories_)) cut(*list);
+  for (auto* list : of_columns(histories_)) cut(*list);
   histories_.opening.conservativeResize(Eigen::NoChange, taken_);
   histories_.force.conservativeResize(Eigen::NoChange, taken_);
 }

@@ -68,7 +68,9 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
   step.elements.forces_at(state_, inputs_, forces_);
   Instant result{.s = s, .time = step.time + s * step.motion.h(), .values = {}, .speeds = {}};
   Index along = 0;
-  for (const Building& building : problem_->buildings) along += building.can_yield() ? 2 * building.model.floors() : 0;
+  for (const Building& building : problem_->buildings) {
+    along += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0);
+  }
   result.values.resize(floors_ + 2 * points_ + along);
   result.speeds.resize(floors_ + points_);
   Index row = 0;
@@ -80,6 +82,8 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
     result.speeds.segment(row, block.floors) =
         block.outputs.topRows(block.floors) * state_.v.segment(block.begin, block.size);
     row += block.floors;
+    result.values.segment(extra, block.nodes.rows()) = block.nodes * q.head(block.modes);
+    extra += block.nodes.rows();
     if (!problem_->buildings[b].can_yield()) continue;
     result.values.segment(extra, 2 * block.floors) = block.outputs.middleRows(block.floors, 2 * block.floors) * q;
     extra += 2 * block.floors;
@@ -198,7 +202,10 @@ void Tracer::take(const Expansion& motion, double time, double end, const std::v
       first.stays = true;
     }
   }
-  for (const Instant& one : list) take(one);
+  for (Instant& one : list) {  // where steps meet their times differ by round-off
+    latest_ = one.time = std::max(one.time, latest_);
+    take(one);
+  }
 }
 
 void Tracer::take(const Instant& one) {
@@ -251,6 +258,9 @@ Histories Tracer::finish() {
     const Index floors = system_->blocks[b].floors;
     course.displacement.emplace_back(all.middleRows(row, floors));
     row += floors;
+    const Index nodes = system_->blocks[b].nodes.rows();
+    course.node_displacement.emplace_back(all.middleRows(extra, nodes));
+    extra += nodes;
     course.drift_ratio.emplace_back();
     course.storey_shear.emplace_back();
     if (!problem_->buildings[b].can_yield()) continue;

@@ -27,8 +27,8 @@ class Tracer {
   /// Elements change at the end of what was taken in last.
   void changed();
 
-  /// Displacements, openings and forces over their times, and of buildings that can yield drifts and shears; all else
-  /// is empty.
+  /// Displacements (of nodes in struck columns too), openings and forces over their times, and of buildings that can
+  /// yield drifts and shears; all else is empty.
   [[nodiscard]] Histories finish();
 
  private:
@@ -68,6 +68,7 @@ class Tracer {
   std::vector<Instant> waiting_;
   Instant kept_;  ///< the last one
   bool has_begun_ = false;
+  double latest_ = 0;  ///< [s]
   std::vector<double> times_;
   std::vector<double> numbers_;
   State state_;

@@ -128,10 +128,10 @@ void PeakWatch::report(std::size_t b, BuildingPeaks& peaks) const {
   peaks.drift_ratio = peak.segment(floors, floors);
   peaks.storey_shear = peak.segment(2 * floors, floors);
   peaks.acceleration = accelerations_[b].peak.head(floors);
-  const Index rest = system_->blocks[b].outputs.rows() - 3 * floors;
+  const Index columns = system_->blocks[b].column_forces;
   const Index foundation = system_->blocks[b].has_foundation ? 2 : 0;
-  peaks.column_forces = peak.segment(3 * floors, rest - foundation);
-  peaks.foundation = peak.segment(3 * floors + rest - foundation, foundation);
+  peaks.column_forces = peak.segment(3 * floors, columns);
+  peaks.foundation = peak.segment(3 * floors + columns, foundation);
 }
 
 }  // namespace bentur::engine

@@ -1,0 +1,241 @@
+// What columns bear that floors strike: told of a run, of a study, in files of results and figures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/files/netcdf.h"
+#include "bentur/files/result_netcdf.h"
+#include "bentur/files/result_reading.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/result_csv.h"
+#include "bentur/io/results/result_json.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/model/run_results.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/runner/sweep.h"
+#include "bentur/solve/solver.h"
+#include "tests/support/column_case.h"
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::json;
+
+Case the_case() {
+  Diagnostics diagnostics;
+  std::optional<Case> c = read_case_text(test::struck_columns, "case.toml", diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  return c.value();
+}
+
+RunResults simulated(Case c) {
+  Problem problem = make_problem(c);
+  SolveOptions options;
+  options.output_step = c.analysis.output_step;
+  Response response = solve(problem, c.analysis.solver, options);
+  return run_results(std::move(c), std::move(problem), std::move(response));
+}
+
+const RunResults& the_run() {
+  static const RunResults results = simulated(the_case());
+  return results;
+}
+
+TEST(StruckColumns, AreStruckWhereOneBuildingAloneHasAFloor) {
+  const Problem& problem = the_run().problem;
+  ASSERT_EQ(problem.points.size(), 4U);
+  const std::vector<Eigen::Index> struck = {1, 0, 1};  // the building, at 3.0, 4.4 and 6.0
+  const std::vector<Eigen::Index> nodes = {0, 0, 1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto found = struck_column(problem, problem.points[i]);
+    ASSERT_TRUE(found) << i;
+    EXPECT_EQ(found->building, struck[i]) << i;
+    EXPECT_EQ(found->node, nodes[i]) << i;
+    EXPECT_GT(the_run().response.points[i].impacts, 0) << i;
+  }
+  EXPECT_FALSE(struck_column(problem, problem.points[3])) << "roofs meet";
+  EXPECT_FALSE(the_run().response.points[3].column);
+}
+
+// The peaks are those of the continuous response: no sample exceeds them, and samples of 1 ms come near.
+TEST(StruckColumns, PeaksAreThoseOfTheHistories) {
+  const RunResults& run = the_run();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const StruckColumn struck = struck_column(run.problem, run.problem.points[i]).value();
+    const Eigen::MatrixXd& forces = run.response.histories.column_forces.at(struck.building);
+    const auto sampled = [&](Eigen::Index row) { return forces.row(6 * struck.node + row).cwiseAbs().maxCoeff(); };
+    const ColumnPeaks& column = run.response.points[i].column.value();
+    const double peaks[] = {column.shear_below, column.shear_above, column.moment_bottom,
+                            column.moment_node, column.moment_node, column.moment_top};
+    for (Eigen::Index row = 0; row < 6; ++row) {
+      EXPECT_LE(sampled(row), peaks[row] * (1 + 1e-12)) << i << " " << row;
+      if (row != 3 && row != 4) {
+        EXPECT_GT(sampled(row), 0.98 * peaks[row]) << i << " " << row;
+      }
+    }
+    EXPECT_GT(std::max(sampled(3), sampled(4)), 0.98 * column.moment_node);
+    EXPECT_EQ(column.shear, std::max(column.shear_below, column.shear_above));
+    EXPECT_EQ(column.moment, std::max({column.moment_bottom, column.moment_node, column.moment_top}));
+    EXPECT_GT(column.shear, column.shear_no_contact) << "it is struck";
+  }
+}
+
+// What the node does between its floors, from the same sum of modes: its opening is width + x_right − x_left.
+TEST(StruckColumns, TheOpeningIsThatOfTheNode) {
+  const Histories& histories = the_run().response.histories;
+  const Problem& problem = the_run().problem;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const ContactPoint& point = problem.points[i];
+    const auto x = [&](Eigen::Index b, Eigen::Index floor) -> Eigen::RowVectorXd {
+      const Eigen::Index floors = problem.buildings[b].model.floors();
+      return floor < floors ? histories.displacement[b].row(floor) : histories.node_displacement[b].row(floor - floors);
+    };
+    const Eigen::RowVectorXd expected =
+        (x(point.left + 1, point.right_floor) - x(point.left, point.left_floor)).array() + point.width;
+    EXPECT_LE((histories.opening.row(i) - expected).cwiseAbs().maxCoeff(), 1e-15) << i;
+  }
+}
+
+// With contact out of reach a struck column bears what it bears alone, and what is told without contact is that.
+TEST(StruckColumns, WithoutContactItIsTheFreeResponse) {
+  Case c = the_case();
+  c.gaps[0].widths.assign(4, 10.0);
+  const RunResults apart = simulated(std::move(c));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ColumnPeaks& free = apart.response.points[i].column.value();
+    const ColumnPeaks& struck = the_run().response.points[i].column.value();
+    EXPECT_EQ(apart.response.points[i].impacts, 0);
+    EXPECT_NEAR(free.shear, struck.shear_no_contact, 1e-9 * free.shear);
+    EXPECT_NEAR(free.moment, struck.moment_no_contact, 1e-9 * free.moment);
+    EXPECT_NEAR(free.shear, free.shear_no_contact, 1e-9 * free.shear);
+  }
+}
+
+TEST(StruckColumns, TheSummaryTellsDemandOverCapacity) {
+  const Json points = Json::parse(summary_json(the_run(), "1")).at("gaps").at(0).at("points");
+  const double capacities[] = {400, 300, 400};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ColumnPeaks& peaks = the_run().response.points[i].column.value();
+    const Json& column = points.at(i).at("column");
+    EXPECT_EQ(points.at(i).at("struck"), i == 1 ? "West" : "East");
+    EXPECT_EQ(column.at("peak_shear"), peaks.shear);
+    EXPECT_EQ(column.at("peak_moment_no_contact"), peaks.moment_no_contact);
+    EXPECT_EQ(column.at("shear_demand_capacity"), peaks.shear / capacities[i]);
+    EXPECT_EQ(column.at("moment_demand_capacity"), peaks.moment / 350);
+    EXPECT_EQ(column.at("demand_capacity"), std::max(peaks.shear / capacities[i], peaks.moment / 350));
+  }
+  EXPECT_FALSE(points.at(3).contains("column"));
+  EXPECT_FALSE(points.at(3).contains("struck"));
+  Case c = the_case();
+  c.gaps[0].column_capacity.reset();
+  const Json without = Json::parse(summary_json(simulated(std::move(c)), "1")).at("gaps").at(0).at("points").at(0);
+  EXPECT_TRUE(without.at("column").contains("peak_shear"));
+  EXPECT_FALSE(without.at("column").contains("demand_capacity"));
+}
+
+TEST(StruckColumns, TheListOfImpactsNamesThem) {
+  const std::string csv = impacts_csv(the_run().view());
+  EXPECT_EQ(csv.rfind("left,right,elevation [m],struck,start [s],", 0), 0U) << csv.substr(0, 60);
+  EXPECT_NE(csv.find("\nWest,East,4.4,West,"), std::string::npos);
+  EXPECT_NE(csv.find("\nWest,East,6,East,"), std::string::npos);
+  EXPECT_NE(csv.find("\nWest,East,8.5,,"), std::string::npos) << "floors meet there";
+}
+
+TEST(StruckColumns, AreReadBackFromTheHistories) {
+  const RunResults& run = the_run();
+  const NetcdfReader file(histories_netcdf(run, "1"), "histories.nc");
+  EXPECT_EQ(file.at("node_displacement_2").units, "m");
+  EXPECT_EQ(file.at("node_shear_above_1").units, "kN");
+  EXPECT_EQ(file.at("node_moment_top_2").units, "kN m");
+  EXPECT_EQ(file.texts("point_struck"), (std::vector<std::string>{"East", "West", "East", ""}));
+  EXPECT_TRUE(std::isnan(file.numbers("column_shear").at(3)));
+  const RunResults read = read_histories(file);
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_EQ(read.problem.buildings[b].model.node_elevations, run.problem.buildings[b].model.node_elevations);
+    EXPECT_EQ(read.response.histories.node_displacement[b], run.response.histories.node_displacement[b]);
+    EXPECT_EQ(read.response.histories.column_forces[b], run.response.histories.column_forces[b]);
+  }
+  for (const std::string key : {"column_shear", "column_moment_node", "column_moment_no_contact",
+                                "column_demand_capacity", "column_demand_capacity_no_contact"}) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Quantity& quantity = quantity_named(key, Owner::point);
+      EXPECT_EQ(value_of(quantity, read.view(), {i, 0}), value_of(quantity, run.view(), {i, 0})) << key << i;
+    }
+    EXPECT_TRUE(std::isnan(value_of(quantity_named(key, Owner::point), read.view(), {3, 0}))) << key;
+  }
+  for (const char* kind : {"column-shear", "column-moment"}) {
+    const Figure figure = make_figure(file, kind);
+    ASSERT_FALSE(figure.panels.empty()) << kind;
+    EXPECT_GE(figure.panels[0].curves.size(), 2U) << kind;
+    EXPECT_EQ(figure.panels[0].rules.size(), 4U) << "largest and capacity, on either side";
+  }
+  FigureOptions roofs;
+  roofs.elevation = 8.5;
+  EXPECT_THROW((void)make_figure(file, "column-shear", roofs), NoFigure);
+}
+
+TEST(StruckColumns, TheReportHasASectionOfThem) {
+  for (const std::string language : {"en", "id"}) {
+    const std::string page = report_html(the_run(), {.language = language, .version = "1"});
+    EXPECT_NE(page.find("<section id=\"columns\">"), std::string::npos) << language;
+    EXPECT_NE(page.find(language == "en" ? "column of West" : "kolom West"), std::string::npos) << "list of impacts";
+    EXPECT_NE(page.find("\"nodes\":[{\"elevation\":3.0,\"left\":true},{\"elevation\":6.0,\"left\":true}]"),
+              std::string::npos)
+        << "the animation bends them";
+  }
+  Case c = the_case();
+  c.gaps[0].elevations = {8.5};
+  c.gaps[0].widths = {0.01};
+  c.gaps[0].column_capacity.reset();
+  EXPECT_EQ(report_html(simulated(std::move(c)), {.language = "en", .version = "1"}).find("<section id=\"columns\">"),
+            std::string::npos)
+      << "nothing is struck";
+}
+
+TEST(StruckColumns, AStudyKeepsWhatTheyBear) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "case.toml") << test::struck_columns;
+  std::ofstream(folder.path() / "study.toml") << R"(case = 'case.toml'
+[[vary]]
+parameter = 'gap[0].width'
+values = [0.005, 0.01, 10.0]
+[[vary]]
+parameter = 'gap[0].column_capacity.moment'
+values = [350.0, 700.0]
+)";
+  SweepOptions options;
+  options.output = folder.path() / "study.nc";
+  options.threads = 1;
+  Ranks alone;
+  Diagnostics diagnostics;
+  const auto report = sweep(folder.path() / "study.toml", options, alone, diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
+  const NetcdfReader file(options.output);
+  const std::vector<double> shear = file.numbers("column_shear"), ratio = file.numbers("column_demand_capacity"),
+                            moment = file.numbers("column_moment_demand_capacity");
+  ASSERT_EQ(shear.size(), 3U * 2U * 4U);
+  const auto at = [](std::size_t width, std::size_t capacity, std::size_t point) {
+    return (width * 2 + capacity) * 4 + point;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ColumnPeaks& column = the_run().response.points[i].column.value();
+    EXPECT_NEAR(shear[at(1, 0, i)], column.shear, 1e-9 * column.shear);
+    EXPECT_NEAR(shear[at(2, 0, i)], column.shear_no_contact, 1e-9 * column.shear);
+    EXPECT_NEAR(moment[at(1, 0, i)], 2 * moment[at(1, 1, i)], 1e-12);
+    EXPECT_GE(ratio[at(0, 0, i)], moment[at(0, 0, i)]);
+  }
+  EXPECT_TRUE(std::isnan(shear[at(1, 0, 3)])) << "roofs meet";
+  const Figure figure = make_figure(file, "column_demand_capacity");
+  EXPECT_FALSE(figure.panels.at(0).curves.empty());
+}
+
+}  // namespace
+}  // namespace bentur

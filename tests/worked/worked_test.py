@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""The worked examples of docs/examples: each command of a page prints what stands below it.
+
+The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE. Numbers may differ by a per cent
+(counts by one), as another machine's round-off moves an impact here and there.
+"""
+
+import os
+import pathlib
+import re
+import sys
+import unittest
+
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"]).resolve()
+sys.path.insert(0, str(SOURCE / "tools"))
+import worked_pages  # noqa: E402
+
+PAGES = sorted((SOURCE / "docs/examples").glob("*.md"))
+NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+def words(text):
+    """TEXT without numbers, padding and rules."""
+    return re.sub(r"[\s─]+", " ", NUMBER.sub("0", text))
+
+
+class Pages(unittest.TestCase):
+    def compare(self, printed, page, command):
+        self.assertEqual(words(printed), words(page), f"{command}\n./dev examples writes it anew")
+        for a, b in zip(NUMBER.findall(printed), NUMBER.findall(page)):
+            allowed = 1 if a.isdigit() and b.isdigit() and float(b) < 100 else 0.01 * abs(float(b))
+            # The last digit that is shown may be rounded either way.
+            decimals = max(len(x.partition(".")[2]) for x in (a, b))
+            self.assertLessEqual(abs(float(a) - float(b)), max(allowed, 1.01 * 10.0 ** -decimals),
+                                 f"{command}\n{printed}\n./dev examples writes it anew")
+
+    def test_every_command_prints_what_its_page_says(self):
+        self.assertTrue(PAGES)
+        for page in PAGES:
+            place, ran = worked_pages.Place(os.environ["BENTUR"], SOURCE), 0
+            for needs_records, commands in worked_pages.blocks(page.read_text()):
+                if needs_records and not (SOURCE / "records/far-field").is_dir():
+                    continue
+                for command, expected in commands:
+                    with self.subTest(page=page.name, command=command):
+                        self.compare(place.run(command), expected, command)
+                        ran += 1
+            self.assertGreater(ran, 0, page.name)
+
+    @unittest.skipUnless((SOURCE / "records/far-field").is_dir(), "no records/: ./dev records fetches them")
+    def test_those_with_many_records_ran_too(self):
+        self.assertTrue(any(needs for page in PAGES for needs, _ in worked_pages.blocks(page.read_text())))
+
+
+if __name__ == "__main__":
+    unittest.main()
