@@ -34,6 +34,11 @@ def test_of_a_run(name, result):
     matplotlib.pyplot.close(ax.figure)
 
 
+def test_the_palette_is_that_of_the_figures():
+    script = (ROOT / "src/bentur/report/figures/script.cpp").read_text()
+    assert all(f'"{tone}"' in script for tone in (*bentur.plot.TONES, bentur.plot.PALE))
+
+
 def test_force_is_the_history(result):
     ax = bentur.plot.force(result)
     largest = max(np.max(line.get_ydata()) for line in ax.get_lines())

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ._result import Result
 
 #: Dark to light, so that they differ in print without colour too.
-BLACK, BLUE, ORANGE, GREY, PALE = "#000000", "#1f5fa8", "#e08214", "#8c8c8c", "#d9d9d9"
+BLACK, BLUE, ORANGE, GREY, PALE = "#000000", "#1f5fa8", "#b4540a", "#5f6b76", "#d9d9d9"
 TONES = (BLUE, ORANGE, BLACK, GREY)
 LINES = ("-", "--", "-.", ":")
 #: Width of a journal's column [in]; the figures of the program are 8.8 cm wide.
