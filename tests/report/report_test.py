@@ -299,7 +299,8 @@ class Motion(Reports):
         self.opened(self.report(case))
         for impact in impacts[:10]:
             row = round(3 - float(impact["elevation [cm]"]) / 100)
-            shown = f"Number(document.getElementById('live').rows[{row}].cells[1].textContent)"
+            cell = f"document.getElementById('live').rows[{row}].cells[1].textContent"
+            shown = f"Number({cell}.replace('\\u2212', '-'))"
             depth = float(impact["peak_penetration [cm]"])
             self.scrub(float(impact["start [s]"]))
             # Samples of 16 bits every 0.5 ms, between which the picture interpolates: a few percent of a penetration.

@@ -38,9 +38,9 @@ function benturMotion(parts, data) {
     return signed(String(Number(value.toFixed(decimals))));
   }
 
-  /** With the sign for minus. */
+  /** With the sign for minus, which nothing but zeros has none of. */
   function signed(text) {
-    return text.replace("-", "\u2212");
+    return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "\u2212");
   }
 
   // ---------------------------------------------------------------- samples
