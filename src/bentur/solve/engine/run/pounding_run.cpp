@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace bentur::engine {
+namespace {
+
+constexpr long most_followed = 1 << 17;  // some seconds
+
+}  // namespace
 
 PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact,
                          const SolveOptions& options)
@@ -19,8 +24,15 @@ Eigen::Index PoundingRun::quiet(Eigen::Index count) {
 
 void PoundingRun::take_step(double time, double cut) {
   sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, elements_);
-  if (tracer_) tracer_->take(motion_, time, cut, inputs_, elements_);
+  follow(time, cut, inputs_);
   if (energy_) energy_->take(motion_, time, cut, inputs_, elements_);
+}
+
+/// Takes [0, cut] of the expanded step, which began at `time`, into the course.
+void PoundingRun::follow(double time, double cut, const std::vector<GroundInput>& inputs) {
+  if (!tracer_) return;
+  tracer_->take(motion_, time, cut, inputs, elements_);
+  if (++followed_ > most_followed) tracer_.reset();
 }
 
 void PoundingRun::changed() {
@@ -38,7 +50,7 @@ void PoundingRun::pass(double start, const Flights& flights, std::size_t halving
       [this](const Part& part) { return tracer_ || energy_ || sampler_.due(part.start + part.length); },
       [this](double time, const State&, const std::vector<GroundInput>& inputs, const State&) {
         sampler_.take(motion_, time, time + motion_.h(), inputs, elements_);
-        if (tracer_) tracer_->take(motion_, time, 1.0, inputs, elements_);
+        follow(time, 1.0, inputs);
         if (energy_) energy_->take(motion_, time, 1.0, inputs, elements_);
       });
 }

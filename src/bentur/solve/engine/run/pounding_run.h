@@ -16,7 +16,7 @@ class PoundingRun final : public Run {
   /// No gap closes before the segment `first_contact`.
   PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact, const SolveOptions& options);
 
-  /// Keeps the course as well.
+  /// Keeps the course as well, unless its motion is so fast that to follow it would take too many steps.
   void trace(Tracer tracer) { tracer_.emplace(std::move(tracer)); }
 
   std::optional<Tracer>& tracer() { return tracer_; }
@@ -30,10 +30,12 @@ class PoundingRun final : public Run {
   [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
   [[nodiscard]] bool notes_flights() const override;
   void pass(double start, const Flights& flights, std::size_t halvings) override;
+  void follow(double time, double cut, const std::vector<GroundInput>& inputs);
 
   long first_contact_;
   Sampler sampler_;
   std::optional<Tracer> tracer_;
+  long followed_ = 0;  ///< steps of the course
   std::optional<EnergyAccount> energy_;
 };
 
