@@ -49,7 +49,7 @@ FigureOptions options_of(const PlotArguments& arguments) {
 
 void list_kinds(const NetcdfReader& results) {
   std::string text;
-  for (const FigureKind& kind : figure_kinds(results)) text += fmt::format("{:<18}{}\n", kind.name, kind.shows);
+  for (const FigureKind& kind : figure_kinds(results)) text += fmt::format("{:<20}{}\n", kind.name, kind.shows);
   print(text);
 }
 
