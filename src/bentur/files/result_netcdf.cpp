@@ -64,7 +64,7 @@ std::optional<Dimension> write_nodes(const NetcdfWriter& file, Dimension time, E
     Eigen::MatrixXd values(nodes, forces.cols());
     for (Eigen::Index n = 0; n < nodes; ++n) values.row(n) = forces.row(6 * n + static_cast<Eigen::Index>(end));
     file.write(std::string(column_ends[end].name) + number, {time, dimension}, by_columns(values),
-               column_ends[end].is_moment ? force + " " + length : force,
+               column_ends[end].is_moment ? fmt::format("{} {}", force, length) : force,
                std::string(column_ends[end].long_name) + owner);
   }
   return dimension;
