@@ -7,12 +7,12 @@ function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# bentur_module(NAME [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# bentur_module(NAME [LIGHTLY] [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but those in folders named engine or internal, which only the module itself
 # includes. What it depends on is looked for, or built, for its sake: modules that others need come after them.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHTLY" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   list(FILTER headers EXCLUDE REGEX "/(engine|internal)/")
@@ -42,8 +42,11 @@ function(bentur_module name)
     endif()
   endforeach()
   target_compile_features(bentur_${name} PUBLIC cxx_std_20)
-  bentur_compile_options(bentur_${name})
-  target_precompile_headers(bentur_${name} REUSE_FROM bentur_precompiled)
+  if(ARG_LIGHTLY)
+    bentur_compile(bentur_${name} LIGHTLY)
+  else()
+    bentur_compile(bentur_${name})
+  endif()
   set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES ${name})
   if(BENTUR_BUILD_TESTS AND tests)
     bentur_test(${name}_test SOURCES ${tests} LIBRARIES bentur::${name} ${ARG_PRIVATE_DEPENDS})
@@ -73,8 +76,7 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  bentur_compile_options(${name})
-  target_precompile_headers(${name} REUSE_FROM bentur_precompiled)
+  bentur_compile(${name} LIGHTLY)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()
@@ -88,4 +90,10 @@ function(bentur_compile_options target)
     $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>
     $<$<NOT:$<PLATFORM_ID:Emscripten>>:-fPIC> -ffp-contract=off)
+endfunction()
+
+# What reads, writes and tests spends its time in files and in other modules: the compiler's last efforts, a third of the
+# time of its build, would be for nothing.
+function(bentur_optimise_lightly target)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<NOT:$<PLATFORM_ID:Emscripten>>>:-O1>)
 endfunction()

@@ -1,11 +1,26 @@
 # The headers that most sources include are read once and not a hundred times: a third of the time of a build. Every source
 # still includes what it uses: preset debug and clang-tidy build without.
 file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
-add_library(bentur_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(bentur_precompiled PRIVATE Eigen3::Eigen fmt::fmt)
-target_compile_features(bentur_precompiled PUBLIC cxx_std_20)
+foreach(precompiled bentur_precompiled bentur_precompiled_lightly)
+  add_library(${precompiled} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${precompiled} PRIVATE Eigen3::Eigen fmt::fmt)
+  target_compile_features(${precompiled} PUBLIC cxx_std_20)
+  target_precompile_headers(${precompiled} PRIVATE
+    <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers> <numeric>
+    <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
+    <Eigen/Core> <fmt/format.h>)
+endforeach()
 bentur_compile_options(bentur_precompiled)
-target_precompile_headers(bentur_precompiled PRIVATE
-  <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers> <numeric>
-  <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
-  <Eigen/Core> <fmt/format.h>)
+bentur_compile_options(bentur_precompiled_lightly)
+bentur_optimise_lightly(bentur_precompiled_lightly)
+
+# bentur_compile(TARGET [LIGHTLY]): the project's options and precompiled headers; LIGHTLY: see bentur_optimise_lightly.
+function(bentur_compile target)
+  bentur_compile_options(${target})
+  if("LIGHTLY" IN_LIST ARGN)
+    bentur_optimise_lightly(${target})
+    target_precompile_headers(${target} REUSE_FROM bentur_precompiled_lightly)
+  else()
+    target_precompile_headers(${target} REUSE_FROM bentur_precompiled)
+  endif()
+endfunction()

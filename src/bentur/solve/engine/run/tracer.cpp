@@ -26,6 +26,9 @@ Tracer::Tracer(const ModalSystem& system, const Problem& problem, const std::vec
                const std::vector<double>& openings)
     : system_(&system), problem_(&problem), points_(system.switched), room_(first_room) {
   for (const auto& block : system.blocks) floors_ += block.floors;
+  for (const Building& building : problem.buildings) {
+    others_ += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0);
+  }
   scales_.setZero(floors_ + points_);
   Index row = 0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
@@ -67,11 +70,7 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
   evaluate(step, s);
   step.elements.forces_at(state_, inputs_, forces_);
   Instant result{.s = s, .time = step.time + s * step.motion.h(), .values = {}, .speeds = {}};
-  Index along = 0;
-  for (const Building& building : problem_->buildings) {
-    along += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0);
-  }
-  result.values.resize(floors_ + 2 * points_ + along);
+  result.values.resize(floors_ + 2 * points_ + others_);
   result.speeds.resize(floors_ + points_);
   Index row = 0;
   Index extra = floors_ + 2 * points_;
@@ -174,14 +173,8 @@ void Tracer::take(const Expansion& motion, double time, double end, const std::v
   for (Index i = 0; i < points_; ++i) {
     if (forces(list.front())(i) == 0.0) forces_met_(i) = 0.0;
   }
-  const bool presses = points_ > 0 && (forces(list.front()).cwiseAbs().maxCoeff() > 0.0 ||
-                                       std::abs(force(step, 0, 0.5 * end)) > 0.0 || [&] {
-                                         for (Index i = 1; i < points_; ++i) {
-                                           if (forces_(i) != 0.0) return true;
-                                         }
-                                         return false;
-                                       }());
-  const int parts = presses ? contact_parts : free_parts;
+  const auto presses = [&](const Instant& one) { return (forces(one).array() != 0.0).any(); };
+  const int parts = presses(list.front()) || presses(at(step, 0.5 * end)) ? contact_parts : free_parts;
   std::vector<Instant> coarse = {list.front()};
   for (int n = 1; n <= parts; ++n) coarse.push_back(at(step, end * n / parts));
   for (const Instant& one : coarse) {
