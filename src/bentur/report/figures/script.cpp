@@ -197,7 +197,8 @@ class Writer {
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);
     label(panel.note, middle, (placed.bottom + placed.top) / 2, "center");
-    label(scaled(panel.y.label, placed.y), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2, "center rotate");
+    label(scaled(panel.y.label, placed.y, panel.y.number), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2,
+          "center rotate");
     legend(placed);
     std::vector<std::string> plots;
     if (panel.map) plots.push_back(map(placed));

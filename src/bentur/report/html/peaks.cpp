@@ -52,15 +52,12 @@ std::size_t table_language(const Words& say) {
   return static_cast<std::size_t>(std::find(languages.begin(), languages.end(), say.language()) - languages.begin());
 }
 
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
-  for (TableColumn& column : table_columns(owner, story.run, places, table_language(story.say))) {
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
+void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
+  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
 }
 
-Html section(const std::string& id, const std::string& heading, const Html& content) {
-  return element("section", element("h2", Html::text(heading)) + Html::markup("\n") + content, "id=\"" + id + "\"") +
-         Html::markup("\n");
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
+  add_columns(table, table_columns(owner, story.run, places, table_language(story.say)));
 }
 
 namespace {
@@ -77,23 +74,20 @@ Html contact_table(const Story& story, Eigen::Index gap) {
   return table.markup();
 }
 
-Html building_table(const Story& story, Eigen::Index b) {
+/// Some quantities of a building's floors, from the top down; empty where there are none.
+Html floors_table(const Story& story, Eigen::Index b, std::vector<TableColumn> columns) {
+  if (columns.empty()) return {};
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  add_quantities(table, story, Owner::floor, floors_from_top(story.problem, b));
+  add_columns(table, std::move(columns));
   return table.markup();
 }
 
-/// Accelerations and storey shears with and without contact.
-Html force_table(const Story& story, Eigen::Index b) {
-  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
-  HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  for (TableColumn& column : force_columns(story.run, floors_from_top(story.problem, b), table_language(story.say))) {
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
-  return element("p", Html::text(story.say("peaks.forces"))) + table.markup();
+/// The same under a line that says what they are.
+Html floors_table(const Story& story, Eigen::Index b, const char* lead, std::vector<TableColumn> columns) {
+  const Html table = floors_table(story, b, std::move(columns));
+  return table.str().empty() ? table : element("p", Html::text(story.say(lead))) + table;
 }
 
 /// What the foundation does; empty without soil.
@@ -102,18 +96,6 @@ Html foundation_text(const Story& story, Eigen::Index b) {
   if (peaks.size() < 2) return {};
   return element("p", Html::text(story.say("peaks.foundation", {{"sway", quantity(peaks(0), story.c.units.length)},
                                                                 {"rocking", quantity(peaks(1), "rad")}})));
-}
-
-/// What its storeys do that yield; empty where none can.
-Html yielding_table(const Story& story, Eigen::Index b) {
-  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
-  std::vector<TableColumn> columns =
-      yielding_columns(story.run, floors_from_top(story.problem, b), table_language(story.say));
-  if (columns.empty()) return {};
-  HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
-  return element("p", Html::text(story.say("peaks.yielding"))) + table.markup();
 }
 
 /// Of one [[link]] table, from the top down.
@@ -173,7 +155,7 @@ Html proportions_text(const Story& story, Eigen::Index b) {
 
 }  // namespace
 
-Html remarks_section(const Story& story) {
+PageSection remarks_section(const Story& story) {
   Html content;
   for (const std::string& text : remark_texts(story.remarks, story.say.language())) {
     content += element("li", Html::text(text));
@@ -181,10 +163,10 @@ Html remarks_section(const Story& story) {
   if (!story.remarks.empty()) content = element("ul", content);
   content += element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response),
                                                 story.say.language())));
-  return section("remarks", story.say("remarks.heading"), content);
+  return {"remarks", story.say("remarks.heading"), content};
 }
 
-Html peaks_section(const Story& story) {
+PageSection peaks_section(const Story& story) {
   const Words& say = story.say;
   Html content;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
@@ -192,6 +174,7 @@ Html peaks_section(const Story& story) {
     const std::string name = gap_name(story.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
   }
+  const std::size_t language = table_language(say);
   content += restitution_table(story);
   for (std::vector<Eigen::Index> links : links_by_spec(story.c.links)) {
     if (links.empty()) continue;
@@ -201,9 +184,12 @@ Html peaks_section(const Story& story) {
   }
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
-    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
-               force_table(story, b) + proportions_text(story, b) + foundation_text(story, b) +
-               yielding_table(story, b);
+    const std::vector<QuantityPlace> floors = floors_from_top(story.problem, b);
+    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) +
+               floors_table(story, b, table_columns(Owner::floor, story.run, floors, language)) +
+               floors_table(story, b, "peaks.forces", force_columns(story.run, floors, language)) +
+               proportions_text(story, b) + foundation_text(story, b) +
+               floors_table(story, b, "peaks.yielding", yielding_columns(story.run, floors, language));
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(story.problem, story.response)) {
@@ -216,13 +202,13 @@ Html peaks_section(const Story& story) {
                             {{"input", quantity(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
                              {"residual", fmt::format("{:.1e}", energy.relative_residual())}})));
   }
-  return section("peaks", say("heading.peaks"), content);
+  return {"peaks", say("heading.peaks"), content};
 }
 
-Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
+PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
   const Words& say = story.say;
   const std::vector<Impact>& all = story.response.impacts;
-  if (all.empty()) return section("impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none"))));
+  if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
   std::vector<std::string> numbers, gaps, struck;
   std::vector<double> elevations;
   for (const Eigen::Index k : listed) {
@@ -258,7 +244,7 @@ Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed
   if (listed.size() > rows_in_print) {
     content += element("p", Html::text(say("impacts.print")), "class=\"print note\"");
   }
-  return section("impacts", say("heading.impacts"), content);
+  return {"impacts", say("heading.impacts"), content};
 }
 
 }  // namespace bentur::html

@@ -10,8 +10,7 @@
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_columns = 3;          // panels of a journal's column side by side
-constexpr double page_over_column = 17.0 / 8.8;  // of widths: more panels take a page's
+constexpr std::size_t most_columns = 3;  // panels of a journal's column side by side
 constexpr Eigen::Index most_modes = 3;
 
 /// Elevation, the same for all panels of a figure.
@@ -46,10 +45,7 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const Axis elevation = elevation_axis(run, options);
   for (std::size_t b = 0; b < shown.size(); ++b) {
     Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run)};
-    if (b > 0) {
-      panel.y.label = "";
-      panel.y.numbers = false;
-    }
+    if (b > 0) leave_to_neighbour(panel.y);
     figure.panels.push_back(panel);
   }
   return figure;
@@ -80,7 +76,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x = {.label = with_unit("max |x|", run.c.units.length), .from = 0, .to = 1.05 * largest};
+    panel.x = {.label = with_unit(word(options, "max |x|"), run.c.units.length), .from = 0, .to = 1.05 * largest};
     if (!(largest > 0)) panel.x.to = 1;
     const Curve with{.label = word(options, "with contact"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
@@ -149,10 +145,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;
-    if (!figure.panels.empty()) {
-      panel.y.label = "";
-      panel.y.numbers = false;
-    }
+    if (!figure.panels.empty()) leave_to_neighbour(panel.y);
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) throw NoFigure("nothing moves without contact, so that there are no ratios");

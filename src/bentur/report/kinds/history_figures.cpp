@@ -233,9 +233,10 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
   // Impacts are shorter than samples: the largest is told as it was.
   std::vector<Rule> rules;
   for (const double sign : {1.0, -1.0}) {
-    rules.push_back({.at = sign * largest, .label = sign > 0 ? "largest" : "", .line = Line::dotted});
+    rules.push_back({.at = sign * largest, .label = sign > 0 ? word(options, "largest") : "", .line = Line::dotted});
     if (capacity > 0) {
-      rules.push_back({.at = sign * capacity, .label = sign > 0 ? "capacity" : "", .line = Line::dashed});
+      rules.push_back(
+          {.at = sign * capacity, .label = sign > 0 ? word(options, "capacity") : "", .line = Line::dashed});
     }
   }
   Figure figure = histories(run, options, point, label, curves, rules, true);
@@ -248,17 +249,18 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
 
 Figure column_shear_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(run, options, i, with_unit("Shear V", run.c.units.force),
-                       {{0, {.label = "below"}}, {1, {.label = "above", .tone = Tone::orange}}},
-                       run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
+  return column_figure(
+      run, options, i, with_unit(word(options, "Shear V"), run.c.units.force),
+      {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::orange}}},
+      run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
 }
 
 Figure column_moment_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(run, options, i, with_unit("Moment M", unit_text("F L", run.c.units)),
-                       {{2, {.label = "bottom", .tone = Tone::blue, .line = Line::dashed}},
-                        {3, {.label = "where struck"}},
-                        {5, {.label = "top", .tone = Tone::orange}}},
+  return column_figure(run, options, i, with_unit(word(options, "Moment M"), unit_text("F L", run.c.units)),
+                       {{2, {.label = word(options, "bottom"), .tone = Tone::blue, .line = Line::dashed}},
+                        {3, {.label = word(options, "where struck")}},
+                        {5, {.label = word(options, "top"), .tone = Tone::orange}}},
                        run.response.points[i].column->moment, run.problem.points[i].column_moment_capacity);
 }
 

@@ -91,14 +91,7 @@ bool some_collapse(const NetcdfReader& results) {
   return std::any_of(collapsed.begin(), collapsed.end(), [](double one) { return one > 0; });
 }
 
-/// Of contact points there are none where a study models no contact.
-bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
-  if (results.find(kind.quantity) != nullptr) return true;
-  for (int b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
-    if (results.find(fmt::format("{}_{}", kind.quantity, b)) != nullptr) return true;
-  }
-  return false;
-}
+bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variables_of(results, kind.quantity).empty(); }
 
 }  // namespace
 
@@ -122,7 +115,7 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
     }
   }
   for (const SweepKind& kind : sweep_kinds()) {
-    if (has_quantity(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
+    if (is_in(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
   }
   return kinds;
 }
@@ -153,23 +146,23 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
   if (is_histories(results)) return figure_of_run(read_histories(results), kind, options, results.name());
   if (results.find("status") != nullptr) {
-    const SweepData sweep(results);
+    const SweepData sweep(results, options.say);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
     if (is_ida(results) && kind == "collapse") {
       FigureOptions of_collapse = options;
-      of_collapse.event = "collapsed > 0";
+      of_collapse.event = collapse_event;
       return fragility_figure(sweep, of_collapse);
     }
     for (const SweepKind& one : sweep_kinds()) {
-      if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
+      if (kind == one.kind && is_in(results, one)) return sweep_figure(sweep, one, options);
     }
     // Any other quantity by its own name.
     const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };
     const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
     if (quantity != quantities().end()) {
       const SweepKind by_name{kind, kind, std::string(quantity->long_name)};
-      if (has_quantity(results, by_name)) return sweep_figure(sweep, by_name, options);
+      if (is_in(results, by_name)) return sweep_figure(sweep, by_name, options);
     }
   }
   refuse(kind, results.name(), figure_kinds(results));

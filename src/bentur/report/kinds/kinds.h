@@ -1,16 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bentur/files/netcdf.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
+#include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
 
@@ -21,10 +20,9 @@ struct FigureOptions {
   std::optional<double> elevation;  ///< of the contact point [length]; default: that of the hardest impact
   std::vector<std::pair<std::string, std::string>> at;  ///< of a sweep: name and value of what stays fixed
   std::string against;                                  ///< of a sweep: what stands along the x axis
-  std::string event = "impacts > 0";                    ///< of a fragility: EventRule
-  double width = 8.8;                                   ///< [cm]
-  /// The texts of another language, given the English ones; by default these.
-  std::function<std::string(std::string_view)> say = {};
+  std::string event = pounding_event;                   ///< of a fragility: EventRule
+  double width = column_width;                          ///< [cm]
+  FigureWords say = {};
   /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
   bool choose = false;
 };

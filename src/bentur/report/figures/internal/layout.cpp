@@ -274,12 +274,12 @@ class Arrangement {
       }
       placed.title = lines_of(plain_text(panel.title), placed.right - placed.left + 0.2, most_lines);
       titles = std::max(titles, placed.title.size());
-      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y)),
+      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y, panel.y.number)),
                         text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
       if (placed.x.upright) {
         for (const auto& [at, text] : placed.x.labels) numbers = std::max(numbers, 0.3 + text_width(text));
       }
-      const std::string label = plain_text(scaled(panel.x.label, placed.x));
+      const std::string label = plain_text(scaled(panel.x.label, placed.x, panel.x.number));
       placed.x_label = lines_of(label, placed.cell_right - placed.cell_left, 3);
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }

@@ -56,6 +56,12 @@ class HtmlTable {
   std::vector<std::size_t> marked_;
 };
 
+/// A part of a page, with its place in the list of contents; without content it is not there.
+struct PageSection {
+  std::string id, heading;  ///< the id stands in the sources
+  Html content;
+};
+
 /// Names and their values: a table of two columns without a header.
 [[nodiscard]] Html facts(const std::vector<std::pair<std::string, std::string>>& rows);
 

@@ -12,6 +12,8 @@ namespace bentur {
 /// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
 /// @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options);
+/// Whether they ask for this elevation, or for none.
+[[nodiscard]] bool is_at(const FigureOptions& options, double elevation);
 /// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
 /// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point.
@@ -20,9 +22,8 @@ namespace bentur {
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
 /// "Model 1 | Model 2, elevation 300 cm".
 [[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options);
-/// The label of an axis in the language asked for; its unit stays.
-[[nodiscard]] std::string label_in(const FigureOptions& options, const std::string& english);
-/// A text of a figure in the language asked for; {} in it becomes `value`.
+/// A text of a figure in the language of the words; {} in it becomes `value`.
+[[nodiscard]] std::string word(const FigureWords& say, std::string_view english, const std::string& value = {});
 [[nodiscard]] std::string word(const FigureOptions& options, std::string_view english, const std::string& value = {});
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
@@ -45,6 +46,10 @@ namespace bentur {
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 
+/// Of widths: figures with more panels take a page's.
+constexpr double page_over_column = page_width / column_width;
+/// An axis whose label and numbers are those of the panel beside it.
+void leave_to_neighbour(Axis& axis);
 /// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index);
 [[nodiscard]] Mark mark_of(std::size_t index);
