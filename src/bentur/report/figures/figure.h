@@ -68,6 +68,7 @@ struct Axis {
   bool logarithmic = false;
   std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
   std::string number = "number";        ///< what its label calls the numbers that stand for names without room
+  std::vector<double> places = {};      ///< where its numbers stand if there is room for all; else round numbers do
   bool numbers = true;                  ///< has numbers; else those of a neighbouring panel serve
   /// What an axis without ends of its own shows at least, so that round-off does not look like a finding.
   std::optional<std::pair<double, double>> least = {};

@@ -252,7 +252,7 @@ class Writer {
     const std::size_t nx = map.x_edges.size() - 1;
     std::vector<double> columns[7];
     for (std::size_t i = 0; i < map.values.size(); ++i) {
-      if (!std::isfinite(map.values[i])) continue;
+      if (!std::isfinite(map.values[i]) || (map.ratio && map.values[i] <= 0)) continue;
       const double *x = &map.x_edges[i % nx], *y = &map.y_edges[i / nx];
       const double row[] = {(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[0], x[1], y[0], y[1], map.values[i]};
       for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);

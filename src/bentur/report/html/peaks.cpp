@@ -9,16 +9,24 @@
 #include "bentur/model/restitution.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/power_of_ten.h"
 #include "bentur/report/remark_text.h"
 
 namespace bentur::html {
 
-std::string quantity(double value, const std::string& unit) { return number(value) + "\u00A0" + unit; }
+std::string with_power(const std::string& number) {
+  const std::size_t at = number.find('e');
+  const auto power =
+      at == std::string::npos ? std::nullopt : parse_number(number.substr(number[at + 1] == '+' ? at + 2 : at + 1));
+  return power ? number.substr(0, at) + "\u00A0×\u00A0" + power_of_ten(static_cast<int>(*power)) : number;
+}
+
+std::string quantity(double value, const std::string& unit) { return with_power(number(value)) + "\u00A0" + unit; }
 
 std::string rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
-  return number(std::round(value / unit) * unit);
+  return with_power(number(std::round(value / unit) * unit));
 }
 
 std::string prose(double value, const std::string& unit) { return rounded(value) + "\u00A0" + unit; }
@@ -40,7 +48,10 @@ std::string building_key(const Story& story) {
 
 std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 
-std::string mass_unit(const Case& c) { return c.units.force + "·s²/" + c.units.length; }
+std::string mass_unit(const Case& c) {
+  const std::string unit = c.units.force + "·s²/" + c.units.length;
+  return unit == "N·s²/m" ? "kg" : unit == "kN·s²/m" || unit == "N·s²/mm" ? "t" : unit;
+}
 
 std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   const Gap between = gap_at(problem, gap);
@@ -200,7 +211,7 @@ PageSection peaks_section(const Story& story) {
     content += element(
         "p", Html::text(say("peaks.energy",
                             {{"input", quantity(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
-                             {"residual", fmt::format("{:.1e}", energy.relative_residual())}})));
+                             {"residual", with_power(fmt::format("{:.1e}", energy.relative_residual()))}})));
   }
   return {"peaks", say("heading.peaks"), content};
 }

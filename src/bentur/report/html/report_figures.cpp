@@ -18,6 +18,7 @@ std::vector<ReportFigure> drawn(const Results& results, const std::string& famil
   options.say = html::figure_words(language);
   options.choose = true;
   for (const FigureKind& kind : figure_kinds(results)) {
+    if (!kind.tells) continue;
     const std::string caption = say(family + kind.name);
     try {
       const Figure figure = make_figure(results, kind.name, options);

@@ -21,6 +21,14 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
   double top = *axis.from;
   for (const Building& building : run.problem.buildings) top = std::max(top, building.model.elevations.back());
   axis.to = top + 0.03 * (top - *axis.from);
+  std::vector<double> levels = {*axis.from};
+  for (const Building& building : run.problem.buildings) {
+    levels.insert(levels.end(), building.model.elevations.begin(), building.model.elevations.end());
+  }
+  std::sort(levels.begin(), levels.end());
+  const auto same = [&](double a, double b) { return b - a <= 1e-6 * (top - *axis.from); };
+  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
+  axis.places = std::move(levels);
   return axis;
 }
 
@@ -110,7 +118,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
       curve.x.push_back(value);
       curve.y.push_back(building.model.elevations[at.floor]);
     }
-    tell_apart(curve, b);
+    tell_apart(curve, static_cast<std::size_t>(shown[b]));
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -141,7 +149,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
         curve.x.push_back(value);
         curve.y.push_back(building.model.elevations[at.floor]);
       }
-      tell_apart(curve, b);
+      tell_apart(curve, static_cast<std::size_t>(shown[b]));
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;

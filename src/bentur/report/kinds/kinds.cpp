@@ -13,14 +13,16 @@
 namespace bentur {
 namespace {
 
+bool always(const RunResults&) { return true; }
+
 struct RunKind {
   const char* name;
   const char* shows;
   bool (*is_there)(const RunResults&);
   Figure (*make)(const RunResults&, const FigureOptions&);
+  bool (*tells)(const RunResults&) = always;
 };
 
-bool always(const RunResults&) { return true; }
 bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
@@ -33,6 +35,12 @@ bool has_ratios(const RunResults& run) {
            return peaks.storey_shear_no_contact.size() > 0;
          });
 }
+bool has_heights(const RunResults& run) {
+  const std::vector<Building>& buildings = run.problem.buildings;
+  return std::any_of(buildings.begin(), buildings.end(),
+                     [](const Building& building) { return !building.is_rigid() && building.model.floors() > 1; });
+}
+bool has_loop(const RunResults& run) { return !is_lossless(run); }
 bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value(); }
 bool has_energy(const RunResults& run) {
   return run.response.energy && run.response.energy->histories.input.size() > 0;
@@ -55,12 +63,12 @@ const RunKind run_kinds[] = {
     {"opening", "opening of the gap at one contact point", has_points, opening_figure},
     {"force", "contact force at one contact point", has_force, force_figure},
     {"impact", "the hardest impact in close-up: penetration and force", has_close_up, impact_figure},
-    {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure},
+    {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure, has_loop},
     {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
-     forces_figure},
+     forces_figure, has_heights},
     {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure},
     {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
-     amplification_figure},
+     amplification_figure, has_heights},
     {"modes", "mode shapes of each building", always, modes_figure},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
      storey_loop_figure},
@@ -81,7 +89,7 @@ const RunKind run_kinds[] = {
   std::vector<std::string> known;
   for (const FigureKind& one : kinds) known.push_back(one.name);
   const std::string near = nearest(kind, known);
-  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, of,
+  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}.", kind, of,
                              near.empty() ? "." : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
 }
 
@@ -98,7 +106,7 @@ bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variabl
 std::vector<FigureKind> figure_kinds(const RunResults& run) {
   std::vector<FigureKind> kinds;
   for (const RunKind& kind : run_kinds) {
-    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows});
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run)});
   }
   return kinds;
 }

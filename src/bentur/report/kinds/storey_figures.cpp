@@ -50,7 +50,7 @@ Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey, const Fig
               .height = 5,
               .curves = {curve}};
   if (peaks.yielding.ductility(storey) >= 1) {
-    panel.rules = {{.at = yield, .vertical = true, .line = Line::dotted},
+    panel.rules = {{.at = yield, .vertical = true, .label = word(options, "yield"), .line = Line::dotted},
                    {.at = -yield, .vertical = true, .line = Line::dotted}};
   }
   return panel;

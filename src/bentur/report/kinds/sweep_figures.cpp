@@ -64,6 +64,7 @@ class SweepDrawing {
       }
       figure.panels.push_back(std::move(panel));
     }
+    if (takes_a_page(figure)) figure.width *= page_over_column;
     figure.shared_legend = found.size() > 1 && same_legends(figure);
     share_range(figure);
     return figure;
@@ -75,6 +76,15 @@ class SweepDrawing {
     return std::all_of(figure.panels.begin(), figure.panels.end(), [&](const Panel& panel) {
       return std::equal(panel.curves.begin(), panel.curves.end(), first.begin(), first.end(),
                         [](const Curve& a, const Curve& b) { return a.label == b.label; });
+    });
+  }
+
+  /// Whether the names along the x axis need a page's width to stand upright.
+  static bool takes_a_page(const Figure& figure) {
+    constexpr std::size_t most_in_column = 18;
+    constexpr std::size_t most_in_page = 42;
+    return std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) {
+      return panel.x.names.size() > most_in_column && panel.x.names.size() <= most_in_page;
     });
   }
 
@@ -295,7 +305,10 @@ class SweepDrawing {
                   .names = one.texts,
                   .number = word(options_, "number")};
     };
-    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = 4.6, .map = map};
+    constexpr std::size_t most_names = 45;  // below one another
+    const std::size_t names = sweep_.dimensions()[y].texts.size();
+    const double height = names > most_names ? 4.6 : std::max(4.6, 0.38 * static_cast<double>(names));
+    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = height, .map = map};
   }
 
   /// A mark for every sample.
@@ -347,9 +360,9 @@ const std::vector<SweepKind>& sweep_kinds() {
       {"impulse", "impulse", "Impulse of all impacts", true},
       {"displacement", "peak_displacement", "max |x|"},
       {"acceleration", "peak_acceleration", "Peak floor acceleration"},
-      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration over that without contact"},
+      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration, ratio"},
       {"shear", "peak_storey_shear", "Peak storey shear V"},
-      {"shear-ratio", "storey_shear_ratio", "Storey shear over that without contact"},
+      {"shear-ratio", "storey_shear_ratio", "Storey shear, ratio"},
       {"drift", "peak_drift_ratio", "Peak storey drift Δ/h"},
   };
   return kinds;

@@ -80,6 +80,8 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] inline const char* verdict_class(bool pounds) {
   return pounds ? "class=\"verdict pounds\"" : "class=\"verdict clear\"";
 }
+/// "2.8e+07" as "2.8 × 10⁷"; other numbers as they are.
+[[nodiscard]] std::string with_power(const std::string& number);
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// A number of three digits, as sentences have them: "0.726".
@@ -93,7 +95,7 @@ constexpr std::size_t most_impacts = 1500;
 /// "1 Bank, 2 Hotel, 3 Office".
 [[nodiscard]] std::string building_key(const Story& story);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
-[[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
+[[nodiscard]] std::string mass_unit(const Case& c);          ///< "t", "kgf·s²/cm"
 /// By peak force, then, as where no force is known, by closing speed.
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
 /// Columns of quantities, behind those that say where they are.

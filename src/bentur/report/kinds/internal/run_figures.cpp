@@ -58,7 +58,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
         fmt::format("there is no gap {}: gaps are counted from 0 to {}", *options.gap, buildings.size() - 2));
   }
   if (candidates.empty()) {
-    throw NoFigure(fmt::format("no contact point at elevation {} {}: there are {}", number_text(*options.elevation),
+    throw NoFigure(fmt::format("no contact point at level {} {}: there are {}", number_text(*options.elevation),
                                run.c.units.length, known));
   }
   Eigen::Index best = candidates.front();
@@ -128,10 +128,14 @@ void leave_to_neighbour(Axis& axis) {
   axis.numbers = false;
 }
 
-void tell_apart(Curve& curve, std::size_t index) {
+Tone tone_of(std::size_t index) {
   constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::grey};
+  return tones[index % 4];
+}
+
+void tell_apart(Curve& curve, std::size_t index) {
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  curve.tone = tones[index % 4];
+  curve.tone = tone_of(index);
   curve.line = lines[(index + index / 4) % 4];
   if (curve.line == Line::dotted) curve.width = 1.4;
   constexpr std::size_t most_marks = 25;

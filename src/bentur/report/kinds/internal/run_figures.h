@@ -20,7 +20,9 @@ namespace bentur {
 [[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
-/// "Model 1 | Model 2, elevation 300 cm".
+/// Whether the impact in close-up gives back all the energy it takes, so that its loop has no area.
+[[nodiscard]] bool is_lossless(const RunResults& run);
+/// "Model 1 | Model 2, level 300 cm".
 [[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options);
 /// A text of a figure in the language of the words; {} in it becomes `value`.
 [[nodiscard]] std::string word(const FigureWords& say, std::string_view english, const std::string& value = {});
@@ -50,6 +52,8 @@ namespace bentur {
 constexpr double page_over_column = page_width / column_width;
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
+/// A building has the tone of its number in every figure.
+[[nodiscard]] Tone tone_of(std::size_t index);
 /// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index);
 [[nodiscard]] Mark mark_of(std::size_t index);

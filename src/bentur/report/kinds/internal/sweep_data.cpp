@@ -96,7 +96,7 @@ SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
                             : variable.name == "intensity"
                                 ? word(say_, capitalised(intensity_label(variable.long_name)))
                                 : parameter_label(variable.long_name, variable.name, say_);
-  one.label = with_unit(label, one.unit.empty() ? "–" : one.unit);
+  one.label = one.unit.empty() ? label : with_unit(label, one.unit);
   return one;
 }
 
