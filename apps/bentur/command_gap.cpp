@@ -340,7 +340,7 @@ void run_spectrum(const Loaded& loaded, bool json) {
                 ? "The spectrum is taken as it is; excitation.reduction divides what the codes amplify.\n"
                 : "What the codes amplify is the peaks divided by excitation.reduction.\n";
   }
-  print(text);
+  print(fitted(text));
 }
 
 void run_study(const GapArguments& arguments) {
@@ -354,7 +354,7 @@ void run_study(const GapArguments& arguments) {
     throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
   }
   if (!study) throw Failure(diagnostics);
-  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : gap_study_text(*study));
+  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(gap_study_text(*study)));
 }
 
 void run(const GapArguments& arguments) {
@@ -378,7 +378,7 @@ void run(const GapArguments& arguments) {
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"
       "combination of their peak displacements at that level.\n";
   text += screening_note + codes_note(loaded.c.code);
-  print(text);
+  print(fitted(text));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ void run(const ModesArguments& arguments) {
   for (const Building& building : loaded.problem.buildings) {
     text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units);
   }
-  print(text);
+  print(fitted(text));
 }
 
 }  // namespace

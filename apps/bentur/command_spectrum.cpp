@@ -153,7 +153,7 @@ void run(const SpectrumArguments& arguments) {
   if (arguments.json) {
     print(spectrum_json(spectrum, BENTUR_VERSION));
   } else if (arguments.output.empty()) {
-    print(spectrum_text(spectrum));
+    print(fitted(spectrum_text(spectrum)));
   } else if (csv && !csv->is_streamed()) {
     print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
   }

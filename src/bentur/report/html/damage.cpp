@@ -103,9 +103,9 @@ Html lead(const Story& story) {
       "p", Html::text(say("damage.worst",
                           {{"building", story.problem.buildings[worst_building].name},
                            {"storey", name_of(story, worst_building, worst)},
-                           {"with", number(most)},
-                           {"without", worst < without.size() ? number(without(worst)) : "–"},
-                           {"residual", number(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
+                           {"with", rounded(most)},
+                           {"without", worst < without.size() ? rounded(without(worst)) : "–"},
+                           {"residual", rounded(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
   return content;
 }
 

@@ -28,7 +28,7 @@ constexpr Eigen::Index largest_matrix_shown = 12;
 
 std::string list_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + with_power(number(value));
   return text;
 }
 

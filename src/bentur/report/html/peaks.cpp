@@ -9,17 +9,9 @@
 #include "bentur/model/restitution.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
-#include "bentur/report/power_of_ten.h"
 #include "bentur/report/remark_text.h"
 
 namespace bentur::html {
-
-std::string with_power(const std::string& number) {
-  const std::size_t at = number.find('e');
-  const auto power =
-      at == std::string::npos ? std::nullopt : parse_number(number.substr(number[at + 1] == '+' ? at + 2 : at + 1));
-  return power ? number.substr(0, at) + "\u00A0×\u00A0" + power_of_ten(static_cast<int>(*power)) : number;
-}
 
 std::string quantity(double value, const std::string& unit) { return with_power(number(value)) + "\u00A0" + unit; }
 
@@ -105,8 +97,8 @@ Html floors_table(const Story& story, Eigen::Index b, const char* lead, std::vec
 Html foundation_text(const Story& story, Eigen::Index b) {
   const Eigen::VectorXd& peaks = story.response.buildings[b].foundation;
   if (peaks.size() < 2) return {};
-  return element("p", Html::text(story.say("peaks.foundation", {{"sway", quantity(peaks(0), story.c.units.length)},
-                                                                {"rocking", quantity(peaks(1), "rad")}})));
+  return element("p", Html::text(story.say("peaks.foundation", {{"sway", prose(peaks(0), story.c.units.length)},
+                                                                {"rocking", prose(peaks(1), "rad")}})));
 }
 
 /// Of one [[link]] table, from the top down.
@@ -158,10 +150,10 @@ Html proportions_text(const Story& story, Eigen::Index b) {
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const double period = 2 * std::numbers::pi / building.first_omega();
   return element("p",
-                 Html::text(story.say("peaks.proportions", {{"weight", quantity(found.weight, story.c.units.force)},
-                                                            {"coefficient", number(*found.base_shear_coefficient)},
-                                                            {"period", quantity(period, "s")},
-                                                            {"per_storey", quantity(found.period_per_storey, "s")}})));
+                 Html::text(story.say("peaks.proportions", {{"weight", prose(found.weight, story.c.units.force)},
+                                                            {"coefficient", rounded(*found.base_shear_coefficient)},
+                                                            {"period", prose(period, "s")},
+                                                            {"per_storey", prose(found.period_per_storey, "s")}})));
 }
 
 }  // namespace
@@ -210,7 +202,7 @@ PageSection peaks_section(const Story& story) {
     const EnergyAudit& energy = *story.response.energy;
     content += element(
         "p", Html::text(say("peaks.energy",
-                            {{"input", quantity(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
+                            {{"input", prose(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
                              {"residual", with_power(fmt::format("{:.1e}", energy.relative_residual()))}})));
   }
   return {"peaks", say("heading.peaks"), content};

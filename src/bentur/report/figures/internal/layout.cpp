@@ -18,7 +18,7 @@ constexpr double label_room = 0.45;     // of an axis' label
 constexpr double edge = 0.3;            // free to the right of a frame
 constexpr double events_height = 0.09;  // of the frame, kept free for marks along its upper edge
 constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 2;   // of a title
+constexpr std::size_t most_lines = 3;   // of a title
 
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.
@@ -153,18 +153,28 @@ void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
 }
 
-/// Cuts labels that are too long, and places the entries in rows and columns within a width, x and y measured from the
-/// upper left corner. @return the height they take.
+/// Places the entries in rows and columns within a width, x and y measured from the upper left corner; labels that are
+/// too long go on below. @return the height they take.
 double arrange(std::vector<LegendEntry>& list, double width) {
   if (list.empty()) return 0;
+  const double room = std::max(0.7, width - sample_width - 0.1);
   double longest = 0;
+  std::vector<LegendEntry> entries;
   for (LegendEntry& entry : list) {
-    entry.label = cut_to(entry.label, std::max(0.7, width - sample_width - 0.1));
-    longest = std::max(longest, text_width(entry.label));
+    const std::vector<std::string> lines = lines_of(entry.label, room, most_lines);
+    for (const std::string& line : lines) {
+      longest = std::max(longest, text_width(line));
+      entries.push_back({.label = line});
+      if (&line != &lines.front()) continue;
+      entries.back() = entry;
+      entries.back().label = line;
+    }
   }
+  const bool is_divided = entries.size() > list.size();
+  list = std::move(entries);
   const double step = sample_width + 0.35 + longest;
   const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + 0.25) / step)), list.size());
-  const std::size_t rows = (list.size() + fitting - 1) / fitting;
+  const std::size_t rows = is_divided ? list.size() : (list.size() + fitting - 1) / fitting;
   const std::size_t columns = (list.size() + rows - 1) / rows;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].x = static_cast<double>(i % columns) * step;

@@ -80,8 +80,6 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] inline const char* verdict_class(bool pounds) {
   return pounds ? "class=\"verdict pounds\"" : "class=\"verdict clear\"";
 }
-/// "2.8e+07" as "2.8 × 10⁷"; other numbers as they are.
-[[nodiscard]] std::string with_power(const std::string& number);
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// A number of three digits, as sentences have them: "0.726".
