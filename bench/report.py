@@ -229,12 +229,16 @@ def figure(folder, cases):
     folder.mkdir(exist_ok=True)
     names = list(cases)
     columns = 3 if len(names) > 2 else len(names)
-    script = ["set terminal svg size 1200,%d font 'sans,12' background '#ffffff'" % (380 * math.ceil(len(names) / columns)),
+    rows = math.ceil(len(names) / columns)
+    height = 360 * rows + 100  # the legend stands below
+    times = [t for case in cases.values() for of in case.values() for t in Runs(of).times]
+    decades = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
+    script = [f"set terminal svg size 1200,{height} font 'sans,12' background '#ffffff'",
               "set output 'work-precision.svg'", "set encoding utf8",
-              f"set multiplot layout {math.ceil(len(names) / columns)},{columns}",
+              f"set multiplot layout {rows},{columns} margins 0.07,0.98,{160 / height:.3f},{1 - 40 / height:.3f} "
+              f"spacing 0.08,{110 / height:.3f}",
               "set logscale xy", "set format x '10^{%T}'", "set format y '10^{%T}'", "set grid lc '#dddddd'",
-              "set xlabel 'time [s]'", "set ylabel 'relative error of peak force'", "set yrange [1e-13:1]", "set xrange [1e-6:100]",
-              "set key samplen 1 spacing 0.9 font ',9' opaque"]
+              "set xlabel 'time [s]'", "set ylabel 'relative error of peak force'", "set yrange [1e-13:1]", f"set xrange [1e{decades[0]}:1e{decades[1]}]"]
     for number, name in enumerate(names):
         case = cases[name]
         plots = []
@@ -250,7 +254,8 @@ def figure(folder, cases):
         exact = time_of(case, "exact")
         (folder / f"{name}-exact.txt").write_text(f"{exact:.6e} 1e-13\n{exact:.6e} 1\n")
         plots.append(f"'{name}-exact.txt' with lines lw 2 lc rgb '#c00000' title 'exact'")
-        script += [f"set title '{name}'", "set key " + ("on bottom left Left reverse" if number + 1 == len(names) else "off"),
+        script += [f"set title '{name}'", "set key at screen 0.5, screen 0.02 center bottom vertical maxrows 2 Left reverse samplen 2 width 2"
+                   if number + 1 == len(names) else "unset key",
                    "plot " + ", \\\n  ".join(plots)]
     script.append("unset multiplot")
     (folder / "work-precision.gp").write_text("\n".join(script) + "\n")

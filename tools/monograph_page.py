@@ -180,22 +180,22 @@ def conclusions(g):
     shares = {reading: (sum(v > ABOVE_ONE for k in keys([reading]) for v in ratios[k]), sum(len(ratios[k]) for k in keys([reading])))
               for reading in READINGS}
     average = said["free floor amplified on average"]
-    summary = table(["the monograph says", "our runs"], [
-        ["the contact force is largest near 60 % of the gap needed", f"**{verdict(*said['near 60 %'])}** (50-70 %); some cases have a lower peak there"],
-        ["the force does not always fall as the gap grows", f"**{verdict(*rising)}**"],
-        ["amplification is always above one", f"**{verdict(*said['amplified'])}** for all floors and gaps; nearly so **only if** a much heavier building strikes"],
-        ["the time in contact tends to fall as the gap grows",
+    summary = table(["the monograph says", "section: in its words", "our runs"], [
+        ["the contact force is largest near 60 % of the gap needed", "4.1.4: “terdapat pada zona 60 % dari gap awal minimum yang diperlukan”", f"**{verdict(*said['near 60 %'])}** (50-70 %); some cases have a lower peak there"],
+        ["the force does not always fall as the gap grows", "4.1.4: “tidak selamanya berkurang dengan meningkatnya gap awal”", f"**{verdict(*rising)}**"],
+        ["amplification is always above one", "4.1.4: “faktor amplifikasi perpindahan relatif selalu lebih besar dari satu”", f"**{verdict(*said['amplified'])}** for all floors and gaps; nearly so **only if** a much heavier building strikes"],
+        ["the time in contact tends to fall as the gap grows", "4.1.4: “durasi kontak […] cenderung berkurang dengan semakin bertambahnya gap awal”",
          f"**{verdict(*said['duration falls'])}** from quarter to quarter of the gap needed; without any rise in between in {falling[0]}"],
-        ["floors that do not collide are amplified too (3-2 storeys)",
+        ["floors that do not collide are amplified too (3-2 storeys)", "4.1.4: “lantai yang tidak mengalami benturan juga mendapatkan faktor amplifikasi”",
          f"**{verdict(*said['free floor amplified'])}** at every gap, in {average[0]} on average"],
-        ["… and move more than those that collide", f"**{verdict(*said['free floor moves more'])}**, as they do without contact"],
-        ["equal periods need no gap", "**holds only if** the ground motion arrives at the same time and the buildings are twins"],
-        ["the second floor moves more than the third", f"**{verdict(*said['second floor moves more'])}**"],
-        ["the largest force is at the second floor", f"**{verdict(*said['second floor hit hardest'])}** at any gap"],
-        ["the gap needed can be less than the sum of the largest displacements", f"**{verdict(*said['less than the sum'])}**"],
-        ["the motion stays periodic though the models collide (M1-2, harmonic, touching)",
+        ["… and move more than those that collide", "4.1.4: “cenderung lebih besar dari pada […] lantai yang berbenturan”", f"**{verdict(*said['free floor moves more'])}**, as they do without contact"],
+        ["equal periods need no gap", "4.1.4: “gap minimum yang dibutuhkan untuk menghindari benturan adalah sama dengan nol”", "**holds only if** the ground motion arrives at the same time and the buildings are twins"],
+        ["the second floor moves more than the third", "4.1.4: “Perpindahan lantai kedua […] cenderung lebih besar daripada lantai teratas”", f"**{verdict(*said['second floor moves more'])}**"],
+        ["the largest force is at the second floor", "4.1.4: “gaya benturan terbesar terjadi pada lantai dua”", f"**{verdict(*said['second floor hit hardest'])}** at any gap"],
+        ["the gap needed can be less than the sum of the largest displacements", "2.2 Tujuan: “dapat bernilai kurang dari jumlah nilai mutlak simpangan relatif maksimum”", f"**{verdict(*said['less than the sum'])}**"],
+        ["the motion stays periodic though the models collide (M1-2, harmonic, touching)", "4.1.4: “masih bersifat periodik walau terjadi tumbukan”",
          f"**{'holds only if' if len(periodic) == 1 else verdict(len(periodic), 2)}** {'the models have their ' + periodic[0] if len(periodic) == 1 else ''}".strip()],
-        ["loading and unloading take different times", f"**hardly**: by more than 5 % in {len(uneven)} of {len(phase)} impacts of that run"],
+        ["loading and unloading take different times", "4.1.4: “waktu yang diperlukan untuk fase loading dan unloading berbeda”", f"**hardly**: by more than 5 % in {len(uneven)} of {len(phase)} impacts of that run"],
     ], "left")
     numbers = f"""### The force near 60 % of the gap needed
 

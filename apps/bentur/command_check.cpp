@@ -66,7 +66,8 @@ void run(const std::string& file) {
                         count(spec.elevations.size(), "link", "links"), spec.law);
   }
   if (loaded.c.excitation.spectrum) {
-    print(text + "A spectrum: for bentur gap, which makes no run\n" + remarks_text(remarks(loaded.c, loaded.problem)));
+    print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" +
+                 remarks_text(remarks(loaded.c, loaded.problem))));
     return;
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
@@ -77,7 +78,7 @@ void run(const std::string& file) {
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
-  print(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem)));
+  print(fitted(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem))));
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ void run(const FragilityArguments& arguments) {
   long failed = 0;
   for (const CaseFragility& one : report->fragilities) failed += one.failed;
   if (failed > 0) message(fmt::format("warning: {} runs whose values make no case are left out", failed));
-  print(arguments.json ? fragility_json(*report, request, BENTUR_VERSION) : text(*report, request));
+  print(arguments.json ? fragility_json(*report, request, BENTUR_VERSION) : fitted(text(*report, request)));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string codes_text(const Problem& problem, const std::vector<PointSeparation
   table.add("code", "", titles);
   table.add("clause", "", clauses);
   table.add("gap", length, gaps);
-  table.add("elevation", length, elevations);
+  table.add("level", length, elevations);
   table.add("given is", "", marks);
   table.add("left to line", length, lefts);
   table.add("right to line", length, rights);
@@ -138,7 +138,7 @@ std::string watched_text(const Problem& problem, const Response& response, Eigen
     marks.emplace_back(governing.watched == *i ? "◄ governs" : "");
   }
   Table table;
-  table.add("elevation", length, elevations);
+  table.add("level", length, elevations);
   table.add("floor of", "", owners);
   table.add("faces a", "", faces);
   table.add("given", length, widths);
@@ -158,7 +158,7 @@ std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<Po
   const GoverningLevel governing = governing_level(problem, run.response, gap.left);
   const bool too_close = governing.is_short();
   std::string text =
-      fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap.left),
+      fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
                   too_close ? "too close" : "wide enough", number(governing.needed), length,
                   number(governing.elevation), length, number(governing.width), length,
                   too_close ? fmt::format(": {} {} short", number(governing.needed - governing.width), length) : "");
@@ -179,7 +179,7 @@ std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<Po
     marks.push_back(!governing.watched && point_of(s).elevation == governing.elevation ? "◄ governs" : "");
   }
   Table table;
-  table.add("elevation", length, elevations);
+  table.add("level", length, elevations);
   table.add("given", length, widths);
   table.add("simulated", length, simulated);
   table.add("ABS", length, abs);
@@ -243,7 +243,7 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
     cqc.push_back(peaks.cqc(floor));
   }
   Table table;
-  table.add("elevation", length, elevations);
+  table.add("level", length, elevations);
   table.add("SRSS", length, srss);
   table.add("CQC", length, cqc);
   const std::string elastic = building.can_yield() ? " (elastic, with its initial stiffness)" : "";
@@ -287,14 +287,14 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
   std::string text = gap_name(problem, gap.left) + ": no floors face one another\n";
   if (worst) {
     const double short_by = worst->needed - worst->width;
-    text = fmt::format("{}: {}. {} {} is needed at elevation {} {}, {} {} given{}\n", gap_name(problem, gap.left),
+    text = fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
                        short_by > 0 ? "too close" : "wide enough", number(worst->needed), length,
                        number(worst->elevation), length, number(worst->width), length,
                        short_by > 0 ? fmt::format(": {} {} short", number(short_by), length) : "");
   }
   if (!points.empty()) {
     Table table;
-    table.add("elevation", length, elevations);
+    table.add("level", length, elevations);
     table.add("given", length, widths);
     table.add("difference", length, differences);
     table.add("ABS", length, abs);
@@ -304,7 +304,7 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
   }
   if (!owners.empty()) {
     Table table;
-    table.add("elevation", length, watched_elevations);
+    table.add("level", length, watched_elevations);
     table.add("floor of", "", owners);
     table.add("faces a", "", faces);
     table.add("given", length, watched_widths);
@@ -331,7 +331,7 @@ void run_spectrum(const Loaded& loaded, bool json) {
   for (const Gap& gap : gaps_of(loaded.problem)) text += "\n" + spectral_text(c, loaded.problem, spectral, gap);
   text += fmt::format(
       "\nDifference: the peak of left minus right over the modes of both buildings by {0}. ABS, SRSS, DDC:\n"
-      "sum, root of squares and double-difference combination of their peaks by {0} at that elevation.\n"
+      "sum, root of squares and double-difference combination of their peaks by {0} at that level.\n"
       "All are means: about half of the ground motions of this spectrum need more. Buildings are elastic.\n",
       spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS");
   text += screening_note + codes_note(c.code);
@@ -340,7 +340,7 @@ void run_spectrum(const Loaded& loaded, bool json) {
                 ? "The spectrum is taken as it is; excitation.reduction divides what the codes amplify.\n"
                 : "What the codes amplify is the peaks divided by excitation.reduction.\n";
   }
-  print(text);
+  print(fitted(text));
 }
 
 void run_study(const GapArguments& arguments) {
@@ -354,7 +354,7 @@ void run_study(const GapArguments& arguments) {
     throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
   }
   if (!study) throw Failure(diagnostics);
-  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : gap_study_text(*study));
+  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(gap_study_text(*study)));
 }
 
 void run(const GapArguments& arguments) {
@@ -376,9 +376,9 @@ void run(const GapArguments& arguments) {
   }
   text +=
       "\nSimulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and double-difference\n"
-      "combination of their peak displacements at that elevation.\n";
+      "combination of their peak displacements at that level.\n";
   text += screening_note + codes_note(loaded.c.code);
-  print(text);
+  print(fitted(text));
 }
 
 }  // namespace

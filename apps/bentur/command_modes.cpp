@@ -20,7 +20,7 @@ constexpr Eigen::Index most_modes = 8;  // in a table; --json has all
 Table shape_table(const Building& building, const std::string& length) {
   Table table;
   std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
-  table.add("elevation", length, elevations);
+  table.add("level", length, elevations);
   for (Eigen::Index mode = 0; mode < std::min(building.modes.shapes.cols(), most_modes); ++mode) {
     const Eigen::VectorXd sway = building.modes.shapes.col(mode).head(building.model.floors());
     const double largest = sway.cwiseAbs().maxCoeff();
@@ -88,7 +88,7 @@ void run(const ModesArguments& arguments) {
   for (const Building& building : loaded.problem.buildings) {
     text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units);
   }
-  print(text);
+  print(fitted(text));
 }
 
 }  // namespace

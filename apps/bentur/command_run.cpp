@@ -101,9 +101,9 @@ std::string unmodelled_text(const RunResults& run, const std::vector<Eigen::Inde
     const Eigen::Index i = floors[n];
     const WatchedFloor& floor = problem.watched[i];
     const WatchedSummary& summary = run.response.watched[i];
-    const std::string met = fmt::format(
-        "{} at elevation {} {} goes {} {} into {}, t = {} s", floor_text(problem, floor), number(floor.elevation),
-        length, number(-summary.least_opening), length, faced_text(problem, floor), number(summary.least_time));
+    const std::string met = fmt::format("{} at level {} {} goes {} {} into {}, t = {} s", floor_text(problem, floor),
+                                        number(floor.elevation), length, number(-summary.least_opening), length,
+                                        faced_text(problem, floor), number(summary.least_time));
     text += text.empty() ? fmt::format(
                                "POUNDING THAT IS NOT MODELLED: {}.\n  The run goes on as if nothing were there: "
                                "its numbers do not tell what happens then.\n",
@@ -133,14 +133,13 @@ std::string verdict(const RunResults& run, Eigen::Index gap) {
     text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", found.impacts,
                         found.impacts == 1 ? "" : "s", found.touched, points, points == 1 ? "" : "s");
     if (worst.peak_force_time) {  // an impact without duration has no force
-      text +=
-          fmt::format("Hardest: {} {} at elevation {} {}, t = {} s.\n  ", number(worst.peak_force), run.c.units.force,
-                      number(problem.points[*found.hardest].elevation), length, number(*worst.peak_force_time));
+      text += fmt::format("Hardest: {} {} at level {} {}, t = {} s.\n  ", number(worst.peak_force), run.c.units.force,
+                          number(problem.points[*found.hardest].elevation), length, number(*worst.peak_force_time));
     }
   }
   const GoverningLevel& level = found.governing;
-  text += fmt::format("Gap at elevation {} {}: {} {} given, {} {} needed to stay apart.\n", number(level.elevation),
-                      length, number(level.width), length, number(level.needed), length);
+  text += fmt::format("Gap at level {} {}: {} {} given, {} {} needed to stay apart.\n", number(level.elevation), length,
+                      number(level.width), length, number(level.needed), length);
   if (level.watched) {
     const WatchedFloor& floor = problem.watched[*level.watched];
     text += fmt::format("  There {} faces {}.\n", floor_text(problem, floor), faced_text(problem, floor));
@@ -200,14 +199,22 @@ std::string law_text(const RunResults& run, const RunView& view) {
     table.add("gap", "", between);
   }
   if (!single_points) {
-    table.add("elevation", run.c.units.length, elevation);
+    table.add("level", run.c.units.length, elevation);
   }
   table.add("law", "", law);
   table.add("choices", "", choices);
   table.add("parameter", "", parameter);
   table.add("asked", "", asked);
   table.add("obtained", "", obtained);
-  return "\nContact laws, restitution asked and obtained\n\n" + table.text();
+  const bool pushed = std::any_of(restitution.begin(), restitution.end(),
+                                  [](const PointRestitution& one) { return one.largest > 1.0; });
+  const std::string note =
+      pushed ? wrapped(
+                   "Restitution above 1: columns and the ground pushed the floors apart as well, which during a "
+                   "contact they do not stop doing.") +
+                   "\n"
+             : "";
+  return "\nContact laws, restitution asked and obtained\n\n" + table.text() + note;
 }
 
 /// Whether a building collapses, in the run or without contact; empty where none does.
@@ -272,6 +279,7 @@ std::string summary_text(const RunResults& run) {
     }
     text += yielding_table(view, b);
   }
+  text += "\nDrift and storey shear are those of the storey below the level.\n";
   const std::string unusual = remarks_text(run.remarks);
   text += "\n" + unusual + wrapped(model_text(problem, some_building_yields(problem, run.response))) + "\n";
   if (run.response.energy) {

@@ -22,7 +22,7 @@ namespace bentur::cli {
 namespace {
 
 struct SpectrumArguments {
-  std::string file, unit, periods = "0.05:5:41", length = "m", output;
+  std::string file, unit, periods, length = "m", output;
   RecordOptions options;
   double damping = 0.05;
   bool json = false, force = false;
@@ -86,9 +86,10 @@ SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units
 
 std::string spectrum_text(const RecordSpectrum& spectrum) {
   const std::string& length = spectrum.units.length;
-  std::vector<double> displacement, velocity, acceleration, absolute;
+  std::vector<std::string> displacement;  // each with its own digits: it grows a thousandfold over the periods
+  std::vector<double> velocity, acceleration, absolute;
   for (const OscillatorPeaks& p : spectrum.peaks) {
-    displacement.push_back(p.displacement);
+    displacement.push_back(number(p.displacement));
     velocity.push_back(p.pseudo_velocity);
     acceleration.push_back(p.pseudo_acceleration / spectrum.units.gravity);
     absolute.push_back(p.absolute_acceleration / spectrum.units.gravity);
@@ -101,7 +102,7 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
   table.add("absolute acceleration", "g", absolute);
   return fmt::format("{}\nResponse spectrum, damping {} %, peak ground acceleration {} {} = {} g\n\n",
                      record_line(spectrum.record), number(100 * spectrum.damping_ratio),
-                     number(spectrum.record.pga_read), spectrum.record.unit,
+                     number(spectrum.record.pga_read), unit_of(spectrum.record),
                      number(spectrum.record.pga / spectrum.units.gravity)) +
          table.text();
 }
@@ -120,11 +121,12 @@ Figure spectrum_picture(const RecordSpectrum& spectrum) {
 }
 
 void run(const SpectrumArguments& arguments) {
-  const std::vector<double> periods = read_periods(arguments.periods);
+  const std::filesystem::path output(arguments.output);
+  const char* const usual = is_picture(output) ? "0.05:5:301" : "0.05:5:41";  // a curve, or a table
+  const std::vector<double> periods = read_periods(arguments.periods.empty() ? usual : arguments.periods);
   if (!(arguments.damping >= 0 && arguments.damping < 1)) {
     throw Failure(exit_bad_input, fmt::format("bentur: --damping {}: must be in [0, 1)", arguments.damping));
   }
-  const std::filesystem::path output(arguments.output);
   const OutputRules rules{.inputs = {arguments.file}, .force = arguments.force};
   std::optional<OutputFile> csv;
   if (is_picture(output)) {
@@ -151,7 +153,7 @@ void run(const SpectrumArguments& arguments) {
   if (arguments.json) {
     print(spectrum_json(spectrum, BENTUR_VERSION));
   } else if (arguments.output.empty()) {
-    print(spectrum_text(spectrum));
+    print(fitted(spectrum_text(spectrum)));
   } else if (csv && !csv->is_streamed()) {
     print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
   }
@@ -178,7 +180,8 @@ void add_spectrum_command(CLI::App& app) {
       ->check(CLI::Range(0, 1000000));
   command->add_option("--damping", arguments->damping, "ratio, default 0.05");
   command->add_option("--periods", arguments->periods,
-                      "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41");
+                      "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41, of a picture "
+                      "0.05:5:301");
   command->add_option("--length", arguments->length, "unit of length of the results, default m")
       ->check(CLI::IsMember(length_units()));
   command

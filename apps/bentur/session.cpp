@@ -161,9 +161,14 @@ std::string solver_name(const Solver& solver) {
   return text;
 }
 
+std::string unit_of(const RecordEcho& record) {
+  return record.unit.ends_with("/s2") ? record.unit.substr(0, record.unit.size() - 1) + "²" : record.unit;
+}
+
 std::string record_line(const RecordEcho& record) {
-  return fmt::format("Record {} ({}, {}{}): {} values every {} s, {} s long", record.file, record.format, record.unit,
-                     echo_notes(record), record.count, number(record.time_step), number(record.duration));
+  return fmt::format("Record {} ({}, {}{}): {} values every {} s, {} s long", record.file, record.format,
+                     unit_of(record), echo_notes(record), record.count, number(record.time_step),
+                     number(record.duration));
 }
 
 std::string excitation_line(const Case& c) {
@@ -172,7 +177,7 @@ std::string excitation_line(const Case& c) {
   if (c.excitation.record) {
     const RecordEcho& record = *c.excitation.record;
     line = fmt::format("{}\n       peak {} {}, applied {} {}", record_line(record), number(record.pga_read),
-                       record.unit, number(record.pga), acceleration);
+                       unit_of(record), number(record.pga), acceleration);
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
     line = fmt::format("Harmonic ground motion ({}): period {} s, amplitude {} {}, peak {} {}",
                        harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine", number(harmonic->period),

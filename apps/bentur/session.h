@@ -87,6 +87,8 @@ class StopOnSignal {
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
 [[nodiscard]] std::string excitation_line(const Case& c);
+/// The unit of a record's numbers: "m/s²".
+[[nodiscard]] std::string unit_of(const RecordEcho& record);
 /// What was read from a record file, and how.
 [[nodiscard]] std::string record_line(const RecordEcho& record);
 

@@ -1107,7 +1107,7 @@ duration = 5.0
         self.assertIn("give B as building.frame, whose column it can strike", met[0]["to_model"])
         text = self.done("run", case).stdout
         verdict = text.split("\n\n")[1].splitlines()
-        self.assertRegex(verdict[0], r"^A \| B: POUNDING THAT IS NOT MODELLED: the floor of A at elevation 9 m goes "
+        self.assertRegex(verdict[0], r"^A \| B: POUNDING THAT IS NOT MODELLED: the floor of A at level 9 m goes "
                                      r"0\.\d+ m into the column of B, t = [\d.]+ s\.$")
         self.assertNotIn("NO POUNDING", text)
         self.assertIn("  There the floor of A faces the column of B.\n", text)
@@ -1137,7 +1137,7 @@ duration = 5.0
         case.write_text(case.read_text().replace("[4.0, 4.0, 4.0]", "[3.0, 3.5, 4.0]")
                         .replace("elevations = []", 'contact = { law = "linear", stiffness = 1e7 }'))
         texts = {one["elevation"]: one["to_model"] for one in self.summary(case)["unmodelled_contact"]}
-        self.assertRegex(texts[6], r"gap.level_tolerance = 0.5\d* lets it meet the floor of B at elevation 6.5 m")
+        self.assertRegex(texts[6], r"gap.level_tolerance = 0.5\d* lets it meet the floor of B at level 6.5 m")
         case.write_text(case.read_text().replace("width = 0.01", "width = 0.01\nlevel_tolerance = 0.51"))
         gap = self.summary(case)
         self.assertEqual([point["elevation"] for point in gap["points"]], [3, 6.25])
@@ -1215,8 +1215,8 @@ class Spectrum(CommandLine):
         two = SOURCE / "tests" / "bad_input" / "good-two-channels.V2"
         self.assertIn("say in --channel which one", self.fails(2, "spectrum", two).stderr)
         text = self.done("spectrum", two, "--channel", "1").stdout
-        self.assertIn("(csmip, cm/s2, channel 1 of 2 (Chan 1: 90 Deg), 12 header lines): 3 values every 0.02 s", text)
-        self.assertIn("peak ground acceleration 123 cm/s2 = 0.1254 g", text)
+        self.assertIn("(csmip, cm/s², channel 1 of 2 (Chan 1: 90 Deg), 12 header lines): 3 values every 0.02 s", text)
+        self.assertIn("peak ground acceleration 123 cm/s² = 0.1254 g", text)
         heading = self.folder / "heading.txt"
         heading.write_text("4000 points\n0.00 0.01\n0.02 -0.02\n0.04 0.03\n")
         self.assertIn("give --skip-lines 1", self.fails(2, "spectrum", heading, "--unit", "g").stderr)

@@ -202,7 +202,7 @@ class Result:
                 lines.append(f"{name}: pounding, {impacts} impacts at {hit} of {len(points)} contact points")
                 if hardest["peak_force_time"] is not None:
                     lines.append(
-                        f"  hardest {hardest['peak_force']:.4g} {force} at elevation {hardest['elevation']:g} {length}, "
+                        f"  hardest {hardest['peak_force']:.4g} {force} at level {hardest['elevation']:g} {length}, "
                         f"t = {hardest['peak_force_time']:.4g} s"
                     )
             lines.append(f"  {gap['gap_needed']:.4g} {length} are needed to stay apart")

@@ -17,7 +17,7 @@ std::string fastest_source(const Case& c, const Problem& problem, const Effort::
       return fmt::format("the damping of {}", problem.buildings[fastest.building].name);
     case By::contact: {
       const ContactPoint& point = problem.points[fastest.point];
-      return fmt::format("the contact of {} at elevation {} {}", gap_name(problem, point.left), number(point.elevation),
+      return fmt::format("the contact of {} at level {} {}", gap_name(problem, point.left), number(point.elevation),
                          c.units.length);
     }
     case By::mode:

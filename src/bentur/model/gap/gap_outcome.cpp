@@ -124,7 +124,7 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
     case Remedy::Kind::name_elevation:
       return fmt::format("name {} in gap.elevations, or leave elevations out", number(remedy.level));
     case Remedy::Kind::raise_tolerance:
-      return fmt::format("gap.level_tolerance = {} lets it meet the floor of {} at elevation {} {}",
+      return fmt::format("gap.level_tolerance = {} lets it meet the floor of {} at level {} {}",
                          number(remedy.tolerance), other, number(remedy.level), length);
     case Remedy::Kind::strike_column:
       return fmt::format(
@@ -135,7 +135,7 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
   }
   return fmt::format(
       "give {} as building.frame, whose column it can strike with gap.strikes_columns = true and {} among "
-      "gap.elevations, or as building.matrices with a level at elevation {} {}",
+      "gap.elevations, or as building.matrices with a floor at level {} {}",
       other, number(remedy.level), number(remedy.level), length);
 }
 

@@ -276,7 +276,7 @@ TEST(RemedyFor, AColumnCanBeStruckWhereItsBuildingIsAFrame) {
   problem = make_problem(c);
   EXPECT_EQ(remedy_text(problem, problem.watched[2], "m"),
             "give B as building.frame, whose column it can strike with gap.strikes_columns = true and 6 among "
-            "gap.elevations, or as building.matrices with a level at elevation 6 m");
+            "gap.elevations, or as building.matrices with a floor at level 6 m");
 }
 
 TEST(RemedyFor, SaysWhatACaseCanDo) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,12 @@ enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
 /// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale ones are for areas.
 enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange };
+
+constexpr double column_width = 8.8;  ///< of a journal [cm]
+constexpr double page_width = 17;     ///< [cm]
+
+/// The texts of figures in another language, given the English ones; empty: these.
+using FigureWords = std::function<std::string(std::string_view)>;
 
 /// Points joined by a line, marks at them, or both; or an area.
 struct Curve {
@@ -59,6 +67,8 @@ struct Axis {
   std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
   bool logarithmic = false;
   std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
+  std::string number = "number";        ///< what its label calls the numbers that stand for names without room
+  std::vector<double> places = {};      ///< where its numbers stand if there is room for all; else round numbers do
   bool numbers = true;                  ///< has numbers; else those of a neighbouring panel serve
   /// What an axis without ends of its own shows at least, so that round-off does not look like a finding.
   std::optional<std::pair<double, double>> least = {};
@@ -80,9 +90,9 @@ struct Panel {
 struct Figure {
   std::string title = {};  ///< what is shown, for the comment of the data file; not drawn
   std::vector<Panel> panels = {};
-  int columns = 1;             ///< panels side by side
-  double width = 8.8;          ///< of the whole [cm]; a journal's column
-  bool shared_legend = false;  ///< the first panel's legend stands above all panels and the others have none
+  int columns = 1;              ///< panels side by side
+  double width = column_width;  ///< of the whole [cm]
+  bool shared_legend = false;   ///< the first panel's legend stands above all panels and the others have none
 };
 
 /// The figure in gnuplot's terms. The script reads NAME.dat and writes NAME.svg, or NAME.pdf, NAME.png where the

@@ -197,7 +197,8 @@ class Writer {
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);
     label(panel.note, middle, (placed.bottom + placed.top) / 2, "center");
-    label(scaled(panel.y.label, placed.y), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2, "center rotate");
+    label(scaled(panel.y.label, placed.y, panel.y.number), placed.cell_left + 0.25, (placed.bottom + placed.top) / 2,
+          "center rotate");
     legend(placed);
     std::vector<std::string> plots;
     if (panel.map) plots.push_back(map(placed));
@@ -251,7 +252,7 @@ class Writer {
     const std::size_t nx = map.x_edges.size() - 1;
     std::vector<double> columns[7];
     for (std::size_t i = 0; i < map.values.size(); ++i) {
-      if (!std::isfinite(map.values[i])) continue;
+      if (!std::isfinite(map.values[i]) || (map.ratio && map.values[i] <= 0)) continue;
       const double *x = &map.x_edges[i % nx], *y = &map.y_edges[i / nx];
       const double row[] = {(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[0], x[1], y[0], y[1], map.values[i]};
       for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);

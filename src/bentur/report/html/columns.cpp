@@ -57,7 +57,7 @@ std::string struck_text(const Story& story, Eigen::Index point) {
                 : story.say("columns.floor");
 }
 
-Html columns_section(const Story& story) {
+PageSection columns_section(const Story& story) {
   const std::vector<Eigen::Index> points = struck_points(story.problem);
   if (points.empty()) return {};
   const Words& say = story.say;
@@ -76,12 +76,9 @@ Html columns_section(const Story& story) {
   table.add(say("column.elevation"), story.c.units.length, elevations);
   table.add(say("columns.struck"), "", struck, false);
   table.add(say("columns.hardest"), "s", times);
-  for (TableColumn& column : struck_column_columns(story.run, places_of(points), table_language(say))) {
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
-  return section(
-      "columns", say("heading.columns"),
-      lead(story, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\""));
+  add_columns(table, struck_column_columns(story.run, places_of(points), table_language(say)));
+  return {"columns", say("heading.columns"),
+          lead(story, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\"")};
 }
 
 }  // namespace bentur::html

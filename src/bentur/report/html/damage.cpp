@@ -40,10 +40,9 @@ Html drawing(const Story& story, Eigen::Index b) {
   constexpr double margin = 8;
   const BuildingPeaks& peaks = story.response.buildings[b];
   const Eigen::Index storeys = peaks.yielding.ductility.size();
-  const double top = margin;
   std::string boxes;
   for (Eigen::Index f = 0; f < storeys; ++f) {
-    const double y = top + height * static_cast<double>(storeys - 1 - f);
+    const double y = margin + height * static_cast<double>(storeys - 1 - f);
     const auto box = [&](double x, double ductility) {
       const std::string text = std::isfinite(ductility) ? fmt::format("{:.3g}", ductility) : "–";
       const double damage = is_slab(story, b, f) ? 0 : ductility;
@@ -57,7 +56,7 @@ Html drawing(const Story& story, Eigen::Index b) {
     box(margin, f < without.size() ? without(f) : std::nan(""));
     box(margin + half, peaks.yielding.ductility(f));
   }
-  const double ground = top + height * static_cast<double>(storeys);
+  const double ground = margin + height * static_cast<double>(storeys);
   boxes += fmt::format("<line x1=\"0\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"#1c2024\" stroke-width=\"2\"/>",
                        2 * (margin + half), ground, ground);
   const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
@@ -104,24 +103,24 @@ Html lead(const Story& story) {
       "p", Html::text(say("damage.worst",
                           {{"building", story.problem.buildings[worst_building].name},
                            {"storey", name_of(story, worst_building, worst)},
-                           {"with", number(most)},
-                           {"without", worst < without.size() ? number(without(worst)) : "–"},
-                           {"residual", number(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
+                           {"with", rounded(most)},
+                           {"without", worst < without.size() ? rounded(without(worst)) : "–"},
+                           {"residual", rounded(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
   return content;
 }
 
 }  // namespace
 
-Html damage_section(const Story& story) {
+PageSection damage_section(const Story& story) {
   Html drawings;
   for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
     if (yields(story, b)) drawings += drawing(story, b);
   }
   if (drawings.str().empty()) return {};
   const Words& say = story.say;
-  return section("damage", say("heading.damage"),
-                 lead(story) + element("div", drawings, "class=\"damage\"") +
-                     element("p", Html::text(say("damage.drawing")), "class=\"note\""));
+  return {"damage", say("heading.damage"),
+          lead(story) + element("div", drawings, "class=\"damage\"") +
+              element("p", Html::text(say("damage.drawing")), "class=\"note\"")};
 }
 
 }  // namespace bentur::html

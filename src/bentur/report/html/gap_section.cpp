@@ -9,10 +9,6 @@
 namespace bentur::html {
 namespace {
 
-const std::string& floor_owner(const Story& story, const WatchedFloor& floor) {
-  return story.problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
-}
-
 /// What of a rule's wording was checked, in the words of the report.
 std::string wording_text(const CodeRule& rule, const Words& say) {
   std::string text(rule.wording);
@@ -100,72 +96,89 @@ Html screening_table(const Story& story, Eigen::Index gap) {
 
 namespace {
 
-/// The floors that face their neighbour where no contact is modelled, highest first; nothing where there are none.
-Html watched_table(const Story& story, Eigen::Index gap, const GoverningLevel& governing) {
-  const Words& say = story.say;
-  std::vector<Eigen::Index> floors = gap_at(story.problem, gap).watched;
-  if (floors.empty()) return {};
-  std::reverse(floors.begin(), floors.end());
-  HtmlTable table;
-  std::vector<double> elevations, widths, simulated;
-  std::vector<std::string> owners, faces, marks;
-  for (const Eigen::Index i : floors) {
-    const WatchedFloor& floor = story.problem.watched[i];
-    const double needed = story.response.watched.at(i).needed;
-    if (governing.watched == i && falls_short(floor.width, needed, governing.scale)) table.mark(elevations.size());
-    elevations.push_back(floor.elevation);
-    owners.push_back(floor_owner(story, floor));
-    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
-    widths.push_back(floor.width);
-    simulated.push_back(needed);
-    marks.push_back(say(falls_short(floor.width, needed, governing.scale) ? "gap.too_close" : "gap.wide_enough"));
-  }
-  table.add(say("column.elevation"), story.c.units.length, elevations);
-  table.add(say("gap.floor_of"), "", owners, false);
-  table.add(say("gap.faces"), "", faces, false);
-  table.add(say("column.given"), story.c.units.length, widths);
-  table.add(say("column.simulated"), story.c.units.length, simulated);
-  table.add(say("gap.given_is"), "", marks, false);
-  return element("p", say("gap.watched")) + table.markup();
+/// Whether a level stands out in its table: the governing one where it falls short, or, without one, each that does.
+bool stands_out(bool is_short, bool governs, const std::optional<GoverningLevel>& governing) {
+  return is_short && (governs || !governing);
 }
 
 }  // namespace
 
-Html gap_section(const Story& story) {
+const std::string& floor_owner(const Story& story, const WatchedFloor& floor) {
+  return story.problem.buildings[floor.floor_of].name;
+}
+
+Html points_table(const Story& story, const std::vector<Eigen::Index>& points, const std::string& needed_label,
+                  const std::optional<GoverningLevel>& governing) {
   const Words& say = story.say;
   const std::string& length = story.c.units.length;
+  const double scale = governing ? governing->scale : 0;
+  HtmlTable table;
+  std::vector<double> elevations, widths, needed, abs, srss, ddc;
+  std::vector<std::string> marks;
+  for (const Eigen::Index i : points) {
+    const ContactPoint& point = story.problem.points[i];
+    const PointSeparation& s = story.separations.at(i);
+    const bool is_short = falls_short(point.width, s.simulated, scale);
+    const bool governs = governing && !governing->watched && point.elevation == governing->elevation;
+    if (stands_out(is_short, governs, governing)) table.mark(elevations.size());
+    elevations.push_back(point.elevation);
+    widths.push_back(point.width);
+    needed.push_back(falls_short(0, s.simulated, scale) ? s.simulated : 0);
+    abs.push_back(s.abs);
+    srss.push_back(s.srss);
+    ddc.push_back(s.ddc > 0 && !falls_short(0, s.ddc, scale) ? 0 : s.ddc);
+    marks.push_back(say(is_short ? "gap.too_close" : "gap.wide_enough"));
+  }
+  table.add(say("column.elevation"), length, elevations);
+  table.add(say("gap.given_is"), "", marks, false);
+  table.add(say("column.given"), length, widths);
+  table.add(needed_label, length, needed);
+  table.add("ABS", length, abs);
+  table.add("SRSS", length, srss);
+  if (story.from_case()) table.add("DDC", length, ddc);
+  return table.markup();
+}
+
+Html watched_table(const Story& story, const std::vector<Eigen::Index>& floors, const std::vector<double>& needed_at,
+                   const std::string& needed_label, const std::optional<GoverningLevel>& governing) {
+  if (floors.empty()) return {};
+  const Words& say = story.say;
+  const std::string& length = story.c.units.length;
+  HtmlTable table;
+  std::vector<double> elevations, widths, needed;
+  std::vector<std::string> owners, faces, marks;
+  for (auto i = floors.rbegin(); i != floors.rend(); ++i) {
+    const WatchedFloor& floor = story.problem.watched[*i];
+    const bool is_short = falls_short(floor.width, needed_at[*i], governing ? governing->scale : 0);
+    if (stands_out(is_short, governing && governing->watched == *i, governing)) table.mark(elevations.size());
+    elevations.push_back(floor.elevation);
+    owners.push_back(floor_owner(story, floor));
+    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
+    widths.push_back(floor.width);
+    needed.push_back(needed_at[*i]);
+    marks.push_back(say(is_short ? "gap.too_close" : "gap.wide_enough"));
+  }
+  table.add(say("column.elevation"), length, elevations);
+  table.add(say("gap.floor_of"), "", owners, false);
+  table.add(say("gap.faces"), "", faces, false);
+  table.add(say("column.given"), length, widths);
+  table.add(needed_label, length, needed);
+  table.add(say("gap.given_is"), "", marks, false);
+  return element("p", say("gap.watched")) + table.markup();
+}
+
+PageSection gap_section(const Story& story) {
+  const Words& say = story.say;
   Html content;
   bool codes = false;
+  std::vector<double> watched;
+  for (const WatchedSummary& floor : story.response.watched) watched.push_back(floor.needed);
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     const std::vector<Eigen::Index> points = points_of(story.problem, gap);
     const GoverningLevel governing = governing_level(story.problem, story.response, gap);
-    HtmlTable table;
-    std::vector<double> elevations, widths, simulated, abs, srss, ddc;
-    std::vector<std::string> marks;
-    for (const Eigen::Index i : points) {
-      const PointSeparation& s = story.separations.at(i);
-      const bool governs = !governing.watched && story.problem.points[i].elevation == governing.elevation;
-      if (governs && falls_short(story.problem.points[i].width, s.simulated, governing.scale))
-        table.mark(elevations.size());
-      elevations.push_back(story.problem.points[i].elevation);
-      widths.push_back(story.problem.points[i].width);
-      simulated.push_back(falls_short(0, s.simulated, governing.scale) ? s.simulated : 0);
-      abs.push_back(s.abs);
-      srss.push_back(s.srss);
-      ddc.push_back(s.ddc > 0 && !falls_short(0, s.ddc, governing.scale) ? 0 : s.ddc);
-      marks.push_back(
-          say(falls_short(widths.back(), s.simulated, governing.scale) ? "gap.too_close" : "gap.wide_enough"));
-    }
-    table.add(say("column.elevation"), length, elevations);
-    table.add(say("gap.given_is"), "", marks, false);
-    table.add(say("column.given"), length, widths);
-    table.add(say("column.simulated"), length, simulated);
-    table.add("ABS", length, abs);
-    table.add("SRSS", length, srss);
-    if (story.from_case()) table.add("DDC", length, ddc);
     content += element("h3", gap_name(story.problem, gap));
-    if (!points.empty()) content += table.markup();
-    content += watched_table(story, gap, governing);
+    if (!points.empty()) content += points_table(story, points, say("column.simulated"), governing);
+    content += watched_table(story, gap_at(story.problem, gap).watched, watched, say("column.simulated"), governing);
     if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
       codes = true;
       content += code_table(story, points);
@@ -179,7 +192,7 @@ Html gap_section(const Story& story) {
                          : codes            ? "gap.codes_note"
                                             : "gap.no_codes"),
                      "class=\"note\"");
-  return section("gaps", say("heading.gaps"), content);
+  return {"gaps", say("heading.gaps"), content};
 }
 
 }  // namespace bentur::html

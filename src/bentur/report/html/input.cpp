@@ -28,7 +28,7 @@ constexpr Eigen::Index largest_matrix_shown = 12;
 
 std::string list_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  for (const double value : values) text += (text.empty() ? "" : ", ") + with_power(number(value));
   return text;
 }
 
@@ -453,7 +453,7 @@ Html buildings_of_results(const Story& story) {
 
 }  // namespace
 
-Html input_section(const Story& story) {
+PageSection input_section(const Story& story) {
   Html content = motion_echo(story);
   if (!story.from_case()) content += buildings_of_results(story);
   for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) content += building_echo(story, b);
@@ -461,7 +461,7 @@ Html input_section(const Story& story) {
   const std::vector<std::vector<Eigen::Index>> links = links_by_spec(story.c.links);
   for (std::size_t k = 0; k < links.size(); ++k) content += link_echo(story, story.c.links[k], links[k]);
   content += initial_echo(story) + analysis_echo(story);
-  return section("input", story.say("heading.input"), content);
+  return {"input", story.say("heading.input"), content};
 }
 
 }  // namespace bentur::html

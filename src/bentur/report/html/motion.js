@@ -7,7 +7,7 @@
  *   drawing has numbers for names) and scaleNote (is told the magnification); `shown`, where there is one, is told of every
  *   time that is shown [s].
  * @param data what animation_json() gives
- * @returns {impacts, number, update(data), show(time), showImpact(impact), start(), pause(), isPlaying()}
+ * @returns {impacts, html(name, text, parent), number, update(data), show(time), showImpact(impact), start(), pause(), isPlaying()}
  */
 function benturMotion(parts, data) {
   "use strict";
@@ -33,14 +33,14 @@ function benturMotion(parts, data) {
   function number(value) {
     const size = Math.abs(value);
     if (size === 0) return "0";
-    if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
+    if (size < 1e-4 || size >= 1e7) return signed(value.toExponential(3));
     const decimals = Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size))));
     return signed(String(Number(value.toFixed(decimals))));
   }
 
   /** With the sign for minus, which nothing but zeros has none of. */
   function signed(text) {
-    return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "\u2212");
+    return text.replace(/^-/, Number(text) === 0 ? "" : "\u2212");
   }
 
   // ---------------------------------------------------------------- samples
@@ -55,7 +55,7 @@ function benturMotion(parts, data) {
     return values;
   }
 
-  let buildings, impacts, duration, frames;
+  let buildings, impacts, strongest, duration, frames;
 
   function read() {
     buildings = data.buildings.map((given) => ({
@@ -69,18 +69,20 @@ function benturMotion(parts, data) {
       width: given.bays.reduce((sum, bay) => sum + bay, 0),
       scale: given.scale,
       samples: decode(given.samples),
-      keys: decode(given.keys || ""),
+      keys: decode(given.keys),
     }));
     // [point, start, end, peak force, time of it, closing speed], by start
     impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
       ({ point, start, end, force, peak, speed, number }));
+    strongest = impacts.length === 0 ? null : impacts.reduce((most, impact) =>
+      (impact.force > most.force || (impact.force === most.force && impact.speed > most.speed) ? impact : most));
     duration = data.duration;
     join();
   }
 
   /** Joins even samples and the exact starts, peaks and ends of impacts (data.keys) into one row of instants. */
   function join() {
-    const keys = data.keys || [];
+    const keys = data.keys;
     const count = buildings[0].samples.length / buildings[0].rows;
     frames = [];
     let key = 0;
@@ -148,7 +150,7 @@ function benturMotion(parts, data) {
 
   const { stage } = parts;
   let framed = 0; // width of the page that the height of the drawing is for
-  let top_, bottom, largest, gaps, height, lowest, unit, magnification, usual, drawn, glow;
+  let top_, bottom, largest, gaps, decimals, height, lowest, unit, magnification, usual, drawn, glow;
 
   /** Everything that the picture takes from the response. */
   function measure() {
@@ -162,6 +164,8 @@ function benturMotion(parts, data) {
       return b.scale * most;
     }));
     gaps = data.widths;
+    // As many for all: the largest movement has four digits.
+    decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
     height = top_ - bottom;
     const storeys = buildings.flatMap((b) => b.elevations
       .map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base))
@@ -202,10 +206,10 @@ function benturMotion(parts, data) {
   function build() {
     stage.replaceChildren();
     const defs = svg("defs", {}, stage);
-    const glow = svg("radialGradient", { id: "glow" }, defs);
-    svg("stop", { offset: "0%", "stop-color": "#ff1f1f", "stop-opacity": "1" }, glow);
-    svg("stop", { offset: "45%", "stop-color": "#ff2a1f", "stop-opacity": "0.75" }, glow);
-    svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, glow);
+    const gradient = svg("radialGradient", { id: "glow" }, defs);
+    svg("stop", { offset: "0%", "stop-color": "#ff1f1f", "stop-opacity": "1" }, gradient);
+    svg("stop", { offset: "45%", "stop-color": "#ff2a1f", "stop-opacity": "0.75" }, gradient);
+    svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, gradient);
     drawn.ground = svg("path", { class: "ground" }, stage);
     buildings.forEach((building, b) => {
       drawn.ghosts.push(svg("path", { class: "ghost" }, stage));
@@ -335,10 +339,9 @@ function benturMotion(parts, data) {
       }
       svg("path", { class: "roof", d: path }, line).style.stroke = colour(b);
     });
-    const strongest = Math.max(1e-300, ...impacts.map((impact) => impact.force));
     let ticks = "";
     for (const impact of impacts) {
-      const share = impact.force > 0 ? impact.force / strongest : 1;
+      const share = impact.force > 0 ? impact.force / strongest.force : 1;
       ticks += `M${(WIDTH * impact.start / duration).toFixed(2)} ${HEIGHT}v${(-4 - 24 * share).toFixed(1)}`;
     }
     svg("path", { class: "tick", d: ticks }, line);
@@ -390,8 +393,6 @@ function benturMotion(parts, data) {
       drawn.columns[b].setAttribute("d", shape.columns);
       drawn.slabs[b].setAttribute("d", shape.slabs);
     });
-    // As many for all: the largest movement has four digits.
-    const decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
     const current = underWay(since === undefined ? now : Math.min(since, now), now);
     data.points.forEach((point, i) => {
       const hit = current.some((impact) => impact.point === i);
@@ -423,7 +424,7 @@ function benturMotion(parts, data) {
   function arrows(x, height_, current, i) {
     const force = Math.max(0, ...current.filter((impact) => impact.point === i).map((impact) => impact.force));
     if (!(force > 0)) return "";
-    const length = (14 + 34 * force / strongest().force) * drawn.pixel, tip = 5 * drawn.pixel;
+    const length = (14 + 34 * force / strongest.force) * drawn.pixel, tip = 5 * drawn.pixel;
     return [-1, 1].map((side) => `M${x.toFixed(2)} ${height_.toFixed(2)}h${(side * length).toFixed(2)}` +
       `m${(-side * tip).toFixed(2)} ${(-tip).toFixed(2)}l${(side * tip).toFixed(2)} ${tip.toFixed(2)}` +
       `l${(-side * tip).toFixed(2)} ${tip.toFixed(2)}`).join("");
@@ -574,14 +575,9 @@ function benturMotion(parts, data) {
     play.addEventListener("click", () => (playing ? pause() : start()));
     previous.addEventListener("click", () => jump(-1));
     next.addEventListener("click", () => jump(1));
-    hardest.addEventListener("click", () => showImpact(strongest()));
+    hardest.addEventListener("click", () => showImpact(strongest));
     listenToTimeline();
     new ResizeObserver(frame).observe(stage);
-  }
-
-  function strongest() {
-    return impacts.reduce((most, impact) =>
-      (impact.force > most.force || (impact.force === most.force && impact.speed > most.speed) ? impact : most));
   }
 
   // ---------------------------------------------------------------- for the page
@@ -598,10 +594,11 @@ function benturMotion(parts, data) {
   build_();
   listen();
   // What stands still, and is printed: the hardest impact, else the start.
-  show(impacts.length > 0 ? (strongest().force > 0 ? strongest().peak : strongest().start) : 0);
+  show(strongest === null ? 0 : strongest.force > 0 ? strongest.peak : strongest.start);
 
   return {
     get impacts() { return impacts; },
+    html,
     number,
     show,
     showImpact,

@@ -13,12 +13,12 @@
 
 namespace bentur::html {
 
-std::string quantity(double value, const std::string& unit) { return number(value) + "\u00A0" + unit; }
+std::string quantity(double value, const std::string& unit) { return with_power(number(value)) + "\u00A0" + unit; }
 
 std::string rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
-  return number(std::round(value / unit) * unit);
+  return with_power(number(std::round(value / unit) * unit));
 }
 
 std::string prose(double value, const std::string& unit) { return rounded(value) + "\u00A0" + unit; }
@@ -40,7 +40,10 @@ std::string building_key(const Story& story) {
 
 std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
 
-std::string mass_unit(const Case& c) { return c.units.force + "·s²/" + c.units.length; }
+std::string mass_unit(const Case& c) {
+  const std::string unit = c.units.force + "·s²/" + c.units.length;
+  return unit == "N·s²/m" ? "kg" : unit == "kN·s²/m" || unit == "N·s²/mm" ? "t" : unit;
+}
 
 std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   const Gap between = gap_at(problem, gap);
@@ -52,15 +55,12 @@ std::size_t table_language(const Words& say) {
   return static_cast<std::size_t>(std::find(languages.begin(), languages.end(), say.language()) - languages.begin());
 }
 
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
-  for (TableColumn& column : table_columns(owner, story.run, places, table_language(story.say))) {
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
+void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
+  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
 }
 
-Html section(const std::string& id, const std::string& heading, const Html& content) {
-  return element("section", element("h2", Html::text(heading)) + Html::markup("\n") + content, "id=\"" + id + "\"") +
-         Html::markup("\n");
+void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
+  add_columns(table, table_columns(owner, story.run, places, table_language(story.say)));
 }
 
 namespace {
@@ -77,43 +77,28 @@ Html contact_table(const Story& story, Eigen::Index gap) {
   return table.markup();
 }
 
-Html building_table(const Story& story, Eigen::Index b) {
+/// Some quantities of a building's floors, from the top down; empty where there are none.
+Html floors_table(const Story& story, Eigen::Index b, std::vector<TableColumn> columns) {
+  if (columns.empty()) return {};
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  add_quantities(table, story, Owner::floor, floors_from_top(story.problem, b));
+  add_columns(table, std::move(columns));
   return table.markup();
 }
 
-/// Accelerations and storey shears with and without contact.
-Html force_table(const Story& story, Eigen::Index b) {
-  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
-  HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  for (TableColumn& column : force_columns(story.run, floors_from_top(story.problem, b), table_language(story.say))) {
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
-  return element("p", Html::text(story.say("peaks.forces"))) + table.markup();
+/// The same under a line that says what they are.
+Html floors_table(const Story& story, Eigen::Index b, const char* lead, std::vector<TableColumn> columns) {
+  const Html table = floors_table(story, b, std::move(columns));
+  return table.str().empty() ? table : element("p", Html::text(story.say(lead))) + table;
 }
 
 /// What the foundation does; empty without soil.
 Html foundation_text(const Story& story, Eigen::Index b) {
   const Eigen::VectorXd& peaks = story.response.buildings[b].foundation;
   if (peaks.size() < 2) return {};
-  return element("p", Html::text(story.say("peaks.foundation", {{"sway", quantity(peaks(0), story.c.units.length)},
-                                                                {"rocking", quantity(peaks(1), "rad")}})));
-}
-
-/// What its storeys do that yield; empty where none can.
-Html yielding_table(const Story& story, Eigen::Index b) {
-  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
-  std::vector<TableColumn> columns =
-      yielding_columns(story.run, floors_from_top(story.problem, b), table_language(story.say));
-  if (columns.empty()) return {};
-  HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
-  return element("p", Html::text(story.say("peaks.yielding"))) + table.markup();
+  return element("p", Html::text(story.say("peaks.foundation", {{"sway", prose(peaks(0), story.c.units.length)},
+                                                                {"rocking", prose(peaks(1), "rad")}})));
 }
 
 /// Of one [[link]] table, from the top down.
@@ -165,15 +150,15 @@ Html proportions_text(const Story& story, Eigen::Index b) {
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const double period = 2 * std::numbers::pi / building.first_omega();
   return element("p",
-                 Html::text(story.say("peaks.proportions", {{"weight", quantity(found.weight, story.c.units.force)},
-                                                            {"coefficient", number(*found.base_shear_coefficient)},
-                                                            {"period", quantity(period, "s")},
-                                                            {"per_storey", quantity(found.period_per_storey, "s")}})));
+                 Html::text(story.say("peaks.proportions", {{"weight", prose(found.weight, story.c.units.force)},
+                                                            {"coefficient", rounded(*found.base_shear_coefficient)},
+                                                            {"period", prose(period, "s")},
+                                                            {"per_storey", prose(found.period_per_storey, "s")}})));
 }
 
 }  // namespace
 
-Html remarks_section(const Story& story) {
+PageSection remarks_section(const Story& story) {
   Html content;
   for (const std::string& text : remark_texts(story.remarks, story.say.language())) {
     content += element("li", Html::text(text));
@@ -181,10 +166,10 @@ Html remarks_section(const Story& story) {
   if (!story.remarks.empty()) content = element("ul", content);
   content += element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response),
                                                 story.say.language())));
-  return section("remarks", story.say("remarks.heading"), content);
+  return {"remarks", story.say("remarks.heading"), content};
 }
 
-Html peaks_section(const Story& story) {
+PageSection peaks_section(const Story& story) {
   const Words& say = story.say;
   Html content;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
@@ -192,6 +177,7 @@ Html peaks_section(const Story& story) {
     const std::string name = gap_name(story.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
   }
+  const std::size_t language = table_language(say);
   content += restitution_table(story);
   for (std::vector<Eigen::Index> links : links_by_spec(story.c.links)) {
     if (links.empty()) continue;
@@ -201,9 +187,12 @@ Html peaks_section(const Story& story) {
   }
   for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
     const std::string name = story.problem.buildings[b].name;
-    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) + building_table(story, b) +
-               force_table(story, b) + proportions_text(story, b) + foundation_text(story, b) +
-               yielding_table(story, b);
+    const std::vector<QuantityPlace> floors = floors_from_top(story.problem, b);
+    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) +
+               floors_table(story, b, table_columns(Owner::floor, story.run, floors, language)) +
+               floors_table(story, b, "peaks.forces", force_columns(story.run, floors, language)) +
+               proportions_text(story, b) + foundation_text(story, b) +
+               floors_table(story, b, "peaks.yielding", yielding_columns(story.run, floors, language));
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(story.problem, story.response)) {
@@ -213,16 +202,16 @@ Html peaks_section(const Story& story) {
     const EnergyAudit& energy = *story.response.energy;
     content += element(
         "p", Html::text(say("peaks.energy",
-                            {{"input", quantity(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
-                             {"residual", fmt::format("{:.1e}", energy.relative_residual())}})));
+                            {{"input", prose(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
+                             {"residual", with_power(fmt::format("{:.1e}", energy.relative_residual()))}})));
   }
-  return section("peaks", say("heading.peaks"), content);
+  return {"peaks", say("heading.peaks"), content};
 }
 
-Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
+PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
   const Words& say = story.say;
   const std::vector<Impact>& all = story.response.impacts;
-  if (all.empty()) return section("impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none"))));
+  if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
   std::vector<std::string> numbers, gaps, struck;
   std::vector<double> elevations;
   for (const Eigen::Index k : listed) {
@@ -258,7 +247,7 @@ Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed
   if (listed.size() > rows_in_print) {
     content += element("p", Html::text(say("impacts.print")), "class=\"print note\"");
   }
-  return section("impacts", say("heading.impacts"), content);
+  return {"impacts", say("heading.impacts"), content};
 }
 
 }  // namespace bentur::html

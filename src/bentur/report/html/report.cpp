@@ -72,7 +72,7 @@ Html speeds() {
 }
 
 /// The buildings in motion; the script draws them.
-Html motion_section(const Story& story) {
+html::PageSection motion_section(const Story& story) {
   const Words& say = story.say;
   const std::string label = Html::text(say("motion.picture")).str();
   Html content = element("noscript", element("p", say("motion.noscript")));
@@ -107,7 +107,7 @@ Html motion_section(const Story& story) {
               Html::markup("<input type=\"range\" id=\"magnify\">") + element("output", Html(), "id=\"magnified\"")),
       "class=\"controls screen\"");
   content += element("p", say("motion.note"), "class=\"note\"");
-  return html::section("motion", say("heading.motion_picture"), content);
+  return {"motion", say("heading.motion_picture"), content};
 }
 
 /// Case and record by their hashes, so that a report can be told from that of another file of the same name.
@@ -165,18 +165,18 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
-  Html body = element("header", element("h1", title) +
-                                    element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") +
-                                    identity(story));
-  body += html::verdict_section(story) + html::remarks_section(story) + motion_section(story) +
-          html::gap_section(story) + html::peaks_section(story) + html::damage_section(story) +
-          html::columns_section(story) + html::impacts_section(story, listed) +
-          html::figures_section(say, options.figures) + html::input_section(story);
-  body += element("footer", element("p", say("report.footer"), "class=\"note\""));
-  body += element("script", html::json_markup(html::animation_json(story, listed)),
-                  "type=\"application/json\" id=\"data\"") +
-          Html::markup("\n");
-
+  html::PageBody body;
+  body.header = element("h1", title) +
+                element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(story);
+  body.sections = {
+      html::verdict_section(story), html::remarks_section(story),         motion_section(story),
+      html::gap_section(story),     html::peaks_section(story),           html::damage_section(story),
+      html::columns_section(story), html::impacts_section(story, listed), html::figures_section(say, options.figures),
+      html::input_section(story)};
+  body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
+                element("script", html::json_markup(html::animation_json(story, listed)),
+                        "type=\"application/json\" id=\"data\"") +
+                Html::markup("\n");
   return html::page(say, title, body, true);
 }
 

@@ -14,12 +14,7 @@
   parts.scaleNote = document.getElementById("scale-note");
   const motion = benturMotion(parts, data);
 
-  function html(name, text, parent) {
-    const node = document.createElement(name);
-    if (text !== undefined) node.textContent = text;
-    if (parent) parent.appendChild(node);
-    return node;
-  }
+  const { html } = motion;
 
   // ---------------------------------------------------------------- the impact list
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bentur/core/number_text.h"
@@ -35,7 +36,7 @@ std::vector<SpectralLevel> levels_at(const Problem& problem, const SpectralGaps&
   return levels;
 }
 
-Html spectral_verdict(const Story& story, const SpectralGaps& spectral) {
+html::PageSection spectral_verdict(const Story& story, const SpectralGaps& spectral) {
   Html blocks;
   const std::string& length = story.c.units.length;
   for (const Gap& gap : gaps_of(story.problem)) {
@@ -43,7 +44,7 @@ Html spectral_verdict(const Story& story, const SpectralGaps& spectral) {
     if (levels.empty()) continue;
     const SpectralLevel& worst = *std::max_element(
         levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.short_by() < b.short_by(); });
-    const bool too_small = worst.short_by() > 0;
+    const bool too_small = falls_short(worst.width, worst.needed, 0);
     Html block = element(
         "p", gap_name(story.problem, gap.left) + ": " + story.say(too_small ? "gap.too_close" : "gap.wide_enough"),
         "class=\"badge\"");
@@ -54,75 +55,31 @@ Html spectral_verdict(const Story& story, const SpectralGaps& spectral) {
                                 {"width", html::quantity(worst.width, length)},
                                 {"difference", html::quantity(std::abs(worst.short_by()), length)}}),
                      "class=\"lead\"");
-    blocks += element("div", block, too_small ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+    blocks += element("div", block, html::verdict_class(too_small));
   }
-  return html::section("verdict", story.say("heading.verdict"), blocks);
+  return {"verdict", story.say("heading.verdict"), blocks};
 }
 
-Html watched_floors_table(const Story& story, const SpectralGaps& spectral, const Gap& gap) {
-  if (gap.watched.empty()) return {};
+html::PageSection spectral_gap_section(const Story& story, const SpectralGaps& spectral) {
   const Words& say = story.say;
-  const std::string& length = story.c.units.length;
-  std::vector<double> elevations, widths, differences;
-  std::vector<std::string> owners, faces;
-  HtmlTable table;
-  for (auto i = gap.watched.rbegin(); i != gap.watched.rend(); ++i) {
-    const WatchedFloor& floor = story.problem.watched[*i];
-    if (spectral.watched[*i] > floor.width) table.mark(elevations.size());
-    elevations.push_back(floor.elevation);
-    widths.push_back(floor.width);
-    differences.push_back(spectral.watched[*i]);
-    owners.push_back(story.problem.buildings[floor.floor_of].name);
-    faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
-  }
-  table.add(say("column.elevation"), length, elevations);
-  table.add(say("gap.floor_of"), "", owners, false);
-  table.add(say("gap.faces"), "", faces, false);
-  table.add(say("column.given"), length, widths);
-  table.add(say("spectral.difference"), length, differences);
-  return element("p", say("gap.watched")) + table.markup();
-}
-
-Html spectral_gap_section(const Story& story, const SpectralGaps& spectral) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
+  const std::string difference = say("spectral.difference");
   Html content;
   for (const Gap& gap : gaps_of(story.problem)) {
     const std::vector<Eigen::Index> points = html::points_of(story.problem, gap.left);
     content += element("h3", gap_name(story.problem, gap.left));
-    if (!points.empty()) {
-      HtmlTable table;
-      std::vector<double> elevations, widths, differences, abs, srss, ddc;
-      for (const Eigen::Index i : points) {
-        const PointSeparation& s = spectral.points[i];
-        if (s.simulated > story.problem.points[i].width) table.mark(elevations.size());
-        elevations.push_back(story.problem.points[i].elevation);
-        widths.push_back(story.problem.points[i].width);
-        differences.push_back(s.simulated);
-        abs.push_back(s.abs);
-        srss.push_back(s.srss);
-        ddc.push_back(s.ddc);
-      }
-      table.add(say("column.elevation"), length, elevations);
-      table.add(say("column.given"), length, widths);
-      table.add(say("spectral.difference"), length, differences);
-      table.add("ABS", length, abs);
-      table.add("SRSS", length, srss);
-      table.add("DDC", length, ddc);
-      content += table.markup();
-    }
-    content += watched_floors_table(story, spectral, gap);
+    if (!points.empty()) content += html::points_table(story, points, difference, std::nullopt);
+    content += html::watched_table(story, gap.watched, spectral.watched, difference, std::nullopt);
     if (!points.empty() && !story.c.code.rules.empty()) content += html::code_table(story, points);
     content += html::screening_table(story, gap.left);
   }
   content += element("p", say("spectral.note"), "class=\"note\"");
   content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p", say(story.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
-  return html::section("gaps", say("heading.gaps"), content);
+  return {"gaps", say("heading.gaps"), content};
 }
 
 /// Of each building the floors' peaks, and the modes they are made of.
-Html spectral_peaks_section(const Story& story, const SpectralGaps& spectral) {
+html::PageSection spectral_peaks_section(const Story& story, const SpectralGaps& spectral) {
   const Words& say = story.say;
   const std::string& length = story.c.units.length;
   Html content;
@@ -153,7 +110,7 @@ Html spectral_peaks_section(const Story& story, const SpectralGaps& spectral) {
     modes.add(say("spectral.mass"), "%", fractions);
     content += element("h3", building.name) + peaks.markup() + modes.markup();
   }
-  return html::section("peaks", say("spectral.peaks"), content);
+  return {"peaks", say("spectral.peaks"), content};
 }
 
 }  // namespace
@@ -165,10 +122,6 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   const Story story{{problem, none, c.units}, c, problem, none, say, {}, spectral.points};
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
-  Html body = element("header", element("h1", title) +
-                                    element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""));
-  body += spectral_verdict(story, spectral) + spectral_gap_section(story, spectral) +
-          spectral_peaks_section(story, spectral);
   std::vector<std::pair<std::string, std::string>> rows = {
       {say("spectral.spectrum"), spectrum.file.empty() ? spectrum.shape : spectrum.file},
       {say("spectral.parameters"), spectrum_parameters(spectrum, c.units)},
@@ -180,7 +133,13 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   }
   Html input = html::facts(rows);
   if (c.source) input += element("h3", say("heading.case")) + element("pre", c.source->text);
-  body += html::section("input", say("heading.input"), input);
+  const html::PageBody body{
+      .header =
+          element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
+      .sections = {spectral_verdict(story, spectral),
+                   spectral_gap_section(story, spectral),
+                   spectral_peaks_section(story, spectral),
+                   {"input", say("heading.input"), input}}};
   return html::page(say, title, body, false);
 }
 

@@ -66,7 +66,7 @@ std::string with_unit_of(const SweepData& sweep, double value, const std::string
   return html::prose(value, unit_text(sweep.results().at(variable).units));
 }
 
-Html verdict(const SweepData& sweep, const Words& say) {
+html::PageSection verdict(const SweepData& sweep, const Words& say) {
   const std::vector<double> status = sweep.results().numbers("status");
   const std::vector<double> impacts = by_run(sweep, "impacts", true);
   const std::vector<double> forces = by_run(sweep, "peak_force", false);
@@ -107,12 +107,11 @@ Html verdict(const SweepData& sweep, const Words& say) {
   if (finished < status.size()) {
     block += element("p", say("sweep.failed", {{"failed", std::to_string(status.size() - finished)}}));
   }
-  return html::section("verdict", say("heading.verdict"),
-                       element("div", block, pounding > 0 ? "class=\"verdict pounds\"" : "class=\"verdict clear\""));
+  return {"verdict", say("heading.verdict"), element("div", block, html::verdict_class(pounding > 0))};
 }
 
 /// What varies, and within which bounds.
-Html varied(const SweepData& sweep, const Words& say) {
+html::PageSection varied(const SweepData& sweep, const Words& say) {
   std::vector<std::string> names, counts, values;
   const auto add = [&](const SweepDimension& one) {
     names.push_back(one.label.empty() ? one.name : one.label);
@@ -132,7 +131,7 @@ Html varied(const SweepData& sweep, const Words& say) {
   table.add(say("sweep.varies"), "", names, false);
   table.add(say("sweep.count"), "", counts);
   table.add(say("sweep.values"), "", values, false);
-  return html::section("varied", say("heading.varied"), table.markup());
+  return {"varied", say("heading.varied"), table.markup()};
 }
 
 /// "0.234", or why there is none.
@@ -194,30 +193,25 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
   return table;
 }
 
-/// The gap for some probabilities of pounding at some intensities; nothing where no one gap width varies.
-Html gaps_for_probabilities(const IdaResults& results, const SweepData& sweep, const Words& say) {
+/// The gap for some probabilities of pounding at some intensities, by the fragilities of `report`; nothing where no one
+/// gap width varies.
+Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_levels = 6;
-  const std::vector<double>& levels = results.table.levels;
+  const std::vector<double>& levels = report.results.table.levels;
   html::HtmlTable table;
   std::vector<std::size_t> cases;
   std::vector<double> intensities;
   const std::vector<double> probabilities = {0.1, 0.5};
   std::vector<std::vector<std::string>> gaps(probabilities.size()), bounds(probabilities.size());
-  std::string name, units;
-  std::size_t axis = 0;
   const std::size_t count = std::min(levels.size(), most_levels);
   for (std::size_t n = 0; n < count; ++n) {
     FragilityRequest request;
     request.at = levels[count > 1 ? n * (levels.size() - 1) / (count - 1) : 0];
     request.probabilities = probabilities;
     std::string error;
-    const std::optional<FragilityReport> report = fragility_report(results, request, error);
-    if (!report || report->gaps.empty()) return {};
-    name = report->gap_name;
-    units = unit_text(report->gap_units);
-    axis = report->gap_axis;
-    for (std::size_t g = 0; g < report->gaps.size(); ++g) {
-      const GapAt& gap = report->gaps[g];
+    if (!find_gaps(report, request, error) || report.gaps.empty()) return {};
+    for (std::size_t g = 0; g < report.gaps.size(); ++g) {
+      const GapAt& gap = report.gaps[g];
       const std::size_t p = g % probabilities.size();
       if (p == 0) {
         cases.push_back(gap.first_case);
@@ -233,8 +227,9 @@ Html gaps_for_probabilities(const IdaResults& results, const SweepData& sweep, c
       bounds[p].push_back(interval ? interval_text(interval->lower, interval->upper) : "–");
     }
   }
-  add_cases(table, results, cases, axis, sweep, say);
-  const std::string unit = unit_text(results.units);
+  add_cases(table, report.results, cases, report.gap_axis, sweep, say);
+  const std::string unit = unit_text(report.results.units);
+  const std::string units = unit_text(report.gap_units);
   table.add(say("ida.at"), unit, intensities);
   for (std::size_t p = 0; p < probabilities.size(); ++p) {
     table.add(say("ida.gap_for", {{"p", number(100 * probabilities[p])}}), units, gaps[p]);
@@ -244,12 +239,12 @@ Html gaps_for_probabilities(const IdaResults& results, const SweepData& sweep, c
 }
 
 /// What an incremental dynamic analysis answers: how likely pounding is, and the gap for a probability.
-Html ida_section(const SweepData& sweep, const Words& say) {
+html::PageSection ida_section(const SweepData& sweep, const Words& say) {
   std::string error;
   FragilityRequest request;
   const auto rule = parse_event(request.event, error);
   const IdaResults results = read_ida_results(sweep.results(), *rule);
-  const std::optional<FragilityReport> report = fragility_report(results, request, error);
+  std::optional<FragilityReport> report = fragility_report(results, request, error);
   if (!report) return {};
   const std::string unit = unit_text(results.units);
   const std::string records = std::to_string(results.table.records / results.table.together);
@@ -260,7 +255,7 @@ Html ida_section(const SweepData& sweep, const Words& say) {
                                                 {"from", html::prose(results.table.levels.front(), unit)},
                                                 {"to", html::prose(results.table.levels.back(), unit)}}));
   content += element("h3", say("ida.pounding")) + fragility_table(*report, sweep, say).markup();
-  request.event = "collapsed > 0";
+  request.event = collapse_event;
   if (sweep.results().find("collapsed") != nullptr) {
     const auto collapse = parse_event(request.event, error);
     const auto of_collapse = fragility_report(read_ida_results(sweep.results(), *collapse), request, error);
@@ -270,15 +265,15 @@ Html ida_section(const SweepData& sweep, const Words& say) {
       content += element("h3", say("ida.collapse")) + fragility_table(*of_collapse, sweep, say).markup();
     }
   }
-  const Html gaps = gaps_for_probabilities(results, sweep, say);
+  const Html gaps = gaps_for_probabilities(*report, sweep, say);
   if (!gaps.str().empty()) content += element("h3", say("ida.gaps")) + gaps;
   content +=
       element("p", say("ida.note", {{"resamples", std::to_string(request.bootstrap.resamples)}}), "class=\"note\"");
-  return html::section("probability", say("heading.probability"), content);
+  return {"probability", say("heading.probability"), content};
 }
 
 /// Every run, folded away.
-Html runs_table(const SweepData& sweep, const Words& say) {
+html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_rows = 300;
   const std::vector<double> status = sweep.results().numbers("status");
   const std::vector<double> impacts = by_run(sweep, "impacts", true), forces = by_run(sweep, "peak_force", false);
@@ -320,7 +315,7 @@ Html runs_table(const SweepData& sweep, const Words& say) {
         element("p", say("sweep.runs_cut", {{"shown", std::to_string(rows)}, {"all", std::to_string(status.size())}}),
                 "class=\"note\"");
   }
-  return html::section("runs", say("heading.runs"), content);
+  return {"runs", say("heading.runs"), content};
 }
 
 /// A file as it was given, where the results hold it.
@@ -346,16 +341,19 @@ std::string study_title(const SweepData& sweep, const Words& say) {
 
 std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& options) {
   const Words say(options.language);
-  const SweepData sweep(results);
+  const SweepData sweep(results, html::figure_words(options.language));
   const std::string given = results.attribute("title");
   const std::string title = study_title(sweep, say);
-  Html body = element(
-      "header", element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\"") +
-                    element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\""));
-  body += verdict(sweep, say);
-  if (is_ida(results)) body += ida_section(sweep, say);
-  body += html::figures_section(say, options.figures) + varied(sweep, say) + runs_table(sweep, say) +
-          html::section("input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case"));
+  html::PageBody body;
+  body.header = element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\"") +
+                element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
+  body.sections = {verdict(sweep, say)};
+  if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
+  body.sections.insert(body.sections.end(),
+                       {html::figures_section(say, options.figures),
+                        varied(sweep, say),
+                        runs_table(sweep, say),
+                        {"input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case")}});
   return html::page(say, title, body, false);
 }
 

@@ -53,10 +53,6 @@ std::string collision_text(const Story& story, Eigen::Index gap, const GapOutcom
   return text;
 }
 
-const std::string& owner(const Story& story, const WatchedFloor& floor) {
-  return story.problem.buildings[static_cast<std::size_t>(floor.floor_of)].name;
-}
-
 const std::string& faced(const Story& story, const WatchedFloor& floor) {
   return story.problem.buildings[static_cast<std::size_t>(2 * floor.left + 1 - floor.floor_of)].name;
 }
@@ -89,7 +85,7 @@ std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>&
   const WatchedFloor& deepest = story.problem.watched[floors.front()];
   const WatchedSummary& summary = story.response.watched[floors.front()];
   const std::string& length = story.c.units.length;
-  std::string text = story.say("verdict.unmodelled.lead", {{"building", owner(story, deepest)},
+  std::string text = story.say("verdict.unmodelled.lead", {{"building", floor_owner(story, deepest)},
                                                            {"elevation", prose(deepest.elevation, length)},
                                                            {"depth", prose(-summary.least_opening, length)},
                                                            {"faced", faced_place(story, deepest)},
@@ -109,7 +105,8 @@ std::string needed_text(const Story& story, const GapOutcome& found) {
                                 {"difference", prose(std::abs(level.needed - level.width), length)}});
   if (level.watched) {
     const WatchedFloor& floor = story.problem.watched[*level.watched];
-    text += " " + story.say("verdict.faces", {{"building", owner(story, floor)}, {"faced", faced_place(story, floor)}});
+    text += " " +
+            story.say("verdict.faces", {{"building", floor_owner(story, floor)}, {"faced", faced_place(story, floor)}});
   }
   return text;
 }
@@ -122,7 +119,9 @@ struct RuleFinding {
   bool known = true;
 };
 
-std::vector<RuleFinding> rules(const Story& story, const std::vector<Eigen::Index>& points) {
+/// Of every rule; none without contact points.
+std::vector<RuleFinding> findings_of(const Story& story, const std::vector<Eigen::Index>& points) {
+  if (points.empty()) return {};
   const double scale = displacement_scale(story.problem, story.response, story.problem.points[points.front()].left);
   std::vector<RuleFinding> found;
   const auto add = [&](const std::string& name, const auto& gap_of) {
@@ -154,9 +153,9 @@ std::string joined(const std::vector<std::string>& parts, const std::string& las
   return text;
 }
 
-std::string rules_text(const Story& story, const std::vector<Eigen::Index>& points) {
+std::string rules_text(const Story& story, const std::vector<RuleFinding>& found) {
   std::vector<std::string> gaps, unsafe;
-  for (const RuleFinding& rule : rules(story, points)) {
+  for (const RuleFinding& rule : found) {
     gaps.push_back(prose(rule.gap, story.c.units.length) + " (" + rule.name + ")");
     if (rule.falls_short) unsafe.push_back(rule.name);
   }
@@ -265,26 +264,19 @@ Html collapse_block(const Story& story) {
   return element("div",
                  element("p", story.say("verdict.collapse"), "class=\"badge\"") +
                      element("p", text("verdict.collapse.lead", *with), "class=\"lead\"") + element("p", second),
-                 "class=\"verdict pounds\"");
+                 verdict_class(true));
 }
 
-}  // namespace
-
-namespace {
-
 /// Bars of the given gap, the gap needed and those of the rules, all at one scale.
-Html gap_bars(const Story& story, const GapOutcome& found, const std::vector<Eigen::Index>& points) {
+Html gap_bars(const Story& story, const GoverningLevel& level, const std::vector<RuleFinding>& rules) {
   struct Bar {
     std::string name;
     double value;
     const char* style;
   };
-  const GoverningLevel& level = found.governing;
   std::vector<Bar> bars = {{story.say("column.given"), level.width, "given"},
                            {story.say("column.simulated"), level.needed, level.is_short() ? "short" : "needed"}};
-  if (!points.empty()) {
-    for (const RuleFinding& rule : rules(story, points)) bars.push_back({rule.name, rule.gap, "rule"});
-  }
+  for (const RuleFinding& rule : rules) bars.push_back({rule.name, rule.gap, "rule"});
   double largest = 0;
   for (const Bar& bar : bars) largest = std::max(largest, bar.value);
   if (!(largest > 0)) return {};
@@ -307,8 +299,9 @@ Html gap_block(const Story& story, const GapOutcome& found, const std::vector<Ei
   const std::string collision = collision_text(story, found.gap.left, found, points.size());
   if (!collision.empty()) block += element("p", collision, "class=\"lead\"");
   block += element("p", needed_text(story, found));
-  if (!points.empty()) block += element("p", rules_text(story, points));
-  return block + gap_bars(story, found, points);
+  const std::vector<RuleFinding> rules = findings_of(story, points);
+  if (!points.empty()) block += element("p", rules_text(story, rules));
+  return block + gap_bars(story, found.governing, rules);
 }
 
 const char* badge_of(bool unmodelled, bool pounding) {
@@ -368,12 +361,12 @@ Html row_block(const Story& story, const std::vector<GapOutcome>& all) {
   Html block = element("p", say(badge_of(unmodelled, pounding)), "class=\"badge\"") +
                element("p", sentence, "class=\"lead\"") + table.markup();
   if (numbers_buildings(story)) block += element("p", building_key(story), "class=\"note\"");
-  return element("div", block + details, pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+  return element("div", block + details, verdict_class(pounding));
 }
 
 }  // namespace
 
-Html verdict_section(const Story& story) {
+PageSection verdict_section(const Story& story) {
   std::vector<GapOutcome> all;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
     all.push_back(gap_outcome(story.problem, story.response, gap));
@@ -387,10 +380,9 @@ Html verdict_section(const Story& story) {
     blocks += element("div",
                       element("p", story.say(badge_of(!found.unmodelled.empty(), pounding)), "class=\"badge\"") +
                           gap_block(story, found, points_of(story.problem, found.gap.left)),
-                      pounding ? "class=\"verdict pounds\"" : "class=\"verdict clear\"");
+                      verdict_class(pounding));
   }
-  return section("verdict", story.say("heading.verdict"),
-                 blocks + element("p", effect_text(story), "class=\"effect\""));
+  return {"verdict", story.say("heading.verdict"), blocks + element("p", effect_text(story), "class=\"effect\"")};
 }
 
 }  // namespace bentur::html

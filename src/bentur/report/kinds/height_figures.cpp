@@ -10,8 +10,6 @@
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_columns = 3;          // panels of a journal's column side by side
-constexpr double page_over_column = 17.0 / 8.8;  // of widths: more panels take a page's
 constexpr Eigen::Index most_modes = 3;
 
 /// Elevation, the same for all panels of a figure.
@@ -22,6 +20,14 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
   double top = *axis.from;
   for (const Building& building : run.problem.buildings) top = std::max(top, building.model.elevations.back());
   axis.to = top + 0.03 * (top - *axis.from);
+  std::vector<double> levels = {*axis.from};
+  for (const Building& building : run.problem.buildings) {
+    levels.insert(levels.end(), building.model.elevations.begin(), building.model.elevations.end());
+  }
+  std::sort(levels.begin(), levels.end());
+  const auto same = [&](double a, double b) { return b - a <= 1e-6 * (top - *axis.from); };
+  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
+  axis.places = std::move(levels);
   return axis;
 }
 
@@ -39,17 +45,23 @@ std::vector<Eigen::Index> moving(const RunResults& run, const FigureOptions& opt
   return shown;
 }
 
-/// One panel for each building.
-Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
-  Figure figure{.columns = static_cast<int>(shown.size()), .width = options.width};
-  if (shown.size() > most_columns) figure.width *= page_over_column;
+/// One panel for each building, each as wide as `room` [cm] at least; where a row of more than two has no room the
+/// figure takes a page's width, and then more rows.
+Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown,
+              double room) {
+  constexpr double of_axis = 1.2;  // numbers and label of the elevations [cm]
+  Figure figure{.width = options.width};
+  const auto fitting = [&] {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, figure.width - of_axis) / room));
+  };
+  if (shown.size() > 2 && fitting() < shown.size()) figure.width *= page_over_column;
+  const std::size_t rows = (shown.size() + fitting() - 1) / fitting();
+  const std::size_t columns = (shown.size() + rows - 1) / rows;
+  figure.columns = static_cast<int>(columns);
   const Axis elevation = elevation_axis(run, options);
   for (std::size_t b = 0; b < shown.size(); ++b) {
     Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run)};
-    if (b > 0) {
-      panel.y.label = "";
-      panel.y.numbers = false;
-    }
+    if (b % columns != 0) leave_to_neighbour(panel.y);
     figure.panels.push_back(panel);
   }
   return figure;
@@ -69,7 +81,7 @@ Curve over_height(const Building& building, const Eigen::VectorXd& values, Curve
 
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
-  Figure figure = beside(run, options, shown);
+  Figure figure = beside(run, options, shown, 2);
   figure.title = "Largest displacements relative to the bases, with and without contact";
   figure.shared_legend = true;
   double largest = 0;
@@ -80,7 +92,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x = {.label = with_unit("max |x|", run.c.units.length), .from = 0, .to = 1.05 * largest};
+    panel.x = {.label = with_unit(word(options, "max |x|"), run.c.units.length), .from = 0, .to = 1.05 * largest};
     if (!(largest > 0)) panel.x.to = 1;
     const Curve with{.label = word(options, "with contact"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
@@ -114,7 +126,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
       curve.x.push_back(value);
       curve.y.push_back(building.model.elevations[at.floor]);
     }
-    tell_apart(curve, b);
+    tell_apart(curve, static_cast<std::size_t>(shown[b]));
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -145,14 +157,11 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
         curve.x.push_back(value);
         curve.y.push_back(building.model.elevations[at.floor]);
       }
-      tell_apart(curve, b);
+      tell_apart(curve, static_cast<std::size_t>(shown[b]));
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;
-    if (!figure.panels.empty()) {
-      panel.y.label = "";
-      panel.y.numbers = false;
-    }
+    if (!figure.panels.empty()) leave_to_neighbour(panel.y);
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) throw NoFigure("nothing moves without contact, so that there are no ratios");
@@ -161,7 +170,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
 
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
-  Figure figure = beside(run, options, shown);
+  Figure figure = beside(run, options, shown, 2.7);
   figure.title = "Mode shapes, largest sway 1";
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];

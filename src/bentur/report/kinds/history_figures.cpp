@@ -136,30 +136,67 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
   return force;
 }
 
-/// A panel over the whole run and, where that is long, another over its hardest moments; or one over the window asked
-/// for.
-Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Index point, const std::string& label,
-                 const std::vector<Curve>& curves, const std::vector<Rule>& rules, bool mark_contacts) {
+/// What a figure of histories shows besides its curves.
+struct HistoryPanels {
+  std::string label;             ///< of the y axis
+  std::string label_of_parts{};  ///< the same in short; empty: the curves of the whole run stand in one panel
+  std::vector<Rule> rules{};
+  bool mark_contacts = false;
+};
+
+/// Room for all curves within a window and for marks above them, so that panels can be compared.
+std::pair<double, double> range_of(const std::vector<Curve>& curves, const Window& window) {
+  std::pair<double, double> range{0, 0};
+  for (const Curve& curve : curves) {
+    const Curve part = within(curve, window);
+    const auto [least, most] = std::minmax_element(part.y.begin(), part.y.end());
+    range = {std::min(range.first, *least), std::max(range.second, *most)};
+  }
+  constexpr double marks = 0.09;
+  range.second += marks * (range.second - range.first);
+  return range;
+}
+
+/// A panel over the whole run, or one for each curve, and, where that is long, another over its hardest moments; or one
+/// over the window asked for.
+Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Index point,
+                 const std::vector<Curve>& curves, const HistoryPanels& with) {
+  constexpr double height = 3.4;
+  constexpr double height_of_part = 2;
   Figure figure{.width = options.width, .shared_legend = true};
-  const auto add = [&](const std::string& title, const Window& window, bool last) {
+  const auto add = [&](const std::string& title, const Window& window, const std::vector<Curve>& shown) -> Panel& {
     Panel panel{.title = title,
-                .x = {.label = last ? word(options, "Time t [s]") : "", .from = window.from, .to = window.to},
-                .y = {.label = label},
-                .height = 3.4,
-                .rules = rules};
-    for (const Curve& curve : curves) panel.curves.push_back(within(curve, window));
-    if (mark_contacts) panel.events = contacts(run, point, window, options);
-    figure.panels.push_back(std::move(panel));
+                .x = {.from = window.from, .to = window.to},
+                .y = {.label = with.label},
+                .height = height,
+                .rules = with.rules};
+    for (const Curve& curve : shown) panel.curves.push_back(within(curve, window));
+    if (with.mark_contacts) panel.events = contacts(run, point, window, options);
+    return figure.panels.emplace_back(std::move(panel));
   };
   const Window asked = window(run, options);
   const Window near = around_the_hardest(run, point);
   const bool two = !options.from && !options.to && near.to - near.from < 0.5 * (asked.to - asked.from);
-  add(point_text(run, point, options), asked, !two);
-  if (two) {
-    for (Curve& curve : figure.panels.front().curves) curve.width = 0.7;  // many vibrations side by side
-    const bool hit = hardest_impact(run, point) != nullptr;
-    add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, true);
+  if (two && !with.label_of_parts.empty()) {
+    for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
+      Panel& part = add(figure.panels.empty() ? point_text(run, point, options) : "", asked, {curve});
+      part.height = height_of_part;
+      part.y.label = with.label_of_parts;
+      part.y.least = range_of(curves, asked);
+      part.x.numbers = &curve == &curves.back();
+      if (figure.panels.size() > 1) part.events = {};
+    }
+  } else {
+    add(point_text(run, point, options), asked, curves);
   }
+  if (two) {
+    for (Panel& panel : figure.panels) {
+      for (Curve& curve : panel.curves) curve.width = 0.7;  // many vibrations side by side
+    }
+    const bool hit = hardest_impact(run, point) != nullptr;
+    add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);
+  }
+  figure.panels.back().x.label = word(options, "Time t [s]");
   return figure;
 }
 
@@ -171,12 +208,16 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
     return Curve{.label = run.problem.buildings[b].name,
                  .x = course_of(run).time,
-                 .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor))};
+                 .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor)),
+                 .tone = tone_of(b)};
   };
-  Curve right = curve(point.left + 1, point.right_floor);
-  right.tone = Tone::orange;
-  Figure figure = histories(run, options, i, with_unit(word(options, "Displacement x"), run.c.units.length),
-                            {curve(point.left, point.left_floor), right}, {}, true);
+  const std::vector<Building>& buildings = run.problem.buildings;
+  const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.left + 1].is_rigid();
+  Figure figure =
+      histories(run, options, i, {curve(point.left, point.left_floor), curve(point.left + 1, point.right_floor)},
+                {.label = with_unit(word(options, "Displacement x"), run.c.units.length),
+                 .label_of_parts = of_two_that_move ? with_unit("x", run.c.units.length) : "",
+                 .mark_contacts = true});
   figure.title = "Displacements relative to the bases, " + point_text(run, i, options);
   return figure;
 }
@@ -188,8 +229,10 @@ Figure opening_figure(const RunResults& run, const FigureOptions& options) {
   const Rule closed{.at = 0, .tone = Tone::grey};
   const Rule rest{
       .at = run.problem.points[i].width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
-  Figure figure = histories(run, options, i, with_unit(word(options, "Opening g"), run.c.units.length), {opening},
-                            {closed, rest}, true);
+  Figure figure = histories(run, options, i, {opening},
+                            {.label = with_unit(word(options, "Opening g"), run.c.units.length),
+                             .rules = {closed, rest},
+                             .mark_contacts = true});
   const double room = 0.05 * displacement_scale(run.problem, run.response, run.problem.points[i].left);
   for (Panel& panel : figure.panels) panel.y.least = {-room, room};
   figure.title = "Opening of the gap, " + point_text(run, i, options);
@@ -202,7 +245,7 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
     throw NoFigure("no contact force at " + point_text(run, i, options));
   }
   Figure figure =
-      histories(run, options, i, with_unit(word(options, "Contact force F"), run.c.units.force), {Curve{}}, {}, false);
+      histories(run, options, i, {Curve{}}, {.label = with_unit(word(options, "Contact force F"), run.c.units.force)});
   for (Panel& panel : figure.panels) {
     panel.curves = {force_curve(run, i, {*panel.x.from, *panel.x.to})};
     const std::vector<double>& forces = panel.curves.front().y;
@@ -233,13 +276,14 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
   // Impacts are shorter than samples: the largest is told as it was.
   std::vector<Rule> rules;
   for (const double sign : {1.0, -1.0}) {
-    rules.push_back({.at = sign * largest, .label = sign > 0 ? "largest" : "", .line = Line::dotted});
+    rules.push_back({.at = sign * largest, .label = sign > 0 ? word(options, "largest") : "", .line = Line::dotted});
     if (capacity > 0) {
-      rules.push_back({.at = sign * capacity, .label = sign > 0 ? "capacity" : "", .line = Line::dashed});
+      rules.push_back(
+          {.at = sign * capacity, .label = sign > 0 ? word(options, "capacity") : "", .line = Line::dashed});
     }
   }
-  Figure figure = histories(run, options, point, label, curves, rules, true);
-  figure.title = fmt::format("Column of {} struck at elevation {} {}", run.problem.buildings[struck.building].name,
+  Figure figure = histories(run, options, point, curves, {.label = label, .rules = rules, .mark_contacts = true});
+  figure.title = fmt::format("Column of {} struck at level {} {}", run.problem.buildings[struck.building].name,
                              number_text(run.problem.points[point].elevation), run.c.units.length);
   return figure;
 }
@@ -248,17 +292,18 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
 
 Figure column_shear_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(run, options, i, with_unit("Shear V", run.c.units.force),
-                       {{0, {.label = "below"}}, {1, {.label = "above", .tone = Tone::orange}}},
-                       run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
+  return column_figure(
+      run, options, i, with_unit(word(options, "Shear V"), run.c.units.force),
+      {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::orange}}},
+      run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
 }
 
 Figure column_moment_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(run, options, i, with_unit("Moment M", unit_text("F L", run.c.units)),
-                       {{2, {.label = "bottom", .tone = Tone::blue, .line = Line::dashed}},
-                        {3, {.label = "where struck"}},
-                        {5, {.label = "top", .tone = Tone::orange}}},
+  return column_figure(run, options, i, with_unit(word(options, "Moment M"), unit_text("F L", run.c.units)),
+                       {{2, {.label = word(options, "bottom"), .tone = Tone::blue, .line = Line::dashed}},
+                        {3, {.label = word(options, "where struck")}},
+                        {5, {.label = word(options, "top"), .tone = Tone::orange}}},
                        run.response.points[i].column->moment, run.problem.points[i].column_moment_capacity);
 }
 

@@ -78,6 +78,14 @@ double largest(const SweepData& sweep, const std::string& quantity, std::vector<
   return result;
 }
 
+/// Some of them, evenly from the first to the last, where they are too many.
+void thin_out(std::vector<std::vector<std::size_t>>& cases) {
+  if (cases.size() <= most_cases) return;
+  std::vector<std::vector<std::size_t>> some;
+  for (std::size_t i = 0; i < most_cases; ++i) some.push_back(cases[i * (cases.size() - 1) / (most_cases - 1)]);
+  cases = std::move(some);
+}
+
 /// Index of a case in the table of outcomes.
 std::size_t case_number(const SweepData& sweep, const Analysis& ida, const std::vector<std::size_t>& at) {
   std::size_t number = 0;
@@ -103,10 +111,8 @@ std::string event_text(const std::string& event, const std::string& unit) {
   return text + (unit.empty() || unit == "–" ? "" : " " + unit);
 }
 
-Axis intensity_axis(const SweepDimension& levels, const FigureOptions& options) {
-  return {.label = label_in(options, levels.label),
-          .from = 0,
-          .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
+Axis intensity_axis(const SweepDimension& levels) {
+  return {.label = levels.label, .from = 0, .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
 }
 
 }  // namespace
@@ -125,7 +131,7 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   const std::string quantity = "peak_force";
   const std::string unit = unit_text(sweep.results().at(quantity).units);
   Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
-              .y = intensity_axis(levels, options),
+              .y = intensity_axis(levels),
               .height = 5.5};
   std::vector<std::vector<double>> at_level(levels.size);
   bool any_force = false;
@@ -175,19 +181,14 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     throw NoFigure(fmt::format("one analysis is shown at a time: choose {}", fmt::join(open, ", ")));
   }
   auto cases = combinations(sweep, chosen, ida.others);
-  const std::size_t all = cases.size();
-  if (all > most_cases) {  // evenly from the first to the last
-    std::vector<std::vector<std::size_t>> some;
-    for (std::size_t i = 0; i < most_cases; ++i) some.push_back(cases[i * (all - 1) / (most_cases - 1)]);
-    cases = std::move(some);
-  }
+  thin_out(cases);
   Figure figure{.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
                 .columns = cases.size() == 3  ? 3
                            : cases.size() > 1 ? 2
                                               : 1,
                 .width = options.width,
                 .shared_legend = true};
-  if (cases.size() > 1) figure.width *= 17.0 / 8.8;
+  if (cases.size() > 1) figure.width *= page_over_column;
   double largest_force = 0;
   for (const std::vector<std::size_t>& one : cases) {
     Panel panel = ida_panel(sweep, options, ida, combinations(sweep, one, ida.record));
@@ -198,10 +199,7 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
         for (const double force : curve.x) largest_force = std::fmax(largest_force, force);
       }
     }
-    if (figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0) {
-      panel.y.label = "";
-      panel.y.numbers = false;
-    }
+    if (figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0) leave_to_neighbour(panel.y);
     figure.panels.push_back(std::move(panel));
   }
   for (Panel& panel : figure.panels) {  // all by one scale, so that they can be compared
@@ -215,21 +213,17 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const SweepDimension& levels = sweep.dimensions()[ida.level];
   const IdaResults results = event_results(sweep, options.event);
   auto cases = combinations(sweep, sweep.chosen(options.at), ida.others);
-  if (cases.size() > most_cases && options.choose) {
-    std::vector<std::vector<std::size_t>> some;
-    for (std::size_t i = 0; i < most_cases; ++i) some.push_back(cases[i * (cases.size() - 1) / (most_cases - 1)]);
-    cases = std::move(some);
-  }
+  if (options.choose) thin_out(cases);
   if (cases.size() > most_cases) {
     std::vector<std::string> names;
     for (const std::size_t d : ida.others) names.push_back(sweep.dimensions()[d].name);
     throw NoFigure(fmt::format("{} combinations of {} are too many for one figure: fix some with --at NAME=VALUE",
                                cases.size(), fmt::join(names, ", ")));
   }
-  const bool pounding = options.event == FigureOptions().event;
-  const bool collapse = options.event == "collapsed > 0";
+  const bool pounding = options.event == pounding_event;
+  const bool collapse = options.event == collapse_event;
   const std::string event = event_text(options.event, unit_text(results.quantity_units));
-  Panel panel{.x = intensity_axis(levels, options),
+  Panel panel{.x = intensity_axis(levels),
               .y = {.label = pounding   ? word(options, "Probability of pounding P [–]")
                              : collapse ? word(options, "Probability of collapse P [–]")
                                         : "P(" + event + ") [–]",

@@ -13,14 +13,16 @@
 namespace bentur {
 namespace {
 
+bool always(const RunResults&) { return true; }
+
 struct RunKind {
   const char* name;
   const char* shows;
   bool (*is_there)(const RunResults&);
   Figure (*make)(const RunResults&, const FigureOptions&);
+  bool (*tells)(const RunResults&) = always;
 };
 
-bool always(const RunResults&) { return true; }
 bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
@@ -33,6 +35,12 @@ bool has_ratios(const RunResults& run) {
            return peaks.storey_shear_no_contact.size() > 0;
          });
 }
+bool has_heights(const RunResults& run) {
+  const std::vector<Building>& buildings = run.problem.buildings;
+  return std::any_of(buildings.begin(), buildings.end(),
+                     [](const Building& building) { return !building.is_rigid() && building.model.floors() > 1; });
+}
+bool has_loop(const RunResults& run) { return !is_lossless(run); }
 bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value(); }
 bool has_energy(const RunResults& run) {
   return run.response.energy && run.response.energy->histories.input.size() > 0;
@@ -55,12 +63,12 @@ const RunKind run_kinds[] = {
     {"opening", "opening of the gap at one contact point", has_points, opening_figure},
     {"force", "contact force at one contact point", has_force, force_figure},
     {"impact", "the hardest impact in close-up: penetration and force", has_close_up, impact_figure},
-    {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure},
+    {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure, has_loop},
     {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
-     forces_figure},
+     forces_figure, has_heights},
     {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure},
     {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
-     amplification_figure},
+     amplification_figure, has_heights},
     {"modes", "mode shapes of each building", always, modes_figure},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
      storey_loop_figure},
@@ -81,7 +89,7 @@ const RunKind run_kinds[] = {
   std::vector<std::string> known;
   for (const FigureKind& one : kinds) known.push_back(one.name);
   const std::string near = nearest(kind, known);
-  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}", kind, of,
+  throw NoFigure(fmt::format("no figure \"{}\" of {}{} There are {}.", kind, of,
                              near.empty() ? "." : "; did you mean \"" + near + "\"?", fmt::join(known, ", ")));
 }
 
@@ -91,21 +99,14 @@ bool some_collapse(const NetcdfReader& results) {
   return std::any_of(collapsed.begin(), collapsed.end(), [](double one) { return one > 0; });
 }
 
-/// Of contact points there are none where a study models no contact.
-bool has_quantity(const NetcdfReader& results, const SweepKind& kind) {
-  if (results.find(kind.quantity) != nullptr) return true;
-  for (int b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
-    if (results.find(fmt::format("{}_{}", kind.quantity, b)) != nullptr) return true;
-  }
-  return false;
-}
+bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variables_of(results, kind.quantity).empty(); }
 
 }  // namespace
 
 std::vector<FigureKind> figure_kinds(const RunResults& run) {
   std::vector<FigureKind> kinds;
   for (const RunKind& kind : run_kinds) {
-    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows});
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run)});
   }
   return kinds;
 }
@@ -122,7 +123,7 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
     }
   }
   for (const SweepKind& kind : sweep_kinds()) {
-    if (has_quantity(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
+    if (is_in(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
   }
   return kinds;
 }
@@ -153,23 +154,23 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
   if (is_histories(results)) return figure_of_run(read_histories(results), kind, options, results.name());
   if (results.find("status") != nullptr) {
-    const SweepData sweep(results);
+    const SweepData sweep(results, options.say);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
     if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
     if (is_ida(results) && kind == "collapse") {
       FigureOptions of_collapse = options;
-      of_collapse.event = "collapsed > 0";
+      of_collapse.event = collapse_event;
       return fragility_figure(sweep, of_collapse);
     }
     for (const SweepKind& one : sweep_kinds()) {
-      if (kind == one.kind && has_quantity(results, one)) return sweep_figure(sweep, one, options);
+      if (kind == one.kind && is_in(results, one)) return sweep_figure(sweep, one, options);
     }
     // Any other quantity by its own name.
     const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };
     const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
     if (quantity != quantities().end()) {
       const SweepKind by_name{kind, kind, std::string(quantity->long_name)};
-      if (has_quantity(results, by_name)) return sweep_figure(sweep, by_name, options);
+      if (is_in(results, by_name)) return sweep_figure(sweep, by_name, options);
     }
   }
   refuse(kind, results.name(), figure_kinds(results));

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bentur/files/netcdf.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
+#include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
 
@@ -21,10 +20,9 @@ struct FigureOptions {
   std::optional<double> elevation;  ///< of the contact point [length]; default: that of the hardest impact
   std::vector<std::pair<std::string, std::string>> at;  ///< of a sweep: name and value of what stays fixed
   std::string against;                                  ///< of a sweep: what stands along the x axis
-  std::string event = "impacts > 0";                    ///< of a fragility: EventRule
-  double width = 8.8;                                   ///< [cm]
-  /// The texts of another language, given the English ones; by default these.
-  std::function<std::string(std::string_view)> say = {};
+  std::string event = pounding_event;                   ///< of a fragility: EventRule
+  double width = column_width;                          ///< [cm]
+  FigureWords say = {};
   /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
   bool choose = false;
 };
@@ -38,6 +36,7 @@ class NoFigure : public std::runtime_error {
 struct FigureKind {
   std::string name;   ///< "displacement", as the command line takes it
   std::string shows;  ///< a few words on what is drawn
+  bool tells = true;  ///< else it has little to say of these results, and reports leave it out
 };
 
 /// The kinds of figure that these results can give: those of a run, of a sweep, or of an incremental dynamic analysis.
@@ -55,15 +54,22 @@ struct FigureKind {
                                  const FigureOptions& options = {});
 [[nodiscard]] Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options = {});
 
+/// The first period of a building, marked in a spectrum.
+struct SpectrumMark {
+  std::string name;
+  double period = 0;       ///< [s]
+  std::size_t number = 0;  ///< of the building
+};
+
 /// Spectral acceleration and displacement over period.
 struct SpectrumCurves {
-  std::vector<double> periods;                             ///< T [s]
-  std::vector<double> acceleration;                        ///< S_a [unit]
-  std::vector<double> displacement;                        ///< S_d [length]
-  std::string acceleration_unit, length;                   ///< units as the axes show them
-  double damping = 0.05;                                   ///< ζ [-]
-  std::vector<std::pair<std::string, double>> marks = {};  ///< periods to be marked, with names
-  std::optional<double> from = {}, to = {};                ///< periods shown [s]; all, unless given
+  std::vector<double> periods;            ///< T [s]
+  std::vector<double> acceleration;       ///< S_a [unit]
+  std::vector<double> displacement;       ///< S_d [length]
+  std::string acceleration_unit, length;  ///< units as the axes show them
+  double damping = 0.05;                  ///< ζ [-]
+  std::vector<SpectrumMark> marks = {};
+  std::optional<double> from = {}, to = {};  ///< periods shown [s]; all, unless given
 };
 /// Both spectra, one above the other.
 [[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options = {});

@@ -16,9 +16,7 @@ std::optional<Eigen::Index> chosen_storey(const RunResults& run, Eigen::Index b,
   std::optional<Eigen::Index> chosen;
   for (Eigen::Index f = 0; f < ductility.size(); ++f) {
     if (std::isnan(ductility(f))) continue;
-    const double elevation = run.problem.buildings[b].model.elevations[f];
-    const double tolerance = 1e-6 * std::max(1.0, std::abs(elevation));
-    if (options.elevation && std::abs(elevation - *options.elevation) > tolerance) continue;
+    if (!is_at(options, run.problem.buildings[b].model.elevations[f])) continue;
     if (!chosen || ductility(f) > ductility(*chosen)) chosen = f;
   }
   return chosen;
@@ -52,7 +50,7 @@ Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey, const Fig
               .height = 5,
               .curves = {curve}};
   if (peaks.yielding.ductility(storey) >= 1) {
-    panel.rules = {{.at = yield, .vertical = true, .line = Line::dotted},
+    panel.rules = {{.at = yield, .vertical = true, .label = word(options, "yield"), .line = Line::dotted},
                    {.at = -yield, .vertical = true, .line = Line::dotted}};
   }
   return panel;

@@ -14,25 +14,8 @@ namespace {
 constexpr std::size_t most_owner_curves = 6;  // points or floors drawn one by one
 constexpr std::size_t most_level_curves = 4;  // values of a second parameter drawn as curves, not as a map
 
-/// A variable, and of which building it is, from 1; 0 where it is of none.
-struct SweepVariable {
-  std::string name;
-  std::size_t building = 0;
-};
-
-/// The variables of a kind: one, or one for each building that has it.
-std::vector<SweepVariable> quantities(const NetcdfReader& results, const SweepKind& kind) {
-  if (results.find(kind.quantity) != nullptr) return {{kind.quantity}};
-  std::vector<SweepVariable> found;
-  for (std::size_t b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
-    std::string name = fmt::format("{}_{}", kind.quantity, b);
-    if (results.find(name) != nullptr) found.push_back({std::move(name), b});
-  }
-  return found;
-}
-
 /// "Model 1" out of the long name of the floors, where it stands in quotes.
-std::string building_name(const NetcdfReader& results, std::size_t number) {
+std::string building_name(const NetcdfReader& results, std::size_t number, const FigureWords& say) {
   const NetcdfVariable* floors = results.find(fmt::format("elevation_{}", number));
   if (floors != nullptr) {
     const std::string& text = floors->long_name;
@@ -40,7 +23,7 @@ std::string building_name(const NetcdfReader& results, std::size_t number) {
     const std::size_t last = text.rfind('"');
     if (first < last && last != std::string::npos) return text.substr(first + 1, last - first - 1);
   }
-  return fmt::format("building {}", number);
+  return word(say, "building {}", std::to_string(number));
 }
 
 /// One number for all points or floors; NaN where there is none.
@@ -64,14 +47,14 @@ class SweepDrawing {
   }
 
   Figure make() {
-    const std::vector<SweepVariable> found = quantities(sweep_.results(), kind_);
+    const std::vector<SweepVariable> found = variables_of(sweep_.results(), kind_.quantity);
     Figure figure{.title = kind_.label, .width = options_.width};
     together_ = std::any_of(found.begin(), found.end(), [&](const SweepVariable& one) {
       return sweep_.owner_names(one.name).size() > most_owner_curves;
     });
     for (const SweepVariable& one : found) {
       Panel panel = this->panel(one.name);
-      if (found.size() > 1) panel.title = building_name(sweep_.results(), one.building);
+      if (found.size() > 1) panel.title = building_name(sweep_.results(), one.building, options_.say);
       const std::string fixed = chosen_text();
       if (!fixed.empty() && &one == &found.front())
         panel.title = panel.title.empty() ? fixed : panel.title + ", " + fixed;
@@ -81,6 +64,7 @@ class SweepDrawing {
       }
       figure.panels.push_back(std::move(panel));
     }
+    if (takes_a_page(figure)) figure.width *= page_over_column;
     figure.shared_legend = found.size() > 1 && same_legends(figure);
     share_range(figure);
     return figure;
@@ -92,6 +76,15 @@ class SweepDrawing {
     return std::all_of(figure.panels.begin(), figure.panels.end(), [&](const Panel& panel) {
       return std::equal(panel.curves.begin(), panel.curves.end(), first.begin(), first.end(),
                         [](const Curve& a, const Curve& b) { return a.label == b.label; });
+    });
+  }
+
+  /// Whether the names along the x axis need a page's width to stand upright.
+  static bool takes_a_page(const Figure& figure) {
+    constexpr std::size_t most_in_column = 18;
+    constexpr std::size_t most_in_page = 42;
+    return std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) {
+      return panel.x.names.size() > most_in_column && panel.x.names.size() <= most_in_page;
     });
   }
 
@@ -188,7 +181,7 @@ class SweepDrawing {
 
   Axis x_axis() const {
     const SweepDimension& one = sweep_.dimensions()[free_[0]];
-    Axis axis{.label = label_in(options_, one.label)};
+    Axis axis{.label = one.label, .number = word(options_, "number")};
     if (one.is_text()) {
       axis.names = one.texts;
     } else {
@@ -306,10 +299,16 @@ class SweepDrawing {
     at_[y] = sweep_.dimensions()[y].size;
     const auto axis = [&](std::size_t d, const std::vector<double>& edges) {
       const SweepDimension& one = sweep_.dimensions()[d];
-      return Axis{
-          .label = label_in(options_, one.label), .from = edges.front(), .to = edges.back(), .names = one.texts};
+      return Axis{.label = one.label,
+                  .from = edges.front(),
+                  .to = edges.back(),
+                  .names = one.texts,
+                  .number = word(options_, "number")};
     };
-    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = 4.6, .map = map};
+    constexpr std::size_t most_names = 45;  // below one another
+    const std::size_t names = sweep_.dimensions()[y].texts.size();
+    const double height = names > most_names ? 4.6 : std::max(4.6, 0.38 * static_cast<double>(names));
+    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = height, .map = map};
   }
 
   /// A mark for every sample.
@@ -326,7 +325,7 @@ class SweepDrawing {
       marks.x.push_back(x->place(i));
       marks.y.push_back(joined(values(quantity, {i}), kind_.sum));
     }
-    return {.x = {.label = label_in(options_, x->label), .names = x->texts},
+    return {.x = {.label = x->label, .names = x->texts, .number = word(options_, "number")},
             .y = {.label = label(quantity)},
             .height = 4.6,
             .curves = {marks}};
@@ -341,6 +340,16 @@ class SweepDrawing {
 
 }  // namespace
 
+std::vector<SweepVariable> variables_of(const NetcdfReader& results, const std::string& quantity) {
+  if (results.find(quantity) != nullptr) return {{quantity}};
+  std::vector<SweepVariable> found;
+  for (std::size_t b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
+    std::string name = fmt::format("{}_{}", quantity, b);
+    if (results.find(name) != nullptr) found.push_back({std::move(name), b});
+  }
+  return found;
+}
+
 const std::vector<SweepKind>& sweep_kinds() {
   static const std::vector<SweepKind> kinds = {
       {"peak-force", "peak_force", "Peak contact force F"},
@@ -351,9 +360,9 @@ const std::vector<SweepKind>& sweep_kinds() {
       {"impulse", "impulse", "Impulse of all impacts", true},
       {"displacement", "peak_displacement", "max |x|"},
       {"acceleration", "peak_acceleration", "Peak floor acceleration"},
-      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration over that without contact"},
+      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration, ratio"},
       {"shear", "peak_storey_shear", "Peak storey shear V"},
-      {"shear-ratio", "storey_shear_ratio", "Storey shear over that without contact"},
+      {"shear-ratio", "storey_shear_ratio", "Storey shear, ratio"},
       {"drift", "peak_drift_ratio", "Peak storey drift Δ/h"},
   };
   return kinds;

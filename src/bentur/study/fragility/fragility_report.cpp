@@ -63,22 +63,17 @@ std::vector<std::size_t> cases_along(const IdaResults& results, std::size_t axis
   return cases;
 }
 
-void find_gaps(const FragilityRequest& request, const ResultCoordinate& coordinate, FragilityReport& report) {
-  std::vector<std::size_t> order(coordinate.numbers.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return coordinate.numbers[a] < coordinate.numbers[b]; });
-  std::vector<double> widths;
-  for (const std::size_t i : order) widths.push_back(coordinate.numbers[i]);
-  for (std::size_t c = 0; c < report.results.table.cases; ++c) {
-    if (report.results.places(c)[report.gap_axis] != 0) continue;
-    const std::vector<std::size_t> cases = cases_along(report.results, report.gap_axis, c);
-    std::vector<const CaseFragility*> fragilities;
-    for (const std::size_t i : order) fragilities.push_back(&report.fragilities[cases[i]]);
-    for (const double p : request.probabilities) {
-      report.gaps.push_back({c, p, gap_estimate(widths, fragilities, *request.at, p, request.bootstrap.confidence)});
-    }
+/// Where the gaps of a request lie among the results.
+std::optional<GapCoordinate> where_gaps_are(const IdaResults& results, const FragilityRequest& request,
+                                            std::string& error) {
+  const auto found = gap_coordinate(results, request.along, error);
+  const std::vector<double>& levels = results.table.levels;
+  if (found && !(*request.at >= levels.front() && *request.at <= levels.back())) {
+    error = fmt::format("--at {} must be from {} to {}, the levels of the analysis", *request.at, levels.front(),
+                        levels.back());
+    return std::nullopt;
   }
+  return found;
 }
 
 /// What is infinite or no number is null in the text.
@@ -134,30 +129,41 @@ Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
 
 }  // namespace
 
+bool find_gaps(FragilityReport& report, const FragilityRequest& request, std::string& error) {
+  const auto along = where_gaps_are(report.results, request, error);
+  if (!along) return false;
+  const ResultCoordinate& coordinate = *along->coordinate;
+  report.gap_axis = along->axis;
+  report.gap_name = coordinate.name;
+  report.gap_units = coordinate.units;
+  report.gaps.clear();
+  std::vector<std::size_t> order(coordinate.numbers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return coordinate.numbers[a] < coordinate.numbers[b]; });
+  std::vector<double> widths;
+  for (const std::size_t i : order) widths.push_back(coordinate.numbers[i]);
+  for (std::size_t c = 0; c < report.results.table.cases; ++c) {
+    if (report.results.places(c)[report.gap_axis] != 0) continue;
+    const std::vector<std::size_t> cases = cases_along(report.results, report.gap_axis, c);
+    std::vector<const CaseFragility*> fragilities;
+    for (const std::size_t i : order) fragilities.push_back(&report.fragilities[cases[i]]);
+    for (const double p : request.probabilities) {
+      report.gaps.push_back({c, p, gap_estimate(widths, fragilities, *request.at, p, request.bootstrap.confidence)});
+    }
+  }
+  return true;
+}
+
 std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
                                                 std::string& error) {
   FragilityReport report;
   report.results = std::move(results);
-  const std::vector<double>& levels = report.results.table.levels;
-  std::optional<GapCoordinate> along;
-  if (request.at) {
-    along = gap_coordinate(report.results, request.along, error);
-    if (!along) return std::nullopt;
-    if (!(*request.at >= levels.front() && *request.at <= levels.back())) {
-      error = fmt::format("--at {} must be from {} to {}, the levels of the analysis", *request.at, levels.front(),
-                          levels.back());
-      return std::nullopt;
-    }
-  }
+  if (request.at && !where_gaps_are(report.results, request, error)) return std::nullopt;  // before the long part
   for (std::size_t c = 0; c < report.results.table.cases; ++c) {
     report.fragilities.push_back(fit_case(report.results.table, c, request.bootstrap));
   }
-  if (along) {
-    report.gap_axis = along->axis;
-    report.gap_name = along->coordinate->name;
-    report.gap_units = along->coordinate->units;
-    find_gaps(request, *along->coordinate, report);
-  }
+  if (request.at && !find_gaps(report, request, error)) return std::nullopt;
   return report;
 }
 

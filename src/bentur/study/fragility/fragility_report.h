@@ -13,7 +13,7 @@ namespace bentur {
 
 /// What is asked of the results of an incremental dynamic analysis.
 struct FragilityRequest {
-  std::string event = "impacts > 0";
+  std::string event = pounding_event;
   BootstrapOptions bootstrap = {};
   std::optional<double> at = {};           ///< intensity [its unit in the results] for the gaps
   std::vector<double> probabilities = {};  ///< p of the gaps, each in (0, 1)
@@ -39,6 +39,10 @@ struct FragilityReport {
 /// @return nothing where the results do not have what is asked for; `error` then says what.
 [[nodiscard]] std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
                                                               std::string& error);
+
+/// The same gaps, for the request's intensity and probabilities, from the fragilities that `report` holds.
+/// @return whether there are such gaps; `error` says why not.
+[[nodiscard]] bool find_gaps(FragilityReport& report, const FragilityRequest& request, std::string& error);
 
 /// docs/studies.md. What does not exist is null.
 [[nodiscard]] std::string fragility_json(const FragilityReport& report, const FragilityRequest& request,

@@ -9,6 +9,9 @@
 
 namespace bentur {
 
+inline constexpr const char* pounding_event = "impacts > 0";
+inline constexpr const char* collapse_event = "collapsed > 0";
+
 /// "peak_force > 20": a run has the event where any value of the quantity (point, floor, gap) compares so.
 struct EventRule {
   enum class Comparison { more, at_least, less, at_most };

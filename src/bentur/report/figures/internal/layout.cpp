@@ -18,7 +18,7 @@ constexpr double label_room = 0.45;     // of an axis' label
 constexpr double edge = 0.3;            // free to the right of a frame
 constexpr double events_height = 0.09;  // of the frame, kept free for marks along its upper edge
 constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 2;   // of a title
+constexpr std::size_t most_lines = 3;   // of a title
 
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.
@@ -44,6 +44,16 @@ double percentile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(place)];
 }
 
+/// Of ratios from `low` to `high`: 1 in the middle, and a half as far from it as 2.
+Ticks ratio_scale(double low, double high) {
+  const double reach = std::max({high, low > 0 ? 1 / low : 1, 1.05});
+  constexpr double narrow = 3;  // round numbers, evenly apart, are near enough to one another
+  Ticks ticks = make_ticks(
+      {.low = 1 / reach, .high = reach, .from = 1 / reach, .to = reach, .logarithmic = reach > narrow, .most = 6});
+  ticks.logarithmic = true;
+  return ticks;
+}
+
 /// The numbers of a map's colours.
 Ticks scale_of(const HeatMap& map) {
   std::vector<double> values;
@@ -53,10 +63,7 @@ Ticks scale_of(const HeatMap& map) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   double low = map.range ? map.range->first : *least;
   double high = map.range ? map.range->second : *most;
-  if (map.ratio) {
-    const double reach = std::max({high - 1, 1 - low, 0.05});
-    return make_ticks({.low = 1 - reach, .high = 1 + reach, .from = 1 - reach, .to = 1 + reach, .most = 6});
-  }
+  if (map.ratio) return ratio_scale(low, high);
   bool clipped = false;
   if (!map.range && low >= 0) {
     constexpr double squashed = 0.4;
@@ -77,7 +84,10 @@ Ticks scale_of(const HeatMap& map) {
 /// counts.
 Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
   const Axis& axis = is_upright ? panel.y : panel.x;
-  if (!axis.names.empty()) return named_ticks(axis.names, axis.names.size() > static_cast<std::size_t>(most), most);
+  if (!axis.names.empty()) {
+    const double room = is_upright ? line_height * static_cast<double>(axis.names.size()) : 0;
+    return named_ticks(axis.names, is_upright ? room > panel.height * (1 + 1e-9) : std::ssize(axis.names) > most, most);
+  }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low = infinity;
   double high = -infinity;
@@ -103,7 +113,9 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
     for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
   if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
-  return make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least});
+  Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least});
+  if (is_upright) put_at(ticks, axis.places, line_height / panel.height);
+  return ticks;
 }
 
 /// Where a value stands along an axis, 0 at its begin and 1 at its end.
@@ -124,11 +136,14 @@ bool is_crowded(const Ticks& ticks, double length) {
   return false;
 }
 
-std::vector<LegendEntry> entries(const Panel& panel) {
-  std::vector<LegendEntry> list;
+/// Adds the entries of a panel; what has a label that is there already is the same.
+void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
   const auto add = [&](LegendEntry entry) {
     entry.label = plain_text(entry.label);
-    if (!entry.label.empty()) list.push_back(std::move(entry));
+    const bool is_there = std::any_of(list.begin(), list.end(), [&](const LegendEntry& one) {
+      return one.label == entry.label && one.event == entry.event;
+    });
+    if (!entry.label.empty() && !is_there) list.push_back(std::move(entry));
   };
   for (const Curve& curve : panel.curves) {
     add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
@@ -136,21 +151,30 @@ std::vector<LegendEntry> entries(const Panel& panel) {
   }
   for (const Rule& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
-  return list;
 }
 
-/// Cuts labels that are too long, and places the entries in rows and columns within a width, x and y measured from the
-/// upper left corner. @return the height they take.
+/// Places the entries in rows and columns within a width, x and y measured from the upper left corner; labels that are
+/// too long go on below. @return the height they take.
 double arrange(std::vector<LegendEntry>& list, double width) {
   if (list.empty()) return 0;
+  const double room = std::max(0.7, width - sample_width - 0.1);
   double longest = 0;
+  std::vector<LegendEntry> entries;
   for (LegendEntry& entry : list) {
-    entry.label = cut_to(entry.label, std::max(0.7, width - sample_width - 0.1));
-    longest = std::max(longest, text_width(entry.label));
+    const std::vector<std::string> lines = lines_of(entry.label, room, most_lines);
+    for (const std::string& line : lines) {
+      longest = std::max(longest, text_width(line));
+      entries.push_back({.label = line});
+      if (&line != &lines.front()) continue;
+      entries.back() = entry;
+      entries.back().label = line;
+    }
   }
+  const bool is_divided = entries.size() > list.size();
+  list = std::move(entries);
   const double step = sample_width + 0.35 + longest;
   const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + 0.25) / step)), list.size());
-  const std::size_t rows = (list.size() + fitting - 1) / fitting;
+  const std::size_t rows = is_divided ? list.size() : (list.size() + fitting - 1) / fitting;
   const std::size_t columns = (list.size() + rows - 1) / rows;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].x = static_cast<double>(i % columns) * step;
@@ -158,6 +182,14 @@ double arrange(std::vector<LegendEntry>& list, double width) {
     list[i].y = -(static_cast<double>(row) + 0.5) * line_height;
   }
   return static_cast<double>(rows) * line_height;
+}
+
+/// Moves entries to the right, so that they stand about `middle` but end within `width`.
+void centre(std::vector<LegendEntry>& list, double middle, double width) {
+  double end = 0;
+  for (const LegendEntry& entry : list) end = std::max(end, entry.x + sample_width + 0.1 + text_width(entry.label));
+  const double right = std::max(0.0, std::min(middle - end / 2, width - end));
+  for (LegendEntry& entry : list) entry.x += right;
 }
 
 void shift(std::vector<LegendEntry>& list, double right, double up) {
@@ -262,24 +294,29 @@ class Arrangement {
   void place_row(std::size_t begin, std::size_t end) {
     double legend = 0;
     double frame = 0;
-    double numbers = 0.55, below = 0;  // room of the numbers and of the label of the x axis
+    double numbers = 0.1, below = 0;  // room of the numbers and of the label of the x axis
     std::size_t titles = 0;
     for (std::size_t i = begin; i < end; ++i) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
-      if (!figure_.shared_legend || i == 0) {
-        placed.legend = entries(panel);
-        const double right = figure_.shared_legend ? figure_.width : placed.cell_right;
-        legend = std::max(legend, arrange(placed.legend, right - placed.left - 0.1));
+      if (!figure_.shared_legend) {
+        add_entries(panel, placed.legend);
+        legend = std::max(legend, arrange(placed.legend, placed.cell_right - placed.left - 0.1));
+      } else if (i == 0) {
+        for (const Panel& each : figure_.panels) add_entries(each, placed.legend);
+        std::stable_partition(placed.legend.begin(), placed.legend.end(), [](const auto& one) { return !one.event; });
+        legend = arrange(placed.legend, figure_.width - placed.left - 0.1);
+        centre(placed.legend, (result_.panels[end - 1].right - placed.left) / 2, figure_.width - placed.left - 0.1);
       }
       placed.title = lines_of(plain_text(panel.title), placed.right - placed.left + 0.2, most_lines);
       titles = std::max(titles, placed.title.size());
-      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y)),
+      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y, panel.y.number)),
                         text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
-      if (placed.x.upright) {
+      if (panel.x.numbers) numbers = std::max(numbers, 0.55);
+      if (panel.x.numbers && placed.x.upright) {
         for (const auto& [at, text] : placed.x.labels) numbers = std::max(numbers, 0.3 + text_width(text));
       }
-      const std::string label = plain_text(scaled(panel.x.label, placed.x));
+      const std::string label = plain_text(scaled(panel.x.label, placed.x, panel.x.number));
       placed.x_label = lines_of(label, placed.cell_right - placed.cell_left, 3);
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }

@@ -33,18 +33,6 @@ std::string gnuplot_string(std::string_view text) {
   return result + "'";
 }
 
-std::string cut(const std::string& text, std::size_t most) {
-  if (display_width(text) <= most) return text;
-  std::string kept;
-  std::size_t width = 1;  // of the ellipsis
-  for (const Utf8Character& one : characters(text)) {
-    width += display_width(one.bytes);
-    if (width > most) break;
-    kept += one.bytes;
-  }
-  return kept + "…";
-}
-
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
 
 std::string number_text(double value) { return fmt::format("{:.4g}", value); }

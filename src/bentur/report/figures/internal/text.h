@@ -13,9 +13,6 @@ namespace bentur {
 /// begins with it.
 [[nodiscard]] std::string gnuplot_string(std::string_view text);
 
-/// A text of at most `most` columns (report/utf8.h), the last one an ellipsis where something had to go.
-[[nodiscard]] std::string cut(const std::string& text, std::size_t most);
-
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bentur/model/quantities.h"
+#include "bentur/report/figures/internal/text_width.h"
 
 namespace bentur {
 namespace {
@@ -26,11 +27,11 @@ TEST(Text, QuotesStandApartAndNothingElseChanges) {
   EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
 }
 
-TEST(Text, CutCountsColumns) {
-  EXPECT_EQ(cut("δ₁ a", 4), "δ₁ a");
-  EXPECT_EQ(cut("δ₁ ab", 4), "δ₁ …");
-  EXPECT_EQ(cut("δδδδδδδδ", 3), "δδ…");
-  EXPECT_EQ(cut("建物建物", 6), "建物…") << "these take two columns each";
+TEST(Text, CutKeepsWhatFits) {
+  EXPECT_EQ(cut_to("δ₁ a", text_width("δ₁ a")), "δ₁ a");
+  EXPECT_EQ(cut_to("δ₁ abcd", text_width("δ₁ …")), "δ₁ …");
+  EXPECT_EQ(cut_to("δδδδδδδδ", text_width("δδ…")), "δδ…");
+  EXPECT_EQ(cut_to("建物建物", text_width("建物…")), "建物…");
 }
 
 TEST(Text, UnitsAsOneReadsThem) {

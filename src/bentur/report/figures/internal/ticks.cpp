@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/power_of_ten.h"
 
 namespace bentur {
 namespace {
@@ -31,14 +33,6 @@ int exponent_of(double largest) {
 std::string signed_text(std::string text) {
   if (text.starts_with("-")) text.replace(0, 1, "−");
   return text;
-}
-
-/// "10⁻⁵".
-std::string power_of_ten(int exponent) {
-  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string power = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent))) power += digits[digit - '0'];
-  return power;
 }
 
 /// Of the number digit · 10^exponent of a logarithmic axis.
@@ -113,9 +107,9 @@ Ticks logarithmic(const TickRequest& request) {
 
 }  // namespace
 
-std::string scaled(const std::string& label, const Ticks& ticks) {
+std::string scaled(const std::string& label, const Ticks& ticks, const std::string& number) {
   if (label.empty()) return label;  // a neighbour's serves
-  if (ticks.numbered) return label + " (number)";
+  if (ticks.numbered) return label + " (" + number + ")";
   if (ticks.exponent == 0) return label;
   const std::string power = power_of_ten(ticks.exponent);
   const std::size_t unit = label.rfind('[');
@@ -125,6 +119,18 @@ std::string scaled(const std::string& label, const Ticks& ticks) {
 }
 
 Ticks make_ticks(const TickRequest& request) { return request.logarithmic ? logarithmic(request) : linear(request); }
+
+void put_at(Ticks& ticks, const std::vector<double>& places, double room) {
+  const double least = room * (ticks.to - ticks.from);
+  const auto near = [&](double a, double b) { return b - a < least; };
+  if (places.empty() || ticks.exponent != 0) return;
+  if (std::adjacent_find(places.begin(), places.end(), near) != places.end()) return;
+  const std::vector<std::string> texts = column(places);
+  ticks.labels.clear();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i] >= ticks.from && places[i] <= ticks.to) ticks.labels.emplace_back(places[i], signed_text(texts[i]));
+  }
+}
 
 Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most) {
   Ticks ticks;

@@ -29,8 +29,10 @@ struct TickRequest {
   std::optional<std::pair<double, double>> least = {};  ///< what is shown at least where no ends are given
 };
 [[nodiscard]] Ticks make_ticks(const TickRequest& request);
-/// The label of an axis with these numbers: "Force F [10⁶ N]".
-[[nodiscard]] std::string scaled(const std::string& label, const Ticks& ticks);
+/// Puts the numbers at these places, ascending, unless two of them are nearer than a part `room` of the axis.
+void put_at(Ticks& ticks, const std::vector<double>& places, double room);
+/// The label of an axis with these numbers: "Force F [10⁶ N]"; where numbers stand for names, "Record (number)".
+[[nodiscard]] std::string scaled(const std::string& label, const Ticks& ticks, const std::string& number = "number");
 /// Places 0, 1, 2, … with names, or, where `numbered`, with every so many of the numbers from 1 on.
 [[nodiscard]] Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most);
 

@@ -85,6 +85,18 @@ TEST(TicksTest, RoundOffIsNoFinding) {
   EXPECT_EQ(make_ticks({.low = -1e-17, .high = 0, .most = 6, .least = {{-1, 1}}}).from, -1.08);
 }
 
+TEST(TicksTest, NumbersStandAtFloorsWhereThereIsRoom) {
+  Ticks ticks = make_ticks({.low = 0, .high = 13.1, .from = 0, .to = 13.5});
+  const Ticks round = ticks;
+  put_at(ticks, {-3, 0, 3.5, 6.7, 13.1}, 0.1);
+  ASSERT_EQ(ticks.labels.size(), 4U);
+  EXPECT_EQ(ticks.labels[1], std::pair(3.5, std::string("3.5")));
+  EXPECT_EQ(ticks.labels[3].second, "13.1");
+  ticks = round;
+  put_at(ticks, {0, 3.5, 4.5, 13.1}, 0.1);
+  EXPECT_EQ(ticks.labels, round.labels);
+}
+
 TEST(TicksTest, NamesOrNumbers) {
   const std::vector<std::string> names = {"a", "b", "c", "d", "e"};
   EXPECT_EQ(joined(named_ticks(names, false, 3)), "a b c d e ");

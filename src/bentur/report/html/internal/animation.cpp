@@ -17,27 +17,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the picture of a wall: a twentieth of the highest building.
-double wall_width(const Story& story) {
-  double highest = 0;
-  for (const Building& building : story.problem.buildings) {
-    const std::vector<double>& heights = building.model.storey_heights;
-    highest = std::max(highest, std::accumulate(heights.begin(), heights.end(), 0.0));
-  }
-  return highest > 0 ? highest / 20 : 1;
+double height_of(const Building& building) {
+  const std::vector<double>& storeys = building.model.storey_heights;
+  return std::accumulate(storeys.begin(), storeys.end(), 0.0);
 }
 
-/// Bays the picture is drawn with; of a building that has no width, one of a third of its height.
+/// Bays the picture is drawn with: of a building that has no width one of a third of its height, of a wall one of a
+/// twentieth of the highest building.
 std::vector<double> bays(const Story& story, std::size_t b) {
-  double width = 0;
-  if (story.problem.buildings[b].is_rigid()) return {wall_width(story)};
-  for (const double storey : story.problem.buildings[b].model.storey_heights) width += storey / 3;
-  if (story.from_case()) {
-    const BuildingSpec& spec = story.c.buildings.at(b);
-    if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return frame->bay_widths;
-    width = spec.width.value_or(width);
+  const std::vector<Building>& buildings = story.problem.buildings;
+  if (buildings[b].is_rigid()) {
+    double highest = 0;
+    for (const Building& building : buildings) highest = std::max(highest, height_of(building));
+    return {highest > 0 ? highest / 20 : 1};
   }
-  return {width};
+  const double slender = height_of(buildings[b]) / 3;
+  if (!story.from_case()) return {slender};
+  const BuildingSpec& spec = story.c.buildings.at(b);
+  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return frame->bay_widths;
+  return {spec.width.value_or(slender)};
 }
 
 /// One sample in `stride`, floors of one instant side by side.
@@ -90,20 +88,21 @@ Json nodes_json(const Story& story, std::size_t b) {
   return nodes;
 }
 
-/// Displacements of floors, then of nodes in columns; of some instants where `columns` names them.
-Eigen::MatrixXd displacements(const Histories& histories, std::size_t b) {
-  const Eigen::MatrixXd& floors = histories.displacement.at(b);
-  const Eigen::MatrixXd& nodes = histories.node_displacement.at(b);
-  Eigen::MatrixXd all(floors.rows() + nodes.rows(), floors.cols());
-  all << floors, nodes;
-  return all;
+/// Displacements of floors, then of nodes in columns, at the instants of some columns of the histories.
+template <typename Columns>
+Eigen::MatrixXd displacements(const Histories& histories, std::size_t b, const Columns& columns) {
+  const auto floors = histories.displacement.at(b)(Eigen::all, columns);
+  const auto nodes = histories.node_displacement.at(b)(Eigen::all, columns);
+  Eigen::MatrixXd both(floors.rows() + nodes.rows(), floors.cols());
+  both << floors, nodes;
+  return both;
 }
 
 Json building_json(const Story& story, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
   const Building& building = story.problem.buildings[b];
-  const Eigen::MatrixXd displacement = displacements(story.response.histories, b);
+  const Eigen::MatrixXd displacement = displacements(story.response.histories, b, Eigen::all);
   Eigen::MatrixXd exact;
-  if (!keys.empty()) exact = displacements(story.response.course, b)(Eigen::all, keys);
+  if (!keys.empty()) exact = displacements(story.response.course, b, keys);
   double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;

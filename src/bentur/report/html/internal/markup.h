@@ -35,6 +35,9 @@ class Html {
 /// JSON text as it may stand inside <script>: no "<", so that neither </script> nor <!-- can end or open anything.
 [[nodiscard]] Html json_markup(std::string_view json);
 
+/// "2.8e+07" as "2.8 × 10⁷"; other numbers as they are.
+[[nodiscard]] std::string with_power(const std::string& number);
+
 /// A table under one header row; units stand below the names. Columns of numbers are aligned to the right.
 class HtmlTable {
  public:
@@ -54,6 +57,12 @@ class HtmlTable {
   };
   std::vector<Column> columns_;
   std::vector<std::size_t> marked_;
+};
+
+/// A part of a page, with its place in the list of contents; without content it is not there.
+struct PageSection {
+  std::string id, heading;  ///< the id stands in the sources
+  Html content;
 };
 
 /// Names and their values: a table of two columns without a header.

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "bentur/core/errors.h"
@@ -39,23 +38,12 @@ std::string inline_svg(const std::string& file, std::size_t number, const std::s
   return svg;
 }
 
-/// Whether a picture is wider than a journal's column.
-bool is_wide(const std::string& svg) {
-  constexpr int column = 340;  // pixels
-  const std::size_t at = svg.find("viewBox=\"0 0 ");
-  return at != std::string::npos && std::atoi(svg.c_str() + at + 13) > column;
-}
-
 /// A number that an author of a case's text cannot foresee: it depends on all of the page (FNV-1a).
 std::string nonce_of(const std::string& page) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char c : page) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return fmt::format("{:016x}", hash);
 }
-
-}  // namespace
-
-namespace {
 
 /// A text between quotes of a style sheet: letters and digits, all else as references to its code point.
 std::string css_text(std::string_view text) {
@@ -67,27 +55,18 @@ std::string css_text(std::string_view text) {
   return result;
 }
 
-/// The page with a list of its sections behind its header, and all but that in its main part.
-Html with_contents(const Words& say, const Html& body) {
-  const std::string& all = body.str();
-  const std::string_view opening = "<section id=\"", heading = "\"><h2>";
-  Html links;
-  for (std::size_t at = all.find(opening); at != std::string::npos; at = all.find(opening, at + 1)) {
-    const std::size_t id = at + opening.size();
-    const std::size_t end = all.find(heading, id);
-    const std::size_t close = all.find("</h2>", end);
-    if (end == std::string::npos || close == std::string::npos) break;
-    const std::string text = all.substr(end + heading.size(), close - end - heading.size());
-    links += element("li", element("a", Html::markup(text), "href=\"#" + all.substr(id, end - id) + "\""));
+/// The list of sections between the header and the main part, which holds them.
+Html markup_of(const Words& say, const PageBody& body) {
+  Html links, sections;
+  for (const auto& [id, heading, content] : body.sections) {
+    if (content.str().empty()) continue;
+    links += element("li", element("a", heading, "href=\"#" + id + "\""));
+    sections += element("section", element("h2", heading) + Html::markup("\n") + content, "id=\"" + id + "\"") +
+                Html::markup("\n");
   }
-  const std::size_t header = all.find("</header>");
-  if (header == std::string::npos) return element("main", body);
-  const std::size_t begin = header + std::string_view("</header>").size();
-  const std::size_t footer = std::min(all.find("<footer>"), all.size());
   const Html list = element("nav", element("ol", links),
                             "class=\"screen\" aria-label=\"" + Html::text(say("report.contents")).str() + "\"");
-  return Html::markup(all.substr(0, begin)) + list + element("main", Html::markup(all.substr(begin, footer - begin))) +
-         Html::markup(all.substr(footer));
+  return element("header", body.header) + list + element("main", sections) + body.footer;
 }
 
 }  // namespace
@@ -99,8 +78,9 @@ std::string_view asset(std::string_view name) {
   throw InvalidParameter("asset", std::string(name), "is not built in");
 }
 
-std::string page(const Words& say, const std::string& title, const Html& body, bool with_script) {
-  const std::string nonce = nonce_of(body.str());
+std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script) {
+  Html content = markup_of(say, body);
+  const std::string nonce = nonce_of(content.str());
   const std::string head =
       "<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
@@ -108,7 +88,6 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
       "\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-" +
       nonce + "'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n";
-  Html content = with_contents(say, body);
   if (with_script)
     content += element("script", Html::markup(std::string(asset("motion.js")) + std::string(asset("report.js"))),
                        "nonce=\"" + nonce + "\"");
@@ -121,18 +100,18 @@ std::string page(const Words& say, const std::string& title, const Html& body, b
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 
-Html figures_section(const Words& say, const std::vector<ReportFigure>& figures) {
+PageSection figures_section(const Words& say, const std::vector<ReportFigure>& figures) {
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const std::string& svg = figures[i].svg;
     const std::string caption = say("figure.number", {{"n", std::to_string(i + 1)}, {"caption", figures[i].caption}});
     content +=
-        element("figure", Html::markup(inline_svg(svg, i + 1, figures[i].caption)) + element("figcaption", caption),
-                is_wide(svg) ? "class=\"broad\"" : "") +
+        element("figure",
+                Html::markup(inline_svg(figures[i].svg, i + 1, figures[i].caption)) + element("figcaption", caption),
+                figures[i].wide ? "class=\"broad\"" : "") +
         Html::markup("\n");
   }
-  return section("figures", say("heading.figures"),
-                 figures.empty() ? element("p", say("figures.none")) : element("div", content, "class=\"figures\""));
+  return {"figures", say("heading.figures"),
+          figures.empty() ? element("p", say("figures.none")) : element("div", content, "class=\"figures\"")};
 }
 
 }  // namespace bentur::html

@@ -9,11 +9,18 @@
 
 namespace bentur::html {
 
+/// What stands on a page: its header, its sections under a list of them, and what comes after.
+struct PageBody {
+  Html header;
+  std::vector<PageSection> sections;
+  Html footer = {};
+};
+
 /// A whole page with the style of reports and, where asked for, their script. Its Content-Security-Policy
 /// lets it fetch nothing and run no other script.
-[[nodiscard]] std::string page(const Words& say, const std::string& title, const Html& body, bool with_script);
+[[nodiscard]] std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script);
 
 /// The figures, or why there are none.
-[[nodiscard]] Html figures_section(const Words& say, const std::vector<ReportFigure>& figures);
+[[nodiscard]] PageSection figures_section(const Words& say, const std::vector<ReportFigure>& figures);
 
 }  // namespace bentur::html

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bentur/model/case.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/remarks.h"
@@ -31,37 +33,53 @@ struct Story {
 constexpr std::size_t most_impacts = 1500;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
-[[nodiscard]] Html verdict_section(const Story& story);
+[[nodiscard]] PageSection verdict_section(const Story& story);
 
 /// Remarks on unusual numbers, and what the model leaves out.
-[[nodiscard]] Html remarks_section(const Story& story);
+[[nodiscard]] PageSection remarks_section(const Story& story);
 
 /// The gap needed at each level, simulated and by every rule.
-[[nodiscard]] Html gap_section(const Story& story);
+[[nodiscard]] PageSection gap_section(const Story& story);
 
 /// Contact totals per level and peaks per floor.
-[[nodiscard]] Html peaks_section(const Story& story);
+[[nodiscard]] PageSection peaks_section(const Story& story);
 
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
-[[nodiscard]] Html damage_section(const Story& story);
+[[nodiscard]] PageSection damage_section(const Story& story);
 
 /// Columns that floors strike, with and without contact, and how that compares with what they bear; nothing where
 /// floors meet at every contact point.
-[[nodiscard]] Html columns_section(const Story& story);
+[[nodiscard]] PageSection columns_section(const Story& story);
 
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
-[[nodiscard]] Html impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
+[[nodiscard]] PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
 
 /// The input with its units, the ground motion, the modes.
-[[nodiscard]] Html input_section(const Story& story);
+[[nodiscard]] PageSection input_section(const Story& story);
 
 // What the sections share.
 
+/// The gap given and needed at contact points, with what rules say.
+/// @param needed_label of Story::separations' `simulated`
+/// @param governing the level that stands out where it is short; without it each level that is short does
+[[nodiscard]] Html points_table(const Story& story, const std::vector<Eigen::Index>& points,
+                                const std::string& needed_label, const std::optional<GoverningLevel>& governing);
+/// The same of floors that face their neighbour where no contact is modelled, given bottom to top; nothing without.
+/// @param needed_at [length], for each of Problem::watched
+[[nodiscard]] Html watched_table(const Story& story, const std::vector<Eigen::Index>& floors,
+                                 const std::vector<double>& needed_at, const std::string& needed_label,
+                                 const std::optional<GoverningLevel>& governing);
+/// The name of the building that a watched floor is of.
+[[nodiscard]] const std::string& floor_owner(const Story& story, const WatchedFloor& floor);
 /// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
 [[nodiscard]] Html code_table(const Story& story, const std::vector<Eigen::Index>& points);
 /// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
 [[nodiscard]] Html screening_table(const Story& story, Eigen::Index gap);
 
+/// The attribute of a verdict's box.
+[[nodiscard]] inline const char* verdict_class(bool pounds) {
+  return pounds ? "class=\"verdict pounds\"" : "class=\"verdict clear\"";
+}
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// A number of three digits, as sentences have them: "0.726".
@@ -75,10 +93,12 @@ constexpr std::size_t most_impacts = 1500;
 /// "1 Bank, 2 Hotel, 3 Office".
 [[nodiscard]] std::string building_key(const Story& story);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
-[[nodiscard]] std::string mass_unit(const Case& c);          ///< "kgf·s²/cm"
+[[nodiscard]] std::string mass_unit(const Case& c);          ///< "t", "kgf·s²/cm"
 /// By peak force, then, as where no force is known, by closing speed.
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
-/// Every quantity of an owner that is for tables, at these places, behind the columns that say where they are.
+/// Columns of quantities, behind those that say where they are.
+void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
+/// Every quantity of an owner that is for tables, at these places.
 void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
 
 /// The number of the report's language in tables of quantities.
@@ -89,7 +109,5 @@ void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std
 [[nodiscard]] std::vector<Eigen::Index> struck_points(const Problem& problem);
 /// What is struck at a contact point: "column of B", or "floor".
 [[nodiscard]] std::string struck_text(const Story& story, Eigen::Index point);
-/// A heading and what belongs to it.
-[[nodiscard]] Html section(const std::string& id, const std::string& heading, const Html& content);
 
 }  // namespace bentur::html

@@ -68,5 +68,17 @@ std::string Words::count(std::string_view key, long n) const {
   return (*this)(std::string(key) + (n == 1 ? ".one" : ".many"), {{"n", std::to_string(n)}});
 }
 
+FigureWords figure_words(const std::string& language) {
+  constexpr std::string_view keys = "figure.text.";
+  std::map<std::string, std::string, std::less<>> texts;
+  for (const auto& [key, text] : catalogue().texts) {
+    if (key.starts_with(keys)) texts.emplace(text.at("en"), text.at(language));
+  }
+  return [texts](std::string_view english) {
+    const auto found = texts.find(english);
+    return found == texts.end() ? std::string(english) : found->second;
+  };
+}
+
 }  // namespace html
 }  // namespace bentur

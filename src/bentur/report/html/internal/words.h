@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/report/figures/figure.h"
+
 namespace bentur {
 
 /// Languages a report can be in, by their tags of BCP 47: "en", "id". The first is the default.
@@ -44,6 +46,10 @@ class Words {
  private:
   std::string language_;
 };
+
+/// The texts of figures in that language, given the English ones; what is not in the catalogue, such as a name, as it
+/// is.
+[[nodiscard]] FigureWords figure_words(const std::string& language);
 
 }  // namespace html
 }  // namespace bentur

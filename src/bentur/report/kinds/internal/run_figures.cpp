@@ -20,14 +20,17 @@ const Impact* hardest_impact(const RunResults& run, Eigen::Index point) {
   return found;
 }
 
+bool is_at(const FigureOptions& options, double elevation) {
+  return !options.elevation || std::abs(elevation - *options.elevation) <= 1e-6 * std::max(1.0, std::abs(elevation));
+}
+
 Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options) {
   std::optional<Eigen::Index> best;
   for (Eigen::Index i = 0; i < std::ssize(run.problem.points); ++i) {
     const ContactPoint& point = run.problem.points[i];
     const std::optional<ColumnPeaks>& column = run.response.points[i].column;
-    const double tolerance = 1e-6 * std::max(1.0, std::abs(point.elevation));
-    if (!column || (options.gap && point.left != static_cast<Eigen::Index>(*options.gap)) ||
-        (options.elevation && std::abs(point.elevation - *options.elevation) > tolerance)) {
+    if (!column || !is_at(options, point.elevation) ||
+        (options.gap && point.left != static_cast<Eigen::Index>(*options.gap))) {
       continue;
     }
     if (!best || column->shear > run.response.points[*best].column->shear) best = i;
@@ -44,9 +47,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   for (Eigen::Index i = 0; i < std::ssize(points); ++i) {
     if (options.gap && points[i].left != static_cast<Eigen::Index>(*options.gap)) continue;
     known += (known.empty() ? "" : ", ") + number_text(points[i].elevation);
-    const double tolerance = 1e-6 * std::max(1.0, std::abs(points[i].elevation));
-    if (options.elevation && std::abs(points[i].elevation - *options.elevation) > tolerance) continue;
-    candidates.push_back(i);
+    if (is_at(options, points[i].elevation)) candidates.push_back(i);
   }
   if (points.empty()) throw NoFigure("no contact is modelled in this run");
   if (known.empty() && *options.gap + 1 < buildings.size()) {
@@ -57,7 +58,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
         fmt::format("there is no gap {}: gaps are counted from 0 to {}", *options.gap, buildings.size() - 2));
   }
   if (candidates.empty()) {
-    throw NoFigure(fmt::format("no contact point at elevation {} {}: there are {}", number_text(*options.elevation),
+    throw NoFigure(fmt::format("no contact point at level {} {}: there are {}", number_text(*options.elevation),
                                run.c.units.length, known));
   }
   Eigen::Index best = candidates.front();
@@ -92,22 +93,14 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {left, left + 1};
 }
 
-std::string word(const FigureOptions& options, std::string_view english, const std::string& value) {
-  std::string text = options.say ? options.say(english) : std::string(english);
+std::string word(const FigureWords& say, std::string_view english, const std::string& value) {
+  std::string text = say ? say(english) : std::string(english);
   if (const std::size_t at = text.find("{}"); at != std::string::npos) text.replace(at, 2, value);
   return text;
 }
 
-std::string label_in(const FigureOptions& options, const std::string& english) {
-  const std::size_t unit = english.rfind(" [");
-  if (unit == std::string::npos) return word(options, english);
-  const std::string of = " of ";  // "First period T of Model 1"
-  const std::string label = english.substr(0, unit);
-  const std::size_t name = label.find(of);
-  const std::string said = name == std::string::npos
-                               ? word(options, label)
-                               : word(options, label.substr(0, name) + " of {}", label.substr(name + of.size()));
-  return said + english.substr(unit);
+std::string word(const FigureOptions& options, std::string_view english, const std::string& value) {
+  return word(options.say, english, value);
 }
 
 std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options) {
@@ -130,10 +123,19 @@ Mark mark_of(std::size_t index) {
   return marks[index % 6];
 }
 
-void tell_apart(Curve& curve, std::size_t index) {
+void leave_to_neighbour(Axis& axis) {
+  axis.label = "";
+  axis.numbers = false;
+}
+
+Tone tone_of(std::size_t index) {
   constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::grey};
+  return tones[index % 4];
+}
+
+void tell_apart(Curve& curve, std::size_t index) {
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  curve.tone = tones[index % 4];
+  curve.tone = tone_of(index);
   curve.line = lines[(index + index / 4) % 4];
   if (curve.line == Line::dotted) curve.width = 1.4;
   constexpr std::size_t most_marks = 25;

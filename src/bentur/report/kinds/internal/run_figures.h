@@ -12,17 +12,20 @@ namespace bentur {
 /// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
 /// @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options);
+/// Whether they ask for this elevation, or for none.
+[[nodiscard]] bool is_at(const FigureOptions& options, double elevation);
 /// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
 /// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point.
 [[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
-/// "Model 1 | Model 2, elevation 300 cm".
+/// Whether the impact in close-up gives back all the energy it takes, so that its loop has no area.
+[[nodiscard]] bool is_lossless(const RunResults& run);
+/// "Model 1 | Model 2, level 300 cm".
 [[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options);
-/// The label of an axis in the language asked for; its unit stays.
-[[nodiscard]] std::string label_in(const FigureOptions& options, const std::string& english);
-/// A text of a figure in the language asked for; {} in it becomes `value`.
+/// A text of a figure in the language of the words; {} in it becomes `value`.
+[[nodiscard]] std::string word(const FigureWords& say, std::string_view english, const std::string& value = {});
 [[nodiscard]] std::string word(const FigureOptions& options, std::string_view english, const std::string& value = {});
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
@@ -45,6 +48,12 @@ namespace bentur {
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 
+/// Of widths: figures with more panels take a page's.
+constexpr double page_over_column = page_width / column_width;
+/// An axis whose label and numbers are those of the panel beside it.
+void leave_to_neighbour(Axis& axis);
+/// A building has the tone of its number in every figure.
+[[nodiscard]] Tone tone_of(std::size_t index);
 /// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index);
 [[nodiscard]] Mark mark_of(std::size_t index);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "bentur/files/ida_reading.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 namespace {
@@ -35,27 +37,29 @@ std::string intensity_label(const std::string& measure) {
 
 bool equal(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-}  // namespace
-
-std::string parameter_label(const std::string& parameter, const std::string& name) {
+/// "gap[0].width" as "Gap width w", in the language of the words.
+std::string parameter_label(const std::string& parameter, const std::string& name, const FigureWords& say) {
   const std::string key = last_key(parameter);
   const bool of_gap = parameter.find("gap[") != std::string::npos;
-  if (of_gap && key == "width") return "Gap width w";
-  if (key == "restitution") return "Restitution e";
-  if (key == "pga") return "Peak ground acceleration";
-  if (of_gap && key == "stiffness") return "Contact stiffness k";
-  if (key == "delays") return "Delay τ";
+  if (of_gap && key == "width") return word(say, "Gap width w");
+  if (key == "restitution") return word(say, "Restitution e");
+  if (key == "pga") return word(say, "Peak ground acceleration");
+  if (of_gap && key == "stiffness") return word(say, "Contact stiffness k");
+  if (key == "delays") return word(say, "Delay τ");
   if (key == "calibrate_period") {
     const std::size_t first = parameter.find("[\"");
     const std::size_t last = parameter.find("\"]");
     const bool named = first < last && last != std::string::npos;
-    return "First period T" + (named ? " of " + parameter.substr(first + 2, last - first - 2) : "");
+    return named ? word(say, "First period T of {}", parameter.substr(first + 2, last - first - 2))
+                 : word(say, "First period T");
   }
-  if (key == "period") return "Period T";
+  if (key == "period") return word(say, "Period T");
   std::string words = name.empty() ? key : name;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return capitalised(words);
+  return word(say, capitalised(words));
 }
+
+}  // namespace
 
 std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number_text(numbers[i]); }
 
@@ -78,22 +82,25 @@ SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
   if (variable.long_name.find("gap[") != std::string::npos && key == "width") one.short_name = "gap";
   if (key == "calibrate_period") one.short_name = "T₁";
   if (variable.name == "intensity") one.short_name = intensity_label(variable.long_name);
+  one.short_name = word(say_, one.short_name);
   one.size = variable.shape.empty() ? 1 : variable.shape[0];
   if (variable.text) {
     one.texts = results_.texts(variable.name);
-    one.label = parameter_label(variable.long_name, variable.name);
+    one.label = parameter_label(variable.long_name, variable.name, say_);
     return one;
   }
   one.numbers = results_.numbers(variable.name);
   one.unit = unit_text(variable.units);
   const bool factor = variable.long_name.rfind("factor of ", 0) == 0;
-  const std::string label = variable.name == "intensity" ? intensity_label(variable.long_name)
-                                                         : parameter_label(variable.long_name, variable.name);
-  one.label = capitalised(with_unit(factor ? "Factor of " + variable.name : label, one.unit.empty() ? "–" : one.unit));
+  const std::string label = factor ? word(say_, "Factor of {}", variable.name)
+                            : variable.name == "intensity"
+                                ? word(say_, capitalised(intensity_label(variable.long_name)))
+                                : parameter_label(variable.long_name, variable.name, say_);
+  one.label = one.unit.empty() ? label : with_unit(label, one.unit);
   return one;
 }
 
-SweepData::SweepData(const NetcdfReader& results) : results_(results) {
+SweepData::SweepData(const NetcdfReader& results, FigureWords say) : results_(results), say_(std::move(say)) {
   const NetcdfVariable& status = results.at("status");
   for (std::size_t d = 0; d < status.dimensions.size(); ++d) {
     const std::string& name = status.dimensions[d];
@@ -149,11 +156,11 @@ std::vector<std::string> SweepData::owner_names(const std::string& quantity) con
   if (elevations != nullptr && !elevations->text && elevations->shape == std::vector<std::size_t>{count}) {
     const std::string unit = elevations->units == "1" ? "" : " " + unit_text(elevations->units);
     for (const double z : results_.numbers(elevations->name)) {
-      names.push_back((unit.empty() ? "floor " : "z = ") + number_text(z) + unit);
+      names.push_back(unit.empty() ? word(say_, "floor {}", number_text(z)) : "z = " + number_text(z) + unit);
     }
     return names;
   }
-  for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{} {}", dimension, i + 1));
+  for (std::size_t i = 0; i < count; ++i) names.push_back(word(say_, dimension + " {}", std::to_string(i + 1)));
   return names;
 }
 

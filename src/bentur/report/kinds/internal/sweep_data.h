@@ -34,7 +34,8 @@ struct SweepDimension {
 /// The results of bentur sweep or bentur ida (docs/studies.md), as figures and reports need them.
 class SweepData {
  public:
-  explicit SweepData(const NetcdfReader& results);
+  /// @param say the language of names and labels
+  explicit SweepData(const NetcdfReader& results, FigureWords say = {});
 
   [[nodiscard]] const NetcdfReader& results() const noexcept { return results_; }
   /// Of a grid the directions that vary; of samples one, "sample", without values.
@@ -60,9 +61,19 @@ class SweepData {
   [[nodiscard]] SweepDimension coordinate(const NetcdfVariable& variable) const;
 
   const NetcdfReader& results_;
+  FigureWords say_;
   std::vector<SweepDimension> dimensions_;
   mutable std::map<std::string, std::vector<double>> held_;  // by quantity, as they were asked for
 };
+
+/// A variable, and of which building it is, from 1; 0 where it is of none.
+struct SweepVariable {
+  std::string name;
+  std::size_t building = 0;
+};
+/// The variables of a quantity: one, or one for each building that has it; none where the results have none of it, as
+/// of contact points where a study models no contact.
+[[nodiscard]] std::vector<SweepVariable> variables_of(const NetcdfReader& results, const std::string& quantity);
 
 /// A quantity of a sweep as a figure shows it.
 struct SweepKind {
@@ -71,9 +82,6 @@ struct SweepKind {
   bool sum = false;            ///< over points in place of the largest
 };
 [[nodiscard]] const std::vector<SweepKind>& sweep_kinds();
-
-/// "gap[0].width" as "Gap width w".
-[[nodiscard]] std::string parameter_label(const std::string& parameter, const std::string& name);
 
 [[nodiscard]] Figure sweep_figure(const SweepData& sweep, const SweepKind& kind, const FigureOptions& options);
 
