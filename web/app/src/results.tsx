@@ -11,11 +11,11 @@ const with_ = (value: number | null | undefined, unit: string) => `${number(valu
 
 function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
   const length = unitOf(overview);
-  const hit = one.impacts > 0 || one.unmodelled.length > 0;
+  const hit = one.impacts > 0 || one.unmodelled !== null;
   return (
     <div class={`verdict${hit ? " pounds" : ""}`}>
       <p class="badge">{say(hit ? "pounds" : "clear")}</p>
-      {one.unmodelled.slice(0, 2).map((floor) => <p class="lead">{say("verdict.unmodelled", { floor: floor.floor, level: with_(floor.elevation, length), faced: floor.faced, remedy: floor.remedy })}</p>)}
+      {one.unmodelled !== null && <p>{one.unmodelled}</p>}
       {(one.impacts > 0 || !hit) && <p class="lead">{one.impacts === 0 ? say("verdict.clear", { name: one.name })
         : one.hardest ? say(one.impacts === 1 ? "verdict.hit" : "verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
           : say(one.impacts === 1 ? "verdict.hit.bare" : "verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
@@ -183,9 +183,9 @@ export function Loops({ now }: { now: Result }) {
 
 export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
-  const rows = (one: Result) => [one.overview.gaps.map((each) => each.width).map(number).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
+  const rows = (one: Result) => [one.overview.gaps.map((each) => with_(each.width, unitOf(one.overview))).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
     one.overview.gaps.map((each) => with_(each.needed, unitOf(one.overview))).join(" | "), number(one.overview.amplification)];
-  const heads = [`${say("gap")} [${unitOf(now.overview)}]`, say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
+  const heads = [say("gap"), say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>

@@ -2,7 +2,7 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { cases, recordBytes, recordName } from "./cases";
 import { type CaseError, type CurvePoint, type Result, Solver } from "./solver";
-import { language } from "./texts";
+import { language, say, type Word } from "./texts";
 import { outline, widths, withWidth } from "./toml";
 
 export const text = signal<string>(cases[0].text);
@@ -21,6 +21,11 @@ export const problem = signal(""); // about what was dropped or linked
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
 export const ownRecord = signal(false);
+
+const OWN = new Set(["cancelled", "limit", "worker"]);
+
+/** What went wrong, in the page's words where it is the page that says so. */
+export const told = (one: CaseError) => (OWN.has(one.message) ? say(`error.${one.message}` as Word) : one.message);
 
 export const found = computed(() => outline(text.value));
 export const width = computed(() => {
@@ -114,6 +119,22 @@ export function load(next: string, id = "") {
   curveText = "";
 }
 
+/** The same case in other units: every number of its text, once and for all. */
+export function inUnits(length: string, force: string) {
+  const was = text.value;
+  curveText = "";
+  behind.ask({ kind: "units", text: was, language: language.value, length, force }, (answer) => {
+    if (answer.kind === "refused") problem.value = told(answer.errors[0]);
+    if (answer.kind !== "text" || text.value !== was) return;
+    batch(() => {
+      text.value = answer.text;
+      loads.value += 1;
+      curve.value = [];
+      problem.value = "";
+    });
+  });
+}
+
 export function addFile(name: string, bytes: Uint8Array) {
   for (const solver of [live, behind]) solver.files = [...solver.files, [name, bytes]];
   ownRecord.value = true;
@@ -124,7 +145,7 @@ export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"):
     curveText = "";
     behind.ask({ kind: "take", what, text: text.value, language: language.value }, (answer) => {
       if (answer.kind === "text") resolve(answer.text);
-      if (answer.kind === "refused") reject(new Error(answer.errors[0]?.message));
+      if (answer.kind === "refused") reject(new Error(told(answer.errors[0])));
     });
   });
 }

@@ -32,6 +32,8 @@ constexpr std::size_t most_impacts = 1500;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] Html verdict_section(const Story& story);
+/// Where a floor met something that no contact is modelled with, and what to do. @param floors of a gap, deepest first
+[[nodiscard]] std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>& floors);
 
 /// Remarks on unusual numbers, and what the model leaves out.
 [[nodiscard]] Html remarks_section(const Story& story);
