@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, width } from "./state";
+import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, width } from "./state";
 import { recordName } from "./cases";
 import { keyName, number, say } from "./texts";
 import { decimal, type Leaf, leaf, type Outline, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
@@ -8,7 +8,7 @@ export function Errors({ goTo }: { goTo: (line: number, column: number) => void 
   const list = errors.value;
   return (
     <div class="errors" role="alert">
-      {problem.value && <p class="error">{problem.value}</p>}
+      {problem.value && <p class="error">{problem.value()}</p>}
       {list.length > 0 && <>
         <h3>{say("errors")}: {list.length}</h3>
         <ul>{list.slice(0, 30).map((one, i) => (
@@ -35,6 +35,7 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
         <div style={{ transform: `translateY(${first * height - top}px)` }}>{Array.from({ length: last - first }, (_, i) => <div key={i} class={wrong.has(first + i + 1) ? "wrong" : ""}>{first + i + 1}</div>)}</div>
       </div>
       <textarea ref={area} spellcheck={false} autocapitalize="off" autocomplete="off" wrap="off" aria-label={say("edit.label")} aria-invalid={wrong.size > 0} value={shown}
+        maxLength={2 ** 20} onPaste={(event) => { if (tooLong(event.clipboardData?.getData("text") ?? "")) event.preventDefault(); }}
         onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
         onInput={(event) => {
           const { value } = event.currentTarget;
@@ -151,6 +152,7 @@ export function Form() {
       {buildings.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={String(leaf(now, [...one.path, "name"])?.value ?? `${i + 1}`)} />)}
       <p><button type="button" onClick={() => change(withNeighbour(text.value, scale, (250e3 * 1) / newton / scale))}>{say("form.add")}</button></p>
       {gaps.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.gap", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} without={["between"]} />)}
+      {now.tables.filter((one) => one.path.length === 2 && one.path[0] === "link").slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.link", { n: i + 1 })} without={["between"]} />)}
       <Group path={["excitation"]} title={say("form.excitation")} />
       <p class="controls">
         <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite(['kind = "harmonic"', "period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
@@ -158,6 +160,7 @@ export function Form() {
         <FilePicker label={say("form.record")} accept="" />
         {kind === "record" && <Choice name={say("form.unit")} options={["–", ...accelerations]} value={String(leaf(now, ["excitation", "unit"])?.value ?? "–")} set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
       </p>
+      {now.leaves.some((one) => one.path[0] === "initial") && <Group path={["initial"]} title={say("form.initial")} />}
       <Group path={["analysis"]} title={say("form.analysis")} />
     </div>
   );
@@ -170,11 +173,11 @@ export async function openFile(file: File) {
   const isCase = /\.toml$/i.test(file.name);
   const most = isCase ? CASE : RECORD;
   if (file.size > most * 2 ** 20) {
-    problem.value = say("error.file", { name: file.name.slice(0, 60), size: most });
+    problem.value = () => say("error.file", { name: file.name.slice(0, 60), size: most });
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
-  problem.value = "";
+  problem.value = null;
   if (isCase) {
     load(new TextDecoder().decode(bytes));
     return;

@@ -17,7 +17,8 @@ export const curve = signal<CurvePoint[]>([]);
 export const curveDone = signal(1);
 export const pinned = signal<{ text: string; result: Result } | null>(null);
 export const time = signal(0);
-export const problem = signal(""); // about what was dropped or linked
+/** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
+export const problem = signal<(() => string) | null>(null);
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
 export const ownRecord = signal(false);
@@ -103,7 +104,18 @@ export function cancel() {
   slow.value = false;
 }
 
+const MOST_LINES = 50000; // browsers lay out all lines of a text field at once: a million take them ten seconds
+
+/** Whether a text has more lines than an editor takes, which is said then. */
+export function tooLong(next: string): boolean {
+  let lines = 0;
+  for (let at = next.indexOf("\n"); at >= 0 && lines <= MOST_LINES; at = next.indexOf("\n", at + 1)) ++lines;
+  if (lines > MOST_LINES) problem.value = () => say("error.lines", { n: MOST_LINES });
+  return lines > MOST_LINES;
+}
+
 export function load(next: string, id = "") {
+  if (tooLong(next)) return;
   if (next === text.value) {
     chosen.value = id;
     return;
@@ -114,7 +126,7 @@ export function load(next: string, id = "") {
     loads.value += 1;
     gap.value = 0;
     curve.value = [];
-    problem.value = "";
+    problem.value = null;
   });
   curveText = "";
 }
@@ -124,13 +136,13 @@ export function inUnits(length: string, force: string) {
   const was = text.value;
   curveText = "";
   behind.ask({ kind: "units", text: was, language: language.value, length, force }, (answer) => {
-    if (answer.kind === "refused") problem.value = told(answer.errors[0]);
+    if (answer.kind === "refused") problem.value = () => told(answer.errors[0]);
     if (answer.kind !== "text" || text.value !== was) return;
     batch(() => {
       text.value = answer.text;
       loads.value += 1;
       curve.value = [];
-      problem.value = "";
+      problem.value = null;
     });
   });
 }

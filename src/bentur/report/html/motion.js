@@ -615,7 +615,7 @@ function benturMotion(parts, data) {
     update(other) {
       data = other;
       words = data.words;
-      if (!playing) play.textContent = words.play;
+      play.textContent = playing ? words.pause : words.play;
       build_();
       if (until > duration) until = Infinity;
       show(now);
