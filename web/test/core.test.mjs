@@ -67,6 +67,72 @@ test("a gap's width by itself gives what the case with that width gives", () => 
   assert.equal(found.force, Math.max(...summary.gaps[0].points.map((point) => point.peak_force)));
 });
 
+test("in other units a case is the same buildings", () => {
+  const scale = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254, ft: 0.3048 };
+  const weight = { N: 1, kN: 1e3, kgf: 9.80665, tf: 9806.65, kip: 453.59237 * 9.80665 };
+  // What the results have of length and force; all else (ratios, times, counts) has to stay.
+  const length = /^(elevations?|width|gap_needed|minimum_gap|minimum_gap_no_contact|.*displacement|.*displacement_no_contact|peak_penetration|peak_closing_speed|.*acceleration|.*stroke)$/;
+  const told = (summary) => summary.buildings.flatMap((one) => ["periods", "amplification", "peak_drift_ratio", "peak_displacement", "peak_displacement_no_contact", "peak_acceleration", "peak_storey_shear"].map((key) => [key, [one[key]].flat()]))
+    .concat(summary.gaps.flatMap((gap) => gap.points.flatMap((point) => ["width", "elevation", "minimum_gap_no_contact", "impacts", "contact_duration", "peak_force", "peak_penetration", "peak_closing_speed"].map((key) => [key, [point[key]]]))));
+  const texts = new Map(examples.map((name) => [name, read(name)]));
+  texts.set("every-unit.toml", readFileSync(`${source}/web/test/every-unit.toml`, "utf8"));
+  for (const [name, text] of texts) {
+    const before = solved(text, name);
+    for (const [l, f] of [["ft", "kip"], ["cm", "kgf"]]) {
+      const { ok, text: other } = JSON.parse(one.inUnits(text, l, f));
+      assert.ok(ok);
+      assert.deepEqual(other.match(/#.*/g), text.match(/#.*/g)); // comments are those that were
+      const after = solved(other, name);
+      assert.deepEqual(after.units.length + after.units.force, l + f);
+      const by = scale[before.units.length] / scale[l], push = weight[before.units.force] / weight[f];
+      const now = told(after);
+      for (const [k, [key, values]] of told(before).entries()) {
+        const factor = length.test(key) ? by : /force|shear/.test(key) ? push : 1;
+        // Of floors that hardly move, and of ratios of such, digits are lost: 1e-6 of the largest of a list is no more than
+        // what the numbers' 13 digits become in 20 s of impacts.
+        const most = Math.max(...values.map((value) => Math.abs(value ?? 0)));
+        values.forEach((value, i) => {
+          if (value === null) assert.equal(now[k][1][i], null);
+          else assert.ok(Math.abs(now[k][1][i] - value * factor) <= 1e-6 * most * factor, `${name} ${l} ${f} ${key} ${now[k][1][i]} ${value * factor}`);
+        });
+      }
+    }
+    const { length: l0, force: f0 } = before.units;
+    const there = JSON.parse(one.inUnits(text, "ft", "kip")).text;
+    const back = JSON.parse(one.inUnits(there, l0, f0)).text;
+    const numbers = (all) => (all.replace(/#.*/g, "").match(/(?<![\w"-])[-+]?\d[\d.e+-]*/g) ?? []).map(Number);
+    assert.deepEqual(numbers(back), numbers(text), name);
+  }
+});
+
+test("numbers have their units", () => {
+  JSON.parse(one.open(read("m12-el-centro.toml"), "case.toml"));
+  const units = JSON.parse(one.units(read("m12-el-centro.toml")));
+  assert.equal(units['["building",0,"frame","elastic_modulus"]'], "kgf/cm²");
+  assert.equal(units['["gap",0,"width"]'], "cm");
+  assert.equal(units['["building",0,"damping"]'], undefined);
+});
+
+test("what is too large is refused at once, with its size", () => {
+  const base = read("free-impact.toml");
+  const ones = (n) => `[1${",1".repeat(n - 1)}]`;
+  const frame = (floors, bays, how) => `[[building]]\nname = "A"\ndamping = 0.05\n[building.frame]\nelastic_modulus = 1.0\nstorey_heights = ${ones(floors)}\nbay_widths = ${ones(bays)}\ncolumns = [{ area = 1, inertia = 1, mass = 1 }]\nbeams = [{ area = 1, inertia = 1, mass = 1 }]\ncondensation = "${how}"\n`;
+  for (const [text, size] of [
+    [base.replace(/stick = .*/, `stick = { storey_heights = ${ones(10000)}, masses = ${ones(10000)}, stiffnesses = ${ones(10000)} }`), "10001 modes"],
+    [`[[building]]\nname = "A"\ndamping = 0.05\n[building.generic]\nstoreys = 1000000\nstorey_height = 3\nfloor_mass = 1\nperiod = 1\nsystem = "wall"\n`, "1000000 modes"],
+    [frame(100, 5, "none"), "700 modes"],
+    [frame(300, 10, "static"), "3600 sways and rotations"],
+    [`[[building]]\nname = "W"\nrigid = true\nelevations = ${ones(100000)}\n`, "100000 elevations"],
+    ['[[building]]\nname = "W"\nrigid = true\n'.repeat(5000), "5000 buildings"],
+  ]) {
+    const started = performance.now();
+    const { ok, errors } = JSON.parse(one.open(text, "case.toml"));
+    assert.equal(ok, false);
+    assert.ok(errors[0].message.includes(size) && errors[0].line > 0, errors[0].message);
+    assert.ok(performance.now() - started < 3000, size);
+  }
+});
+
 test("every mistake is told with line, column and key", () => {
   const text = read("m12-el-centro.toml").replace("width = 0.2 ", "widht = 0.2 ").replace("duration = 10.0", "duration = -1");
   const { ok, errors } = JSON.parse(one.open(text, "case.toml"));

@@ -10,15 +10,20 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <variant>
+#include <vector>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/case/parameter_units.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/quantities.h"
 #include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/solve/effort.h"
@@ -35,6 +40,11 @@ const fs::path folder = "/case";
 constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
 constexpr double most_memory = 300e6;  // [byte]
 constexpr std::size_t most_text = std::size_t{1} << 20;
+const char* const text_too_long = "the case is longer than 1 MiB, which is more than a page reads";
+constexpr double most_modes = 400;    // of all buildings: their cubes take a second or two
+constexpr double most_joints = 1500;  // sways and rotations of a frame, before it is condensed
+constexpr double most_levels = 1000;  // of a wall
+constexpr std::size_t most_buildings = 100;
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -45,9 +55,111 @@ std::string key_of(const std::string& message) {
   return is_key ? key : "";
 }
 
-Json failure(const std::string& message) {
-  return {{"ok", false},
-          {"errors", {{{"file", ""}, {"line", 0}, {"column", 0}, {"key", key_of(message)}, {"message", message}}}}};
+Json failure(const std::string& message, int line = 0, int column = 0) {
+  return {
+      {"ok", false},
+      {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key_of(message)}, {"message", message}}}}};
+}
+
+/// The unit of every number of a case that has one, by the JSON of its path.
+void units_of(const TomlValue& value, const TomlValue& root, const Units& units, ParameterPath& path, Json& found) {
+  for (const TomlMember& member : value.members) {
+    path.emplace_back(member.key);
+    units_of(member.value, root, units, path, found);
+    path.pop_back();
+  }
+  if (value.items.size() > 1000) return;  // a page shows fewer
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    path.emplace_back(i);
+    units_of(value.items[i], root, units, path, found);
+    path.pop_back();
+  }
+  if (!value.is_number()) return;
+  const std::string unit = parameter_units(path, root, units);
+  if (unit.empty() || unit == "1") return;
+  Json steps = Json::array();
+  for (const PathStep& step : path) std::visit([&](const auto& one) { steps.push_back(one); }, step);
+  found[text_of(steps)] = unit_text(unit);
+}
+
+Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
+  Json list = Json::array();
+  for (const Diagnostic& one : errors) {
+    const bool here = fs::path(one.position.file).filename() == file;
+    list.push_back({{"file", here ? "" : fs::path(one.position.file).filename().string()},
+                    {"line", one.position.line},
+                    {"column", one.position.column},
+                    {"key", key_of(one.message)},
+                    {"message", one.message}});
+    if (list.size() == 200) break;
+  }
+  return list;
+}
+
+/// How large a building is, from its text alone; 0 where that is not right.
+struct Size {
+  double modes = 0, joints = 0, levels = 0;
+};
+
+double length_of(const TomlValue& table, const char* key) {
+  const TomlValue* list = table.find(key);
+  return list == nullptr ? 0 : static_cast<double>(list->items.size());
+}
+
+Size size_of(const TomlValue& building) {
+  Size size;
+  size.levels = length_of(building, "elevations");
+  if (const TomlValue* frame = building.find("frame")) {
+    const double floors = length_of(*frame, "storey_heights");
+    const TomlValue* condensation = frame->find("condensation");
+    size.joints = floors * (2 + length_of(*frame, "bay_widths"));
+    size.modes = condensation != nullptr && condensation->text == "none" ? size.joints : floors;
+  }
+  if (const TomlValue* stick = building.find("stick")) size.modes = length_of(*stick, "storey_heights");
+  for (const char* const known : {"matrices", "modal"}) {
+    if (const TomlValue* one = building.find(known)) size.modes = length_of(*one, "elevations");
+  }
+  if (const TomlValue* generic = building.find("generic")) {
+    const TomlValue* storeys = generic->find("storeys");
+    if (storeys != nullptr) size.modes = storeys->real;
+  }
+  return size;
+}
+
+/// What is larger than a page can take without standing still, said before any of it is computed.
+std::optional<Json> too_large(const TomlValue& root) {
+  const TomlValue* buildings = root.find("building");
+  if (buildings == nullptr) return std::nullopt;
+  if (buildings->items.size() > most_buildings) {
+    const TomlValue& first = buildings->items[most_buildings];
+    return failure(fmt::format("the case has {} buildings, over the limit of {} of a page; bentur run takes more",
+                               buildings->items.size(), most_buildings),
+                   first.line, first.column);
+  }
+  double modes = 0, most = 0;
+  const TomlValue* largest = nullptr;
+  const auto name = [&](const TomlValue& building) {
+    const TomlValue* given = building.find("name");
+    return given == nullptr ? "?" : given->text.substr(0, 60);
+  };
+  for (const TomlValue& building : buildings->items) {
+    const Size size = size_of(building);
+    const bool tall = size.levels > most_levels;
+    if (tall || size.joints > most_joints) {
+      return failure(
+          fmt::format("building \"{}\" has {:.0f} {}, over the limit of {:.0f} of a page; bentur run takes more",
+                      name(building), tall ? size.levels : size.joints, tall ? "elevations" : "sways and rotations",
+                      tall ? most_levels : most_joints),
+          building.line, building.column);
+    }
+    modes += size.modes;
+    if (size.modes > most) most = size.modes, largest = &building;
+  }
+  if (!(modes > most_modes)) return std::nullopt;
+  return failure(fmt::format("the buildings have {:.0f} modes together, \"{}\" {:.0f} of them, over the limit of "
+                             "{:.0f} of a page; bentur run takes more",
+                             modes, name(*largest), most, most_modes),
+                 largest->line, largest->column);
 }
 
 /// What may go wrong becomes an answer.
@@ -88,27 +200,20 @@ Json list(const Eigen::VectorXd& values) {
 
 Json numbers_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-Json gap_overview(const RunResults& run, Eigen::Index gap, const std::vector<PointSeparation>& separations) {
+Json gap_overview(const html::Story& story, const RunResults& run, Eigen::Index gap,
+                  const std::vector<PointSeparation>& separations) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
   Json one = {
       {"name", gap_name(run.problem, gap)},     {"impacts", found.impacts},       {"touched", found.touched},
       {"points", found.gap.points.size()},      {"width", found.governing.width}, {"needed", found.governing.needed},
-      {"elevation", found.governing.elevation}, {"unmodelled", Json::array()},    {"rules", Json::object()}};
+      {"elevation", found.governing.elevation}, {"unmodelled", Json()},           {"rules", Json::object()}};
   if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
     const PointSummary& worst = run.response.points[*found.hardest];
     one["hardest"] = {{"force", worst.peak_force},
                       {"elevation", run.problem.points[*found.hardest].elevation},
                       {"time", *worst.peak_force_time}};
   }
-  for (const Eigen::Index i : found.unmodelled) {
-    const WatchedFloor& floor = run.problem.watched[i];
-    one["unmodelled"].push_back({{"floor", floor_text(run.problem, floor)},
-                                 {"faced", faced_text(run.problem, floor)},
-                                 {"elevation", floor.elevation},
-                                 {"depth", -run.response.watched[i].least_opening},
-                                 {"time", run.response.watched[i].least_time},
-                                 {"remedy", remedy_text(run.problem, floor, run.c.units.length)}});
-  }
+  if (!found.unmodelled.empty()) one["unmodelled"] = html::unmodelled_text(story, found.unmodelled);
   double abs = 0, srss = 0, ddc = 0;
   for (const PointSeparation& point : separations) {
     if (run.problem.points[point.point].left != gap) continue;
@@ -132,26 +237,39 @@ void Studio::put_file(const std::string& path, const std::string& bytes) {
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
     case_.reset(), problem_.reset(), run_.reset(), free_.reset();
-    if (text.size() > most_text) return failure("the case is longer than 1 MiB, which is more than a page reads");
+    if (text.size() > most_text) return failure(text_too_long);
+    Diagnostics unread;  // what is wrong with the text is for the case's reader to say
+    if (const std::optional<TomlValue> root = parse_toml(text, file, unread)) {
+      if (std::optional<Json> answer = too_large(*root)) return *answer;
+    }
     Diagnostics diagnostics;
     std::optional<Case> c = read_case_text(text, folder / "cases" / file, diagnostics);
-    if (!c) {
-      Json errors = Json::array();
-      for (const Diagnostic& one : diagnostics.errors()) {
-        const bool here = fs::path(one.position.file).filename() == file;
-        errors.push_back({{"file", here ? "" : fs::path(one.position.file).filename().string()},
-                          {"line", one.position.line},
-                          {"column", one.position.column},
-                          {"key", key_of(one.message)},
-                          {"message", one.message}});
-        if (errors.size() == 200) break;
-      }
-      return {{"ok", false}, {"errors", errors}};
-    }
+    if (!c) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     Problem problem = make_problem(*c);
     case_ = std::move(c);
     problem_ = std::move(problem);
     return {{"ok", true}, {"errors", Json::array()}};
+  });
+}
+
+std::string Studio::in_units(const std::string& text, const std::string& length, const std::string& force) const {
+  return guarded([&]() -> Json {
+    if (text.size() > most_text) return failure(text_too_long);
+    Diagnostics diagnostics;
+    const std::optional<std::string> made = text_in_units(text, "", length, force, diagnostics);
+    if (!made) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), "")}};
+    return {{"ok", true}, {"errors", Json::array()}, {"text", *made}};
+  });
+}
+
+std::string Studio::units(const std::string& text) const {
+  return guarded([&]() -> Json {
+    Json found = Json::object();
+    Diagnostics unread;
+    const std::optional<TomlValue> root = parse_toml(text, "", unread);
+    ParameterPath path;
+    if (root && case_) units_of(*root, *root, case_->units, path, found);
+    return found;
   });
 }
 
@@ -213,13 +331,15 @@ std::string Studio::report(const std::string& language) const {
   return run_ ? report_html(*run_, {.language = language, .version = BENTUR_VERSION}) : "";
 }
 
-std::string Studio::overview() const {
+std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
+    const html::Words say(language);
+    const html::Story story{run.view(), run.c, run.problem, run.response, say, {}, {}};
     const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
     Json gaps = Json::array();
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left, rules));
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(story, run, gap.left, rules));
     Json buildings = Json::array();
     for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
       const Building& building = run.problem.buildings[b];
@@ -262,7 +382,7 @@ std::string Studio::overview() const {
                    {"impactCount", run.response.impacts.size()},
                    {"force", largest_force(run.response)},
                    {"amplification", largest_amplification(run.response)},
-                   {"remarks", remark_texts(run.remarks)},
+                   {"remarks", remark_texts(run.remarks, language)},
                    {"milliseconds", 1e3 * run.response.wall_time}};
     if (run.response.collapse) {
       answer["collapse"] = {{"building", run.problem.buildings[run.response.collapse->building].name},
@@ -306,6 +426,8 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .constructor<>()
       .function("putFile", &Studio::put_file)
       .function("open", &Studio::open)
+      .function("inUnits", &Studio::in_units)
+      .function("units", &Studio::units)
       .function("solve", &Studio::solve)
       .function("summary", &Studio::summary)
       .function("impacts", &Studio::impacts)

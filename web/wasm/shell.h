@@ -18,8 +18,17 @@ class Studio {
   /// A file that cases may name, at a path relative to the case.
   void put_file(const std::string& path, const std::string& bytes);
 
-  /// Reads a case. @return {ok, errors}
+  /// Reads a case. One whose matrices are more than a page can take is refused before they are made.
+  /// @return {ok, errors}
   [[nodiscard]] std::string open(const std::string& text, const std::string& file);
+
+  /// A case's text with its numbers in other units, text_in_units(). @return {ok, errors, text}
+  [[nodiscard]] std::string in_units(const std::string& text, const std::string& length,
+                                     const std::string& force) const;
+
+  /// The units of a text's numbers as one reads them, in those of the case that is open: {"[\"gap\",0,\"width\"]":
+  /// "cm"}.
+  [[nodiscard]] std::string units(const std::string& text) const;
 
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
@@ -33,8 +42,9 @@ class Studio {
   [[nodiscard]] std::string modes() const;                              ///< as bentur modes --json
   [[nodiscard]] std::string motion(const std::string& language) const;  ///< what motion.js draws
   [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html, without figures
-  [[nodiscard]] std::string overview() const;                           ///< what the page tells first, JSON
-  [[nodiscard]] emscripten::val histories() const;                      ///< {time, buildings, points, ground}
+  /// What the page tells first, JSON, with the report's sentences in that language.
+  [[nodiscard]] std::string overview(const std::string& language) const;
+  [[nodiscard]] emscripten::val histories() const;  ///< {time, buildings, points, ground}
 
   /// Peak force and largest amplification of the case that is open with gap `gap` (0 the first) this wide [length]: its
   /// narrowest point, the others wider by as much as they are. Buildings move freely once for all widths.

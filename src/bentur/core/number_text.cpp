@@ -82,7 +82,7 @@ std::from_chars_result from_chars(const char* first, const char* last, double& v
   if (at != last && *at == '-') ++at;
   const char* const behind_sign = at;
   for (const std::string_view word : {"infinity", "inf", "nan"}) {
-    const auto same = [](char a, char b) { return (a | 0x20) == b; };
+    const auto same = [](char a, char b) { return a == (b | 0x20); };
     if (static_cast<std::size_t>(last - at) < word.size() || !std::equal(word.begin(), word.end(), at, same)) continue;
     at += word.size();
     break;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <system_error>
+#include <utility>
 
 namespace bentur {
 namespace {
@@ -35,6 +38,29 @@ TEST(NumberText, ANumberIsTheWholeText) {
   EXPECT_EQ(parse_number("-2.5e1"), -25);
   for (const char* const wrong : {"", " 1", "1 ", "1x", "inf", "nan", "1e999"}) {
     EXPECT_EQ(parse_number(wrong), std::nullopt) << wrong;
+  }
+}
+
+TEST(NumberText, IsReadAsTheStandardLibraryReadsIt) {
+  for (const auto& [text, length] : {std::pair<std::string, int>{"NaN)", 3},
+                                     {"-Inf", 4},
+                                     {"INFINITY", 8},
+                                     {"infinite", 3},
+                                     {"1e", 1},
+                                     {"1e+5x", 4},
+                                     {".5.", 2},
+                                     {"0x10", 1}}) {
+    double value = 0;
+    const auto [end, failure] = from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_EQ(failure, std::errc()) << text;
+    EXPECT_EQ(end - text.data(), length) << text;
+  }
+  for (const std::string text : {"", "+1", " 1", "-", ".", "e5", "n"}) {
+    double value = 7;
+    const auto [end, failure] = from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_EQ(failure, std::errc::invalid_argument) << text;
+    EXPECT_EQ(end, text.data()) << text;
+    EXPECT_EQ(value, 7) << text;
   }
 }
 

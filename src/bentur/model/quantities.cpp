@@ -369,6 +369,15 @@ std::string udunits(std::string_view form, const Units& units) {
   return text;
 }
 
+namespace {
+
+/// "s²" of "s" and "2".
+std::string raised(const std::string& unit, const std::string& power) {
+  return unit + (power == "2" ? "²" : power == "3" ? "³" : power == "4" ? "⁴" : "");
+}
+
+}  // namespace
+
 std::string unit_text(const std::string& udunits) {
   std::istringstream words(udunits == "1" ? "–" : udunits);
   std::string above, below;
@@ -384,10 +393,11 @@ std::string unit_text(const std::string& udunits) {
     if (word == "gravity") word = "g";
     const std::size_t minus = word.find('-');
     if (minus == std::string::npos) {
-      above += (above.empty() ? "" : "·") + word;
+      const std::size_t digit = word.find_first_of("234", 1);
+      const std::string unit = word.substr(0, digit), power = digit == std::string::npos ? "" : word.substr(digit);
+      above += (above.empty() ? "" : "·") + raised(unit, power);
     } else {
-      const std::string power = word.substr(minus + 1);
-      below += (below.empty() ? "" : "·") + word.substr(0, minus) + (power == "2" ? "²" : power == "3" ? "³" : "");
+      below += (below.empty() ? "" : "·") + raised(word.substr(0, minus), word.substr(minus + 1));
     }
   }
   if (below.empty()) return above;

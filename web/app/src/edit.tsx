@@ -1,39 +1,42 @@
-import { useEffect, useRef, useState } from "preact/hooks";
-import { addFile, change, errors, found, gap, load, loads, problem, result, text, width } from "./state";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, width } from "./state";
 import { recordName } from "./cases";
-import { keyName, number, say, type Word } from "./texts";
-import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
-
-const KNOWN = new Set(["cancelled", "limit", "worker"]);
+import { keyName, number, say } from "./texts";
+import { decimal, type Leaf, leaf, type Outline, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
 
 export function Errors({ goTo }: { goTo: (line: number, column: number) => void }) {
   const list = errors.value;
   return (
     <div class="errors" role="alert">
-      {problem.value && <p class="error">{problem.value}</p>}
+      {problem.value && <p class="error">{problem.value()}</p>}
       {list.length > 0 && <>
         <h3>{say("errors")}: {list.length}</h3>
         <ul>{list.slice(0, 30).map((one, i) => (
           <li key={i}>{one.line > 0 && one.file === "" ? <button type="button" onClick={() => goTo(one.line, one.column)}>{say("errors.at", { line: one.line, column: one.column })}</button>
-            : one.file !== "" && <strong>{one.file}{one.line > 0 && `:${one.line}:${one.column}`}</strong>} {KNOWN.has(one.message) ? say(`error.${one.message}` as Word) : one.message}</li>))}</ul>
+            : one.file !== "" && <strong>{one.file}{one.line > 0 && `:${one.line}:${one.column}`}</strong>} {told(one)}</li>))}</ul>
       </>}
     </div>
   );
 }
 
-/** The case file with line numbers; lines with an error are marked. */
+/** The case file with line numbers; lines with an error are marked. Only numbers that are in sight are there. */
 export function Editor({ area }: { area: { current: HTMLTextAreaElement | null } }) {
-  const gutter = useRef<HTMLDivElement>(null);
-  const lines = Math.min(text.value.split("\n").length, 20000);
-  const wrong = new Set(errors.value.filter((one) => one.file === "").map((one) => one.line));
   const later = useRef(0);
   const [shown, show] = useState(text.value);
+  const [top, scrolled] = useState(0);
   useEffect(() => { show(text.value); }, [text.value]);
+  const lines = useMemo(() => shown.split("\n").length, [shown]);
+  const wrong = new Set(errors.value.filter((one) => one.file === "").map((one) => one.line));
+  const height = area.current ? parseFloat(getComputedStyle(area.current).lineHeight) || 19 : 19;
+  const first = Math.floor(top / height), last = Math.min(lines, first + 60);
   return (
     <div class="editor">
-      <div class="gutter" ref={gutter} aria-hidden="true">{Array.from({ length: lines }, (_, i) => <div key={i} class={wrong.has(i + 1) ? "wrong" : ""}>{i + 1}</div>)}</div>
+      <div class="gutter" aria-hidden="true" style={{ minWidth: `${String(lines).length + 1.5}ch` }}>
+        <div style={{ transform: `translateY(${first * height - top}px)` }}>{Array.from({ length: last - first }, (_, i) => <div key={i} class={wrong.has(first + i + 1) ? "wrong" : ""}>{first + i + 1}</div>)}</div>
+      </div>
       <textarea ref={area} spellcheck={false} autocapitalize="off" autocomplete="off" wrap="off" aria-label={say("edit.label")} aria-invalid={wrong.size > 0} value={shown}
-        onScroll={(event) => { if (gutter.current) gutter.current.scrollTop = event.currentTarget.scrollTop; }}
+        maxLength={2 ** 20} onPaste={(event) => { if (tooLong(event.clipboardData?.getData("text") ?? "")) event.preventDefault(); }}
+        onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
         onInput={(event) => {
           const { value } = event.currentTarget;
           show(value);
@@ -54,7 +57,7 @@ export function goTo(area: HTMLTextAreaElement | null, line: number, column: num
 }
 
 /** A number to type, and to slide between a fraction of what it was and a multiple. */
-function NumberField({ at, label, names }: { at: Leaf; label: string; names: string }) {
+function NumberField({ at, label, unit, names }: { at: Leaf; label: string; unit?: string; names: string }) {
   const value = at.value as number;
   const anchor = useRef(value);
   if (!(Math.abs(value) <= 4 * Math.abs(anchor.current)) || (anchor.current === 0 && value !== 0)) anchor.current = value;
@@ -64,8 +67,8 @@ function NumberField({ at, label, names }: { at: Leaf; label: string; names: str
   const set = (next: number) => { if (Number.isFinite(next)) change(put(text.value, at, whole ? Math.round(next) : next)); };
   return (
     <div class="field">
-      <label><span>{label}</span>
-        <input type="number" step="any" value={decimal(value) === "0.0" ? "0" : String(value)} onChange={(event) => set(event.currentTarget.valueAsNumber)} /></label>
+      <label><span>{label}{unit && <small> {unit}</small>}</span>
+        <input type="number" step="any" value={String(Number(value.toPrecision(6)))} onChange={(event) => set(event.currentTarget.valueAsNumber)} /></label>
       <input type="range" aria-label={`${label}: ${names}`} min={value < 0 ? -most : 0} max={most} step={whole ? 1 : most / 300} value={value} onInput={(event) => set(event.currentTarget.valueAsNumber)} />
     </div>
   );
@@ -94,7 +97,7 @@ function Group({ path, title, without = [] }: { path: Path; title: string; witho
         for (const one of places) made = put(made, one, next);
         change(made);
       }} /></label></div>}
-      {numbers.slice(0, MOST).map((one) => <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} label={label(one.path.slice(path.length))} names={[title, ...one.path.slice(path.length)].join(" ")} />)}
+      {numbers.slice(0, MOST).map((one) => <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} label={label(one.path.slice(path.length))} unit={result.value?.units[JSON.stringify(one.path)]} names={[title, ...one.path.slice(path.length)].join(" ")} />)}
       {numbers.length > MOST && <p class="note">{say("form.more", { n: numbers.length - MOST })}</p>}
     </fieldset>
   );
@@ -104,6 +107,19 @@ const lengths = ["m", "cm", "mm", "in", "ft"], forces = ["N", "kN", "MN", "kgf",
 
 function Choice({ name, options, value, set }: { name: string; options: string[]; value: string; set: (value: string) => void }) {
   return <label class="choice">{name} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
+}
+
+const unitsOf = (now: Outline) => ({ length: String(leaf(now, ["units", "length"])?.value ?? "m"), force: String(leaf(now, ["units", "force"])?.value ?? "N") });
+
+/** The units of all numbers; another choice converts them, in the case file and everywhere. */
+export function Units() {
+  const now = found.value;
+  if (!now) return null;
+  const { length, force } = unitsOf(now);
+  return <>
+    <Choice name={say("units.length")} options={lengths} value={length} set={(value) => inUnits(value, force)} />
+    <Choice name={say("units.force")} options={forces} value={force} set={(value) => inUnits(length, value)} />
+  </>;
 }
 
 /** A neighbour of which four numbers are known, to the right of the last building. */
@@ -126,20 +142,17 @@ export function Form() {
   if (!now) return <p>{say("form.none")}</p>;
   const buildings = now.tables.filter((one) => one.path.length === 2 && one.path[0] === "building");
   const gaps = now.tables.filter((one) => one.path.length === 2 && one.path[0] === "gap");
-  const units = { length: String(leaf(now, ["units", "length"])?.value ?? "m"), force: String(leaf(now, ["units", "force"])?.value ?? "N") };
+  const units = unitsOf(now);
   const kind = String(leaf(now, ["excitation", "kind"])?.value ?? "");
   const scale = { m: 1, cm: 100, mm: 1000, in: 39.37, ft: 3.281 }[units.length] ?? 1;
   const newton = { N: 1, kN: 1e3, MN: 1e6, kgf: 9.807, tf: 9807, lbf: 4.448, kip: 4448 }[units.force] ?? 1;
   const excite = (lines: string[]) => change(withTable(text.value, "excitation", lines, ["delays", "wave_velocity", "kinematics"]));
   return (
     <div class="form">
-      <fieldset><legend>{say("form.units")}</legend><p class="controls">
-        <Choice name={say("form.length")} options={lengths} value={units.length} set={(value) => change(withKey(text.value, "units", "length", JSON.stringify(value)))} />
-        <Choice name={say("form.force")} options={forces} value={units.force} set={(value) => change(withKey(text.value, "units", "force", JSON.stringify(value)))} />
-      </p></fieldset>
       {buildings.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={String(leaf(now, [...one.path, "name"])?.value ?? `${i + 1}`)} />)}
       <p><button type="button" onClick={() => change(withNeighbour(text.value, scale, (250e3 * 1) / newton / scale))}>{say("form.add")}</button></p>
       {gaps.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.gap", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} without={["between"]} />)}
+      {now.tables.filter((one) => one.path.length === 2 && one.path[0] === "link").slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.link", { n: i + 1 })} without={["between"]} />)}
       <Group path={["excitation"]} title={say("form.excitation")} />
       <p class="controls">
         <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite(['kind = "harmonic"', "period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
@@ -147,6 +160,7 @@ export function Form() {
         <FilePicker label={say("form.record")} accept="" />
         {kind === "record" && <Choice name={say("form.unit")} options={["–", ...accelerations]} value={String(leaf(now, ["excitation", "unit"])?.value ?? "–")} set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
       </p>
+      {now.leaves.some((one) => one.path[0] === "initial") && <Group path={["initial"]} title={say("form.initial")} />}
       <Group path={["analysis"]} title={say("form.analysis")} />
     </div>
   );
@@ -159,11 +173,11 @@ export async function openFile(file: File) {
   const isCase = /\.toml$/i.test(file.name);
   const most = isCase ? CASE : RECORD;
   if (file.size > most * 2 ** 20) {
-    problem.value = say("error.file", { name: file.name.slice(0, 60), size: most });
+    problem.value = () => say("error.file", { name: file.name.slice(0, 60), size: most });
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
-  problem.value = "";
+  problem.value = null;
   if (isCase) {
     load(new TextDecoder().decode(bytes));
     return;
@@ -191,7 +205,7 @@ export function GapSlider() {
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
   if (!overview || !one) return null;
-  const key = `${gap.value}|${overview.title}|${overview.units.length}`;
+  const key = `${gap.value}|${loads.value}|${overview.title}|${overview.units.length}`;
   const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
   if (most.current.key !== key || width.value > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
   const span = most.current.value;

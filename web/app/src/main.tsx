@@ -2,10 +2,11 @@ import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useRef } from "preact/hooks";
 import { cases } from "./cases";
-import { Editor, Errors, Form, GapSlider, goTo, openFile } from "./edit";
+import { Editor, Errors, Form, GapSlider, goTo, openFile, Units } from "./edit";
 import { fromFragment } from "./link";
 import { MotionView } from "./motion";
 import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict } from "./results";
+import type { Result } from "./solver";
 import { chosen, errors, load, pinned, problem, result } from "./state";
 import "./style.css";
 import { Take } from "./take";
@@ -18,6 +19,7 @@ function Head() {
       <a class="skip" href="#results" onClick={(event) => { event.preventDefault(); document.getElementById("results")?.focus(); }}>{say("skip")}</a>
       <div class="top"><h1>bentur studio</h1>
         <p class="controls">
+          <Units />
           <label>{say("language")} <select id="language" value={language.value} onChange={(event) => { language.value = event.currentTarget.value as keyof typeof languages; }}>
             {Object.entries(languages).map(([tag, name]) => <option key={tag} value={tag} lang={tag} selected={tag === language.value}>{name}</option>)}</select></label>
           <label>{say("theme")} <select id="theme" value={choice.value} onChange={(event) => { choice.value = event.currentTarget.value as "auto"; }}>
@@ -28,6 +30,8 @@ function Head() {
     </header>
   );
 }
+
+const widthsOf = ({ overview }: Result) => `${say("gap")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${overview.units.length}`;
 
 function App() {
   const area = useRef<HTMLTextAreaElement>(null);
@@ -53,11 +57,12 @@ function App() {
             <Verdict />
             {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
               <div class={pinned.value ? "motions" : ""}>
-                <MotionView data={now.motion} names={now.overview.buildings.map((one) => one.name)} play={true} primary={true} />
-                {pinned.value && <div><h3>{say("pinned")}: {say("gap")} {pinned.value.result.overview.gaps.map((one) => number(one.width)).join(" | ")} {pinned.value.result.overview.units.length}</h3>
+                <div>{pinned.value && <h3>{say("now")}: {widthsOf(now)}</h3>}
+                  <MotionView data={now.motion} names={now.overview.buildings.map((one) => one.name)} play={true} primary={true} /></div>
+                {pinned.value && <div><h3>{say("pinned")}: {widthsOf(pinned.value.result)}</h3>
                   <MotionView data={pinned.value.result.motion} names={pinned.value.result.overview.buildings.map((one) => one.name)} play={false} primary={false} /></div>}
               </div></section>}
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: <span lang="en">{now.overview.remarks.join(" ")}</span></>}</p>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: {now.overview.remarks.join(" ")}</>}</p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
@@ -80,6 +85,6 @@ function App() {
 }
 
 effect(() => { document.documentElement.lang = language.value; });
-fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = say("error.link"); });
-addEventListener("hashchange", () => { fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = say("error.link"); }); });
+fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); });
+addEventListener("hashchange", () => { fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); }); });
 render(<App />, document.getElementById("app")!);

@@ -11,6 +11,8 @@ declare module "*/bentur_web.mjs" {
   export interface Studio {
     putFile(path: string, bytes: Uint8Array | string): void;
     open(text: string, file: string): string;
+    units(text: string): string;
+    inUnits(text: string, length: string, force: string): string;
     solve(outputStep: number | null, progress: ((done: number) => boolean) | null): string;
     summary(): string;
     impacts(): string;
@@ -18,7 +20,7 @@ declare module "*/bentur_web.mjs" {
     modes(): string;
     motion(language: string): string;
     report(language: string): string;
-    overview(): string;
+    overview(language: string): string;
     histories(): import("./solver").Histories;
     atWidth(gap: number, width: number): string;
   }

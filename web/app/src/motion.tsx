@@ -1,4 +1,5 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion.js";
+import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { time } from "./state";
 import { language, say } from "./texts";
@@ -8,7 +9,7 @@ const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 �
 /** The one that the charts and the impact list move. */
 export let main: Motion | null = null;
 
-/** The buildings in motion, by the report's own script. */
+/** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
 export function MotionView({ data, names, play, primary }: { data: string; names: string[]; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
@@ -25,11 +26,16 @@ export function MotionView({ data, names, play, primary }: { data: string; names
     const made = benturMotion(parts, read);
     motion.current = made;
     if (primary) main = made;
+    else made.show(time.value);
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
       (parts.speed as HTMLSelectElement).value = "1";
       made.start();
     }
   }, [data]);
+  useSignalEffect(() => {
+    const now = time.value;
+    if (!primary) motion.current?.show(now);
+  });
   useEffect(() => () => {
     motion.current?.pause();
     if (primary) main = null;
@@ -50,7 +56,7 @@ export function MotionView({ data, names, play, primary }: { data: string; names
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
       <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
       <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("motion.scrub")} />
-      <p class="controls">
+      <p class="controls" hidden={!primary}>
         <button type="button" data-part="play" class="play" aria-pressed="false">{say("motion.play")}</button>
         <button type="button" data-part="previous" aria-label={say("motion.previous")}>«</button>
         <button type="button" data-part="next" aria-label={say("motion.next")}>»</button>

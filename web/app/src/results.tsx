@@ -11,11 +11,11 @@ const with_ = (value: number | null | undefined, unit: string) => `${number(valu
 
 function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
   const length = unitOf(overview);
-  const hit = one.impacts > 0 || one.unmodelled.length > 0;
+  const hit = one.impacts > 0 || one.unmodelled !== null;
   return (
     <div class={`verdict${hit ? " pounds" : ""}`}>
       <p class="badge">{say(hit ? "pounds" : "clear")}</p>
-      {one.unmodelled.slice(0, 2).map((floor) => <p class="lead">{say("verdict.unmodelled", { floor: floor.floor, level: with_(floor.elevation, length), faced: floor.faced, remedy: floor.remedy })}</p>)}
+      {one.unmodelled !== null && <p>{one.unmodelled}</p>}
       {(one.impacts > 0 || !hit) && <p class="lead">{one.impacts === 0 ? say("verdict.clear", { name: one.name })
         : one.hardest ? say(one.impacts === 1 ? "verdict.hit" : "verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
           : say(one.impacts === 1 ? "verdict.hit.bare" : "verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
@@ -87,7 +87,7 @@ function Profile({ title, unit, buildings, solid, dashed }: { title: string; uni
   return (
     <figure class="profile">
       <figcaption>{title}</figcaption>
-      <svg viewBox="0 0 250 225" role="img" aria-label={title}>
+      <svg viewBox={`0 0 250 ${215 + 12 * Math.ceil(buildings.length / 2)}`} role="img" aria-label={title}>
         <path class="frame" d="M36 10V190H232" />
         <text x="36" y="206">0</text><text x="232" y="206" text-anchor="end">{number(most)} {unit}</text>
         <text x="32" y="20" text-anchor="end">{number(top)}</text><text x="32" y="190" text-anchor="end">0</text>
@@ -126,7 +126,7 @@ export function Impacts({ now }: { now: Result }) {
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
         <table>
           <thead><tr>
-            <th scope="col">{say("impact.number")}</th><th scope="col">{say("impact.gap")}</th><th scope="col">{say("impact.level")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
+            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{say("impact.gap")}</th><th scope="col">{say("impact.level")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
             <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("impact.force")} <small>{units.force}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{say("impact.restitution")}</th>
           </tr></thead>
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
@@ -168,13 +168,16 @@ export function Loops({ now }: { now: Result }) {
         <div key={b}><p class="note">{say("loop.note", { name: one.name })}</p><div class="loops">
           {now.histories.buildings[b].drift.map((drift, k) => {
             const shear = now.histories.buildings[b].shear[k];
+            // A slab on bearings stands below the first storey: it has no height, and its drift is what they slide.
+            const slabs = one.heights[0] === 0 ? 1 : 0, slab = k < slabs;
+            const name = slab ? say("bearings") : say("storey", { n: k + 1 - slabs });
             const most = (values: Float64Array) => values.reduce((all, value) => Math.max(all, Math.abs(value)), 1e-300);
             const x = most(drift), y = most(shear), by = Math.max(1, Math.floor(drift.length / 4000));
             let d = "";
             for (let i = 0; i < drift.length; i += by) if (Number.isFinite(drift[i])) d += `${d ? "L" : "M"}${(80 + (70 * drift[i]) / x).toFixed(1)} ${(75 - (65 * shear[i]) / y).toFixed(1)}`;
-            return d === "" ? null : <figure key={k}><svg viewBox="0 0 160 150" role="img" aria-label={`${one.name}, ${say("storey", { n: k + 1 })}`}>
+            return d === "" ? null : <figure key={k}><svg viewBox="0 0 160 150" role="img" aria-label={`${one.name}, ${name}`}>
               <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: `var(--building-${(b % 6) + 1})` }} /></svg>
-            <figcaption>{say("storey", { n: k + 1 })}: {number(100 * x)} %, {with_(y, now.overview.units.force)}</figcaption></figure>;
+            <figcaption>{name}: {slab ? with_(x, unitOf(now.overview)) : `${number(100 * x)} %`}, {with_(y, now.overview.units.force)}</figcaption></figure>;
           })}
         </div></div>))}
     </section>
@@ -183,9 +186,9 @@ export function Loops({ now }: { now: Result }) {
 
 export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
-  const rows = (one: Result) => [one.overview.gaps.map((each) => each.width).map(number).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
+  const rows = (one: Result) => [one.overview.gaps.map((each) => with_(each.width, unitOf(one.overview))).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
     one.overview.gaps.map((each) => with_(each.needed, unitOf(one.overview))).join(" | "), number(one.overview.amplification)];
-  const heads = [`${say("gap")} [${unitOf(now.overview)}]`, say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
+  const heads = [say("gap"), say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>

@@ -12,7 +12,7 @@ export interface Histories {
 export interface GapOverview {
   name: string; impacts: number; touched: number; points: number; width: number; needed: number; elevation: number;
   hardest?: { force: number; elevation: number; time: number };
-  unmodelled: { floor: string; faced: string; elevation: number; depth: number; time: number; remedy: string }[];
+  unmodelled: string | null;
   rules: { abs?: number; srss?: number; ddc?: number };
 }
 export interface BuildingOverview {
@@ -35,8 +35,9 @@ interface Common { id: number; text: string; language: string; files?: Files }
 export type Request = Common & (
   | { kind: "run"; step: number | null }
   | { kind: "take"; what: Take }
+  | { kind: "units"; length: string; force: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; motion: string; histories: Histories; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; units: Record<string, string>; motion: string; histories: Histories; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
   | { kind: "refused"; errors: CaseError[] }
   | { kind: "progress"; done: number }

@@ -2,7 +2,7 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { cases, recordBytes, recordName } from "./cases";
 import { type CaseError, type CurvePoint, type Result, Solver } from "./solver";
-import { language } from "./texts";
+import { language, say, type Word } from "./texts";
 import { outline, widths, withWidth } from "./toml";
 
 export const text = signal<string>(cases[0].text);
@@ -17,10 +17,16 @@ export const curve = signal<CurvePoint[]>([]);
 export const curveDone = signal(1);
 export const pinned = signal<{ text: string; result: Result } | null>(null);
 export const time = signal(0);
-export const problem = signal(""); // about what was dropped or linked
+/** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
+export const problem = signal<(() => string) | null>(null);
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
 export const ownRecord = signal(false);
+
+const OWN = new Set(["cancelled", "limit", "worker"]);
+
+/** What went wrong, in the page's words where it is the page that says so. */
+export const told = (one: CaseError) => (OWN.has(one.message) ? say(`error.${one.message}` as Word) : one.message);
 
 export const found = computed(() => outline(text.value));
 export const width = computed(() => {
@@ -98,7 +104,18 @@ export function cancel() {
   slow.value = false;
 }
 
+const MOST_LINES = 50000; // browsers lay out all lines of a text field at once: a million take them ten seconds
+
+/** Whether a text has more lines than an editor takes, which is said then. */
+export function tooLong(next: string): boolean {
+  let lines = 0;
+  for (let at = next.indexOf("\n"); at >= 0 && lines <= MOST_LINES; at = next.indexOf("\n", at + 1)) ++lines;
+  if (lines > MOST_LINES) problem.value = () => say("error.lines", { n: MOST_LINES });
+  return lines > MOST_LINES;
+}
+
 export function load(next: string, id = "") {
+  if (tooLong(next)) return;
   if (next === text.value) {
     chosen.value = id;
     return;
@@ -109,9 +126,25 @@ export function load(next: string, id = "") {
     loads.value += 1;
     gap.value = 0;
     curve.value = [];
-    problem.value = "";
+    problem.value = null;
   });
   curveText = "";
+}
+
+/** The same case in other units: every number of its text, once and for all. */
+export function inUnits(length: string, force: string) {
+  const was = text.value;
+  curveText = "";
+  behind.ask({ kind: "units", text: was, language: language.value, length, force }, (answer) => {
+    if (answer.kind === "refused") problem.value = () => told(answer.errors[0]);
+    if (answer.kind !== "text" || text.value !== was) return;
+    batch(() => {
+      text.value = answer.text;
+      loads.value += 1;
+      curve.value = [];
+      problem.value = null;
+    });
+  });
 }
 
 export function addFile(name: string, bytes: Uint8Array) {
@@ -124,7 +157,7 @@ export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"):
     curveText = "";
     behind.ask({ kind: "take", what, text: text.value, language: language.value }, (answer) => {
       if (answer.kind === "text") resolve(answer.text);
-      if (answer.kind === "refused") reject(new Error(answer.errors[0]?.message));
+      if (answer.kind === "refused") reject(new Error(told(answer.errors[0])));
     });
   });
 }

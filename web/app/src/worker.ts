@@ -37,14 +37,14 @@ async function answer(request: Request): Promise<void> {
       return true;
     }));
     if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
-    const overview = JSON.parse(studio.overview());
+    const overview = JSON.parse(studio.overview(request.language));
     if (!overview.ok) return post({ id, kind: "refused", errors: overview.errors });
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
     overview.title = clip(overview.title);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
     const histories = studio.histories();
-    return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
+    return post({ id, kind: "result", overview, units: JSON.parse(studio.units(request.text)), motion: studio.motion(request.language), histories,
       milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));
   }
   if (request.kind === "take") {
@@ -55,6 +55,10 @@ async function answer(request: Request): Promise<void> {
     const text = request.what === "summary" ? studio.summary() : request.what === "impacts" ? studio.impacts()
       : request.what === "gaps" ? studio.gaps() : request.what === "modes" ? studio.modes() : studio.report(request.language);
     return post({ id, kind: "text", text });
+  }
+  if (request.kind === "units") {
+    const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
+    return post(result.ok ? { id, kind: "text", text: result.text } : { id, kind: "refused", errors: result.errors });
   }
   // A curve over gap widths; in between, requests that come in are heard.
   if (opened !== request.text) {

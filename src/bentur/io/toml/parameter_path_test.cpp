@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "bentur/core/units.h"
-#include "bentur/io/case/parameter_units.h"
-
 namespace bentur {
 namespace {
 
@@ -87,32 +84,6 @@ TEST(ParameterPath, OverlapsWithWhatItLeadsThrough) {
   EXPECT_TRUE(overlap(path("gap[0].width"), path("gap[0].width[1]")));
   EXPECT_TRUE(overlap(path("gap"), path("gap[0].width")));
   EXPECT_FALSE(overlap(path("gap[0].width"), path("gap[1].width")));
-}
-
-TEST(ParameterPath, KnowsTheUnitOfANumber) {
-  const TomlValue root = tree();
-  const Units units{.length = "cm", .force = "tf"};
-  const auto unit = [&](const char* name) {
-    std::string error;
-    return parameter_units(*parse_path(name, error), root, units);
-  };
-  EXPECT_EQ(unit("gap[0].width"), "cm");
-  EXPECT_EQ(unit("building[0].frame.beams[0].mass"), "1000 kgf s2 cm-1");
-  EXPECT_EQ(unit("building[0].frame.beams[0].width"), "cm");
-  EXPECT_EQ(unit("building[0].damping"), "1");
-  EXPECT_EQ(unit("building[0].frame.elastic_modulus"), "1000 kgf cm-2");
-  EXPECT_EQ(unit("excitation.pga"), "cm s-2");
-  EXPECT_EQ(unit("initial.displacements[\"Model 1\"][0]"), "cm");
-  EXPECT_EQ(unit("gap[0].contact.stiffness[1]"), "1000 kgf cm-1");
-  EXPECT_EQ(unit("building[0].stick.yield_forces[1]"), "1000 kgf");
-  EXPECT_EQ(unit("building[0].stick.hardening"), "1");
-  EXPECT_EQ(unit("building[0].stick.unloading_exponent"), "1");
-  EXPECT_EQ(unit("building[0].damping.stiffness_proportional"), "1");
-  EXPECT_EQ(unit("link[0].stiffness"), "1000 kgf cm-1");
-  EXPECT_EQ(unit("link[0].damping[1]"), "1000 kgf s cm-1");
-  EXPECT_EQ(unit("link[1].yield_force"), "1000 kgf");
-  EXPECT_EQ(unit("link[1].slack"), "cm");
-  EXPECT_EQ(unit("excitation.file"), "");
 }
 
 }  // namespace

@@ -163,10 +163,10 @@ function benturMotion(parts, data) {
       for (const sample of b.samples) most = Math.max(most, Math.abs(sample));
       return b.scale * most;
     }));
-    gaps = data.widths;
+    height = top_ - bottom;
+    gaps = data.widths.map(drawable);
     // As many for all: the largest movement has four digits.
     decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
-    height = top_ - bottom;
     const storeys = buildings.flatMap((b) => b.elevations
       .map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base))
       .filter((storey) => !b.rigid && storey > 0)); // a slab has none
@@ -193,6 +193,9 @@ function benturMotion(parts, data) {
 
   /** The same building has one colour everywhere; a page may choose others. */
   const colour = (b) => `var(--building-${b % COLOURS.length + 1}, ${COLOURS[b % COLOURS.length]})`;
+
+  /** A gap as wide as a picture can hold: beyond a thousand heights there is no number for it in SVG sooner or later. */
+  function drawable(gap) { return Math.min(gap, 1e3 * height); }
 
   /** Picture x of a building's left face, with gaps magnified like the motion, so that touching looks like touching. */
   function leftFace(index) {
@@ -303,7 +306,7 @@ function benturMotion(parts, data) {
     building.elevations.forEach((elevation, floor) => {
       // A level with a wider gap than the narrowest one of its joint stands back by the difference.
       const joint = data.points.find((point) => point.left === b - 1 && point.rightFloor === floor);
-      const back = joint ? unit * magnification * (joint.width - gaps[b - 1]) : 0;
+      const back = joint ? unit * magnification * (drawable(joint.width) - gaps[b - 1]) : 0;
       slabs += `M${(left + shift[floor] + back).toFixed(2)} ${y(elevation).toFixed(2)}` +
         `H${(left + shift[floor] + unit * building.width).toFixed(2)}`;
     });
@@ -609,7 +612,7 @@ function benturMotion(parts, data) {
     update(other) {
       data = other;
       words = data.words;
-      if (!playing) play.textContent = words.play;
+      play.textContent = playing ? words.pause : words.play;
       build_();
       if (until > duration) until = Infinity;
       show(now);

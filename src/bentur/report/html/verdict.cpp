@@ -80,7 +80,8 @@ std::string remedy(const Story& story, const WatchedFloor& floor) {
   return story.say("verdict.remedy.columns", {{"other", faced(story, floor)}, {"level", level}});
 }
 
-/// Where a floor met something that no contact is modelled with, and what to do.
+}  // namespace
+
 std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>& floors) {
   const WatchedFloor& deepest = story.problem.watched[floors.front()];
   const WatchedSummary& summary = story.response.watched[floors.front()];
@@ -93,6 +94,8 @@ std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>&
   if (floors.size() > 1) text += " " + story.say.count("verdict.unmodelled.more", static_cast<long>(floors.size()) - 1);
   return text + " " + remedy(story, deepest);
 }
+
+namespace {
 
 std::string needed_text(const Story& story, const GapOutcome& found) {
   const std::string& length = story.c.units.length;

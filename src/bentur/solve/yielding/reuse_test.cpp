@@ -92,7 +92,10 @@ TEST(YieldingRuns, HaveSamplesWithinTheirPeaks) {
       for (Eigen::Index j = 0; j < peaks.drift_ratio.size(); ++j) {
         const auto near = [&](const Eigen::MatrixXd& samples, double peak) {
           const double most = samples.row(j).cwiseAbs().maxCoeff();
-          EXPECT_LE(most, peak * (1 + 1e-12));
+          // Both are sums over the modes, with the round-off of these: relative to what is largest in the building, not
+          // to the shear of a top storey, which is a small difference of large terms (by another mathematical library
+          // 1/140 of the base's, and 100 ε of the base's beyond its peak).
+          EXPECT_LE(most, peak + 1e-13 * samples.cwiseAbs().maxCoeff());
           EXPECT_GE(most, 0.98 * peak) << "storey " << j << " of " << b;
         };
         near(response.histories.displacement[b], peaks.displacement(j));

@@ -43,6 +43,8 @@ TEST(Text, UnitsAsOneReadsThem) {
   EXPECT_EQ(unit_text("1"), "–");
   EXPECT_EQ(unit_text("gravity"), "g");
   EXPECT_EQ(unit_text("s-1"), "1/s");
+  EXPECT_EQ(unit_text("1000 kgf s2 cm-4"), "tf·s²/cm⁴");
+  EXPECT_EQ(unit_text("m2"), "m²");
   EXPECT_EQ(unit_text(""), "");
 }
 

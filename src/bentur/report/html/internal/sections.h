@@ -34,6 +34,8 @@ constexpr std::size_t most_impacts = 1500;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] PageSection verdict_section(const Story& story);
+/// Where a floor met something that no contact is modelled with, and what to do. @param floors of a gap, deepest first
+[[nodiscard]] std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>& floors);
 
 /// Remarks on unusual numbers, and what the model leaves out.
 [[nodiscard]] PageSection remarks_section(const Story& story);
