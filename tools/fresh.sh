@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# fresh.sh ROOT SUITE COMMAND...: runs commands of ./dev (or `wheel`: build/wheels for a newcomer, tools/newcomer.sh) in a Debian as debootstrap leaves it, on a clean clone of what is
-# committed at ROOT. It uses this machine's mirror, proxies, name servers and certificates, and nothing else of it.
+# fresh.sh ROOT SUITE COMMAND...: runs commands of ./dev (or `wheel`: build/wheels for a newcomer, tools/newcomer.sh;
+# `walk`: tools/walk.sh) in a Debian as debootstrap leaves it, on a clean clone of what is committed at ROOT. It uses this machine's mirror, proxies, name servers and certificates, and nothing else of it.
 # Status 77: cannot be tried here (no root, no debootstrap, no network). The bare system is kept as build/fresh/SUITE.tar
 # (remove it to fetch it anew), a folder in which a command failed as build/fresh/SUITE.
 # What is mounted is mounted in a namespace of its own, and gone with the last process in there, whatever happens.
@@ -87,6 +87,7 @@ done
 for name in "$@"; do
   say "./dev $name in a bare $suite"
   command="cd ~/bentur && time ./dev $name"
+  [ "$name" != walk ] || command="time ~/bentur/tools/walk.sh ~/bentur"
   if [ "$name" = wheel ]; then
     ls "$root"/build/wheels/*.whl >/dev/null || { say "no wheels: ./dev wheels builds them"; exit 1; }
     mkdir -p "$tree/root/wheels"
@@ -108,6 +109,7 @@ for name in "$@"; do
   fi
   processor=$(awk '/^(user|sys)\t/ { split($2, part, /[ms]/); sum += 60 * part[1] + part[2] } END { print int(sum + 0.5) }' "$log")
   summary=$(grep -E '^[0-9]+ passed, ' "$log" | tail -n 1 || true)
+  grep -E '^(first case|package installed|what the examples) ' "$log" | sed "s/^/$suite: /" || true
   echo "$suite: ./dev $name passed in $seconds s ($processor s of processors)${summary:+: $summary}"
 done
 rm -rf --one-file-system "$tree"

@@ -8,37 +8,13 @@ fine. Prints a table in Markdown: the largest error of any peak displacement, co
 struck column, each over the largest number of its kind in its building or gap.
 """
 
-import json
-import math
 import pathlib
-import sys
 import tempfile
-import tomllib
 
 import openseespylinux.opensees as ops
+from opensees_steps import envelope, per_entry, rayleigh, record, tell, transient
 
-STEPS = [1e-3, 3e-4, 1e-4, 3e-5, 1e-5]  # [s]
 ROUND_OFF = 1e-9
-
-
-def per_entry(value, count):
-    return list(value) if isinstance(value, list) and len(value) > 1 else [value[0] if isinstance(value, list) else value] * count
-
-
-def record(case, folder):
-    """Accelerations [m/s²] and their time step: a file of two columns under a heading."""
-    excitation = case["excitation"]
-    rows = (folder / excitation["file"]).read_text().split("\n")[1:]
-    times, values = zip(*(map(float, row.split(",")) for row in rows if row.strip()))
-    return times[1] - times[0], [9.80665 * value for value in values]
-
-
-def rayleigh(damping):
-    """α and β of αM + βK."""
-    (z1, z2), (t1, t2) = damping["rayleigh"]["ratios"], damping["rayleigh"]["periods"]
-    w1, w2 = 2 * math.pi / t1, 2 * math.pi / t2
-    beta = 2 * (z2 * w2 - z1 * w1) / (w2 * w2 - w1 * w1)
-    return 2 * z1 * w1 - beta * w1 * w1, beta
 
 
 def section(member):
@@ -142,13 +118,7 @@ class Model:
         series = self.new()
         ops.timeSeries("Path", series, "-dt", step, "-values", *acceleration)
         ops.pattern("UniformExcitation", series, 1, "-accel", series)
-        ops.constraints("Transformation")
-        ops.numberer("RCM")
-        ops.system("BandGeneral")
-        ops.test("NormDispIncr", 1e-12, 50)
-        ops.algorithm("Newton")
-        ops.integrator("Newmark", 0.5, 0.25)
-        ops.analysis("Transient")
+        transient("Transformation", 1e-12)
 
     def new(self):
         self.tag += 1
@@ -160,11 +130,6 @@ class Model:
         if any(fixed):
             ops.fix(tag, *fixed)
         return tag
-
-
-def envelope(path):
-    """Largest size of each column: the last line of an envelope recorder's file."""
-    return [abs(float(word)) for word in path.read_text().split("\n")[2].split()]
 
 
 def run(case, folder, step):
@@ -205,24 +170,6 @@ def expected(case, answers):
     }
 
 
-def error(mine, theirs):
-    return max(abs(a - b) / max(map(abs, wanted)) for got, wanted in zip(mine, theirs) for a, b in zip(got, wanted))
-
-
-def main():
-    path = pathlib.Path(sys.argv[1])
-    case = tomllib.loads(path.read_text())
-    wanted = expected(case, json.loads(pathlib.Path(sys.argv[2]).read_text()))
-    print("| step [s] | peak displacement | peak contact force | column shear | column moment |")
-    print("|---|---|---|---|---|")
-    for step in map(float, sys.argv[3:] or STEPS):
-        results = run(case, path.parent, step)
-        if results is None:
-            print(f"| {step:g} | did not converge | | | |", flush=True)
-            continue
-        errors = [error(results[kind], wanted[kind]) for kind in ("displacement", "force", "shear", "moment")]
-        print(f"| {step:g} | " + " | ".join(f"{e:.1e}" for e in errors) + " |", flush=True)
-
-
 if __name__ == "__main__":
-    main()
+    tell(run, expected, {"displacement": "peak displacement", "force": "peak contact force", "shear": "column shear",
+                         "moment": "column moment"})

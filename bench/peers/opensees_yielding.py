@@ -7,38 +7,11 @@ from coarse to fine. Prints a table in Markdown: the largest error of any peak d
 of any deformation that remains, each over the largest number of its kind in its building or gap.
 """
 
-import json
-import math
 import pathlib
-import sys
 import tempfile
-import tomllib
 
 import openseespylinux.opensees as ops
-
-STEPS = [1e-3, 3e-4, 1e-4, 3e-5, 1e-5]  # [s]
-
-
-def per_storey(value, count):
-    return list(value) if isinstance(value, list) else [value] * count
-
-
-def record(case, folder):
-    """Accelerations [m/s²] and their time step: a file of two columns under a heading."""
-    excitation = case["excitation"]
-    rows = (folder / excitation["file"]).read_text().split("\n")[1:]
-    times, values = zip(*(map(float, row.split(",")) for row in rows if row.strip()))
-    factor = {"g": case.get("units", {}).get("gravity", 9.80665), "m/s2": 1.0}[excitation["unit"]]
-    return times[1] - times[0], [factor * value for value in values]
-
-
-def dashpot_per_stiffness(damping):
-    """β of Rayleigh damping αM + βK; these cases have no α."""
-    (z1, z2), (t1, t2) = damping["rayleigh"]["ratios"], damping["rayleigh"]["periods"]
-    w1, w2 = 2 * math.pi / t1, 2 * math.pi / t2
-    beta = 2 * (z2 * w2 - z1 * w1) / (w2 * w2 - w1 * w1)
-    assert abs(2 * z1 * w1 - beta * w1 * w1) < 1e-9 * w1, "mass-proportional damping is not modelled here"
-    return beta
+from opensees_steps import envelope, per_entry, rayleigh, record, tell, transient
 
 
 class Model:
@@ -53,18 +26,12 @@ class Model:
             self.building(building, step, acceleration)
         for left, gap in enumerate(case["gap"]):
             count = min(len(self.floors[left]), len(self.floors[left + 1]))
-            widths = per_storey(gap["width"], count)
-            stiffnesses = per_storey(gap["contact"]["stiffness"], count)
+            widths = per_entry(gap["width"], count)
+            stiffnesses = per_entry(gap["contact"]["stiffness"], count)
             assert gap["contact"]["law"] == "linear"
             self.contacts.append([self.contact(left, floor, widths[floor], stiffnesses[floor])
                                   for floor in range(count)])
-        ops.constraints("Plain")
-        ops.numberer("RCM")
-        ops.system("BandGeneral")
-        ops.test("NormDispIncr", 1e-11, 50)
-        ops.algorithm("Newton")
-        ops.integrator("Newmark", 0.5, 0.25)
-        ops.analysis("Transient")
+        transient("Plain", 1e-11)
 
     def new(self):
         self.tag += 1
@@ -86,8 +53,9 @@ class Model:
         count = len(stick["masses"])
         below = self.node()
         ops.fix(below, 1)
-        beta = dashpot_per_stiffness(building["damping"])
-        yields, hardening = per_storey(stick["yield_forces"], count), per_storey(stick.get("hardening", 0.0), count)
+        alpha, beta = rayleigh(building["damping"])
+        assert abs(alpha) < 1e-9, "mass-proportional damping is not modelled here"
+        yields, hardening = per_entry(stick["yield_forces"], count), per_entry(stick.get("hardening", 0.0), count)
         nodes, storeys = [], []
         for j, (mass, k) in enumerate(zip(stick["masses"], stick["stiffnesses"])):
             node = self.node()
@@ -108,11 +76,6 @@ class Model:
     def contact(self, left, floor, width, stiffness):
         return self.element(self.floors[left][floor], self.floors[left + 1][floor], "ElasticPPGap", stiffness,
                             -1e7 * stiffness, -width, 0.0, "noDamage")
-
-
-def envelope(path):
-    """Largest size of each column: the last line of an envelope recorder's file."""
-    return [abs(float(word)) for word in path.read_text().split("\n")[2].split()]
 
 
 def run(case, folder, step):
@@ -158,23 +121,6 @@ def expected(case, answers):
     }
 
 
-def error(mine, theirs):
-    return max(abs(a - b) / max(map(abs, wanted)) for got, wanted in zip(mine, theirs) for a, b in zip(got, wanted))
-
-
-def main():
-    path = pathlib.Path(sys.argv[1])
-    case = tomllib.loads(path.read_text())
-    wanted = expected(case, json.loads(pathlib.Path(sys.argv[2]).read_text()))
-    print("| step [s] | peak displacement | ductility | residual deformation | peak force |")
-    print("|---|---|---|---|---|")
-    for step in map(float, sys.argv[3:] or STEPS):
-        results = run(case, path.parent, step)
-        if results is None:
-            print(f"| {step:g} | did not converge | | | |", flush=True)
-            continue
-        errors = [error(results[kind], wanted[kind]) for kind in ("displacement", "ductility", "residual", "force")]
-        print(f"| {step:g} | " + " | ".join(f"{e:.1e}" for e in errors) + " |", flush=True)
-
-
-main()
+if __name__ == "__main__":
+    tell(run, expected, {"displacement": "peak displacement", "ductility": "ductility", "residual": "residual deformation",
+                         "force": "peak force"})

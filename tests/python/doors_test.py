@@ -52,6 +52,24 @@ def test_impacts_and_histories(name, results, program, root, tmp_path):
             assert a.dims == b.dims, variable
             assert a.attrs.get("units") == b.attrs.get("units"), variable
             np.testing.assert_array_equal(a.to_numpy(), b.to_numpy(), err_msg=variable)
+    with xarray.open_dataset(tmp_path / "histories.nc", group="exact") as expected:
+        found = results[name].exact_dataset
+        assert set(expected.variables) == {*found.data_vars, "time"}
+        for variable in expected.variables:
+            a, b = expected[variable], found[variable]
+            assert a.dims == b.dims and a.attrs["units"] == b.attrs["units"], variable
+            np.testing.assert_array_equal(a.to_numpy(), b.to_numpy(), err_msg=variable)
+
+
+@pytest.mark.parametrize("name", ["row-of-three", "struck-column", "yielding-pair"])
+def test_what_python_saves_is_reported_alike(name, root, program, tmp_path):
+    """The command line draws a report from a folder that Python has written: the same page, byte for byte."""
+    pytest.importorskip("netCDF4")
+    bentur.run(root / "examples" / f"{name}.toml").save(tmp_path / "python")
+    subprocess.run([program, "run", root / "examples" / f"{name}.toml", "-q", "-o", tmp_path / "command"], check=True)
+    for door in ("python", "command"):
+        subprocess.run([program, "report", tmp_path / door, "-o", tmp_path / f"{door}.html"], check=True)
+    assert (tmp_path / "python.html").read_bytes() == (tmp_path / "command.html").read_bytes()
 
 
 @pytest.mark.parametrize("name", NAMES)

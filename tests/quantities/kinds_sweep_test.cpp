@@ -11,6 +11,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/runner/sweep.h"
 #include "tests/support/kinds_case.h"
+#include "tests/support/study_of.h"
 
 namespace bentur {
 namespace {
@@ -23,8 +24,8 @@ TEST(KindsSweep, TellsCollapseSwayAndRocking) {
   Ranks alone;
   Diagnostics diagnostics;
   const auto report =
-      sweep(test::study_of_kinds(folder.path(), "excitation.displacement_amplitude", "0.002, 0.02, 0.2"), options,
-            alone, diagnostics);
+      sweep(test::study_of(test::every_kind, folder.path(), "excitation.displacement_amplitude", "0.002, 0.02, 0.2"),
+            options, alone, diagnostics);
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
   ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
   const NetcdfReader file(options.output);

@@ -12,6 +12,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/runner/sweep.h"
 #include "bentur/solve/solver.h"
+#include "tests/support/study_of.h"
 #include "tests/support/yielding_case.h"
 
 namespace bentur {
@@ -24,8 +25,8 @@ TEST(YieldingSweep, KeepsWhatYieldsAndTheLinksAndDrawsThem) {
   options.threads = 1;
   Ranks alone;
   Diagnostics diagnostics;
-  const auto report =
-      sweep(test::yielding_study(folder.path(), "link[1].yield_force", "5e3, 2e4, 4e4"), options, alone, diagnostics);
+  const auto report = sweep(test::study_of(test::yielding_case, folder.path(), "link[1].yield_force", "5e3, 2e4, 4e4"),
+                            options, alone, diagnostics);
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
   ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
   const NetcdfReader file(options.output);

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 namespace bentur::test {
 
 /// A wall, a building on bearings, one on soil that may collapse, one known by its modes and one known by little.
@@ -72,15 +68,5 @@ displacement_amplitude = 0.002
 duration = 3.0
 collapse_drift = 0.03
 )";
-
-/// Writes that case into `folder`, and a study of it in which one parameter takes `values`. @return the study
-inline std::filesystem::path study_of_kinds(const std::filesystem::path& folder, const std::string& parameter,
-                                            const std::string& values) {
-  std::ofstream(folder / "case.toml") << every_kind;
-  std::filesystem::path file = folder / "study.toml";
-  std::ofstream(file) << "case = 'case.toml'\n[[vary]]\nparameter = '" << parameter << "'\nname = 'varied'\nvalues = ["
-                      << values << "]\n";
-  return file;
-}
 
 }  // namespace bentur::test

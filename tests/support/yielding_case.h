@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 namespace bentur::test {
 
 /// An elastic building beside one that yields, with every kind of link between them.
@@ -61,15 +57,5 @@ displacement_amplitude = 0.02
 [analysis]
 duration = 2.0
 )";
-
-/// Writes that case into `folder`, and a study of it in which one parameter takes `values`. @return the study
-inline std::filesystem::path yielding_study(const std::filesystem::path& folder, const std::string& parameter,
-                                            const std::string& values) {
-  std::ofstream(folder / "case.toml") << yielding_case;
-  std::filesystem::path file = folder / "study.toml";
-  std::ofstream(file) << "case = 'case.toml'\n[[vary]]\nparameter = '" << parameter << "'\nname = 'varied'\nvalues = ["
-                      << values << "]\n";
-  return file;
-}
 
 }  // namespace bentur::test

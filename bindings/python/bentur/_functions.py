@@ -193,6 +193,22 @@ def response_spectrum(
     :param periods: [s]; default 41 from 0.05 to 5.
     :param unit: of the accelerations, where the file does not say it: g m/s2 cm/s2 mm/s2 in/s2 ft/s2.
     :param length: unit of length of the results.
+
+    From ``solve/spectrum/response_spectrum.h``:
+
+    Peaks of a linear oscillator under a record:
+
+    ::
+
+        ẍ + 2ζω ẋ + ω² x = −a_g(t),   ω = 2π/T,   x(0) = ẋ(0) = 0,                                             (1)
+        S_d = max |x|,   S_v = ω S_d,   S_a = ω² S_d,   A = max |ẍ + a_g| = max |2ζω ẋ + ω² x|.               (2)
+
+    T [s] period, ζ [-] damping ratio, a_g [length/s²] linear between samples and zero after the last. The maxima are
+    over all t ≥ 0, the free vibration after the record included.
+
+    No time stepping error: from sample to sample the solution of (1) is a fixed linear map of the state and the two
+    samples, and a maximum is an extremum of the continuous solution, not its largest sample. Round-off alone remains.
+    Limits: T → 0 gives A = S_a = peak ground acceleration; T → ∞ gives S_d = peak ground displacement.
     """
     if isinstance(record, str | PathLike):
         record = read_record(record, time_step=time_step)

@@ -37,6 +37,7 @@ class Result:
         self.case = case
         self._summary: dict[str, Any] | None = None
         self._histories: dict[str, Any] | None = None
+        self._exact: dict[str, Any] | None = None
 
     @property
     def summary(self) -> dict[str, Any]:
@@ -114,6 +115,39 @@ class Result:
         return self._histories
 
     @property
+    def exact(self) -> dict[str, Any]:
+        """The exact course: between its instants straight lines follow the solution, impacts and peaks included.
+
+        ``time`` [s]: instants, close together where much happens; two at one time where a force jumps. ``opening``,
+        ``force``: instants × contact points. ``displacement``: a list with instants × floors for each building.
+        ``drift_ratio``, ``storey_shear`` (of buildings that can yield) and ``node_displacement`` (of columns that are
+        struck): likewise, None for the others. Nothing is copied. How close the lines follow: docs/result-files.md.
+
+        :raises ValueError: for a run with ``histories=False``, and where the motion is so fast that to follow it would
+            take too many steps.
+        """
+        if self._exact is None:
+            self._exact = self._run.course()
+        if not self._exact:
+            self.histories  # noqa: B018  # says so where there are none at all
+            raise ValueError("this run has no exact course: the motion is too fast to be followed; histories has samples")
+        return self._exact
+
+    @property
+    def exact_dataset(self) -> xarray.Dataset:
+        """The exact course with units, under the names of group ``exact`` of ``histories.nc``.
+
+        :raises ImportError: without xarray.
+        :raises ValueError: as :attr:`exact`.
+        """
+        try:
+            import xarray
+        except ImportError:
+            raise missing("xarray", "the Dataset of a run") from None
+        data: xarray.Dataset = _exact_dataset(self, xarray)
+        return data
+
+    @property
     def dataset(self) -> xarray.Dataset:
         """Histories and quantities, with units, under the names of ``histories.nc``.
 
@@ -159,6 +193,8 @@ class Result:
             return written
         temporary = into / "histories.nc.new"
         data.to_netcdf(temporary)
+        if self._run.course():
+            self.exact_dataset.to_netcdf(temporary, mode="a", group="exact")
         temporary.replace(into / "histories.nc")
         return [*written, into / "histories.nc"]
 
@@ -233,12 +269,7 @@ def _dataset(result: Result, xarray: Any) -> Any:
     histories = result.histories
     length, force = case.length, _udunit(case.force)
     variables: dict[str, Any] = {}
-
-    def put(name: str, dims: tuple[str, ...], values: Any, units: str, what: str, **more: str) -> None:
-        attributes = {"long_name": what, **more}
-        if units:
-            attributes["units"] = units
-        variables[name] = (dims, values, attributes)
+    put = _putter(variables)
 
     def quantities(found: list[Any], dims: tuple[str, ...], suffix: str = "", of: str = "") -> None:
         for name, units, what, symbol, values, _, _ in found:
@@ -250,7 +281,6 @@ def _dataset(result: Result, xarray: Any) -> Any:
     for b, building in enumerate(places["buildings"]):
         number, floors = f"_{b + 1}", f"elevation_{b + 1}"
         owner = f'building "{building["name"]}"'
-        put(floors, (floors,), building["elevation"], length, "elevation of the floors of " + owner)
         put("base_elevation" + number, (), building["base_elevation"], length, "elevation of the base of " + owner)
         of_floors = {
             "displacement": (length, "displacement relative to the own base of the floors of "),
@@ -265,7 +295,6 @@ def _dataset(result: Result, xarray: Any) -> Any:
         put("base_shear" + number, ("time",), base_shear, force, "shear of the lowest storey of " + owner)
         if len(building["node_elevation"]) > 0:
             nodes = f"node{number}"
-            put("node_elevation" + number, (nodes,), building["node_elevation"], length, "where columns are struck")
             put("node_displacement" + number, ("time", nodes), histories["node_displacement"][b], length, "displacement")
             for end, (name, what) in enumerate(_COLUMN_ENDS.items()):
                 units = f"{force} {length}" if "moment" in name else force
@@ -275,10 +304,7 @@ def _dataset(result: Result, xarray: Any) -> Any:
     put("building_name", ("building",), [b["name"] for b in places["buildings"]], "", "names, from left to right")
     points = places["points"]
     if points:
-        put("point_elevation", ("point",), [p[2] for p in points], length, "elevation of the contact points")
-        put("point_left", ("point",), [p[0] for p in points], "", "building to the left of the contact points")
-        put("point_right", ("point",), [p[1] for p in points], "", "building to the right of the contact points")
-        put("opening", ("time", "point"), histories["opening"], length, "opening, negative in contact")
+        put("opening", ("time", "point"), histories["opening"], length, _OPENING)
         put("force", ("time", "point"), histories["force"], force, "contact force")
         if any(p[4] for p in points):
             put("point_struck", ("point",), [p[4] for p in points], "", "building whose column is struck, or nothing")
@@ -300,18 +326,74 @@ def _dataset(result: Result, xarray: Any) -> Any:
     for name, values in histories.items():
         if name.startswith("energy_"):
             put(name, ("time",), values, f"{force} {length}", name.replace("_", " "))
-    coordinates = {"time", "point_elevation", "point_left", "point_right", "gap_name", "building_name"} | {
-        "link_elevation",
-        "link_left",
-        "link_right",
+    return _with_places(xarray, result, variables, {"gap_name", "building_name", "link_elevation", "link_left", "link_right"})
+
+
+def _exact_dataset(result: Result, xarray: Any) -> Any:
+    course = result.exact
+    length, force = result.case.length, _udunit(result.case.force)
+    variables: dict[str, Any] = {}
+    put = _putter(variables)
+    put("time", ("time",), course["time"], "s", "instants between which straight lines follow the solution")
+    of_buildings = {
+        "displacement": ("elevation", length, "displacement relative to the own base of the floors of "),
+        "drift_ratio": ("elevation", "1", "relative floor displacement over the height of the storeys of "),
+        "storey_shear": ("elevation", force, "shear of the storeys of "),
+        "node_displacement": ("node", length, "displacement of struck columns where they are struck of "),
     }
-    coordinates |= {name for name in variables if name.startswith("elevation_")}
-    data = xarray.Dataset(
-        {name: one for name, one in variables.items() if name not in coordinates},
-        coords={name: one for name, one in variables.items() if name in coordinates},
-        attrs={"title": case.title, "source": f"bentur {_core.version}"},
+    for name, (along, units, what) in of_buildings.items():
+        for b, values in enumerate(course[name]):
+            if values is not None:
+                owner = f'building "{result.case.buildings[b]}"'
+                put(f"{name}_{b + 1}", ("time", f"{along}_{b + 1}"), values, units, what + owner)
+    if course["opening"].shape[1] > 0:
+        put("opening", ("time", "point"), course["opening"], length, _OPENING)
+        put("force", ("time", "point"), course["force"], force, "contact force")
+    return _with_places(xarray, result, variables, set())
+
+
+_OPENING = "opening of the contact points, negative in contact"
+
+
+def _putter(variables: dict[str, Any]) -> Any:
+    def put(name: str, dims: tuple[str, ...], values: Any, units: str, what: str, **more: str) -> None:
+        attributes = {"long_name": what, **more}
+        if units:
+            attributes["units"] = units
+        variables[name] = (dims, values, attributes)
+
+    return put
+
+
+def _with_places(xarray: Any, result: Result, variables: dict[str, Any], coordinates: set[str]) -> Any:
+    """A Dataset with the places of floors, struck columns and contact points as coordinates, and those named."""
+    places = result._run.places()
+    length = result.case.length
+    known: dict[str, Any] = {}
+    put = _putter(known)
+    for b, building in enumerate(places["buildings"]):
+        owner = f'building "{building["name"]}"'
+        put(f"elevation_{b + 1}", (f"elevation_{b + 1}",), building["elevation"], length, "elevation of the floors of " + owner)
+        if len(building["node_elevation"]) > 0:
+            nodes = f"node_{b + 1}"
+            put(f"node_elevation_{b + 1}", (nodes,), building["node_elevation"], length, "where columns are struck")
+    if places["points"]:
+        left, right, elevation = zip(*(p[:3] for p in places["points"]), strict=True)
+        put("point_elevation", ("point",), list(elevation), length, "elevation of the contact points")
+        put("point_left", ("point",), list(left), "", "building to the left of the contact points")
+        put("point_right", ("point",), list(right), "", "building to the right of the contact points")
+    return xarray.Dataset(
+        {name: one for name, one in variables.items() if name not in {*coordinates, "time"}},
+        coords=known | {name: one for name, one in variables.items() if name in {*coordinates, "time"}},
+        attrs={"title": result.case.title, "source": f"bentur {_core.version}", **_inputs(result)},
     )
-    return data
+
+
+def _inputs(result: Result) -> dict[str, str]:
+    """Which case and record the results are of, where they were files."""
+    told = {"case": result.summary.get("case"), "record": result.summary["excitation"]}
+    keys = {"case": ("file", "sha256"), "record": ("file", "size", "sha256")}
+    return {f"{of}_{key}": str(one[key]) for of, one in told.items() if one and one.get("sha256") for key in keys[of]}
 
 
 def _udunit(unit: str) -> str:

@@ -58,6 +58,11 @@ def _axes(ax: Axes | None, height: float = 2.2) -> Axes:
     return made
 
 
+def _course(result: Result) -> dict[str, Any]:
+    """The exact course; where the motion is too fast for one, the samples."""
+    return result._run.course() or result.histories
+
+
 def _legend(ax: Axes, **more: Any) -> None:
     if len(ax.get_legend_handles_labels()[0]) > 1:
         ax.legend(frameon=False, fontsize=7, **more)
@@ -66,13 +71,13 @@ def _legend(ax: Axes, **more: Any) -> None:
 def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> Axes:
     """Displacement of one floor of each building against time; -1: the highest. Impacts of the run along the top."""
     ax = _axes(ax)
-    histories = result.histories
+    course = _course(result)
     for b, name in enumerate(result.case.buildings):
-        ax.plot(histories["time"], histories["displacement"][b][:, floor], LINES[b % 4], color=TONES[b % 4], label=name)
+        ax.plot(course["time"], course["displacement"][b][:, floor], LINES[b % 4], color=TONES[b % 4], label=name)
     starts = result.impact_arrays["start"]
     if len(starts):
         ax.plot(starts, np.full(len(starts), 0.98), "|", color=GREY, transform=ax.get_xaxis_transform(), ms=4)
-    ax.set(xlabel="time $t$ [s]", ylabel=f"displacement $x$ [{result.case.length}]", xlim=_ends(histories["time"]))
+    ax.set(xlabel="time $t$ [s]", ylabel=f"displacement $x$ [{result.case.length}]", xlim=_ends(course["time"]))
     _legend(ax)
     return ax
 
@@ -80,13 +85,13 @@ def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> 
 def force(result: Result, *, ax: Axes | None = None) -> Axes:
     """Contact force against time, a line for each contact point that is hit."""
     ax = _axes(ax)
-    histories = result.histories
+    course = _course(result)
     elevations = [point["elevation"] for gap in result.summary["gaps"] for point in gap["points"]]
-    shown = [i for i in range(len(elevations)) if histories["force"][:, i].any()]
+    shown = [i for i in range(len(elevations)) if course["force"][:, i].any()]
     for n, i in enumerate(reversed(shown)):
         label = f"{elevations[i]:g} {result.case.length}"
-        ax.plot(histories["time"], histories["force"][:, i], LINES[n % 4], color=TONES[n % 4], label=label)
-    ax.set(xlabel="time $t$ [s]", ylabel=f"contact force $F$ [{result.case.force}]", xlim=_ends(histories["time"]))
+        ax.plot(course["time"], course["force"][:, i], LINES[n % 4], color=TONES[n % 4], label=label)
+    ax.set(xlabel="time $t$ [s]", ylabel=f"contact force $F$ [{result.case.force}]", xlim=_ends(course["time"]))
     ax.set_ylim(bottom=0)
     _legend(ax)
     return ax
@@ -95,21 +100,24 @@ def force(result: Result, *, ax: Axes | None = None) -> Axes:
 def opening(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
     """Opening of one contact point against time, negative in contact; -1: the last, the highest of the last gap."""
     ax = _axes(ax)
-    histories = result.histories
+    course = _course(result)
     ax.axhline(0, color=GREY, lw=0.6)
-    ax.plot(histories["time"], histories["opening"][:, point], color=BLUE)
-    ax.set(xlabel="time $t$ [s]", ylabel=f"opening $g$ [{result.case.length}]", xlim=_ends(histories["time"]))
+    ax.plot(course["time"], course["opening"][:, point], color=BLUE)
+    ax.set(xlabel="time $t$ [s]", ylabel=f"opening $g$ [{result.case.length}]", xlim=_ends(course["time"]))
     return ax
 
 
 def loop(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
-    """Contact force against penetration of one contact point, as sampled: choose a small ``output_step``."""
+    """Contact force against penetration of one contact point."""
     ax = _axes(ax)
-    histories = result.histories
-    penetration = -histories["opening"][:, point]
+    course = _course(result)
+    penetration = -course["opening"][:, point]
     touching = penetration > 0
-    ax.plot(np.where(touching, penetration, np.nan), histories["force"][:, point], color=BLUE)
+    touching[1:] |= touching[:-1].copy()  # from the start of each contact to its end
+    touching[:-1] |= touching[1:].copy()
+    ax.plot(np.where(touching, penetration, np.nan), course["force"][:, point], color=BLUE)
     ax.set(xlabel=f"penetration $δ$ [{result.case.length}]", ylabel=f"contact force $F$ [{result.case.force}]")
+    ax.set_xlim(left=0)
     return ax
 
 

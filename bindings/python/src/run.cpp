@@ -87,6 +87,7 @@ std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std
   }
   SolveOptions options;
   options.output_step = output_step;
+  options.course = output_step > 0;
   options.energy_audit = given.c.analysis.energy_audit;
   options.most_steps = static_cast<long>(given.c.analysis.limits.steps);
   const std::string refusal = beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options));
@@ -111,45 +112,46 @@ std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
 
-py::dict histories(const std::shared_ptr<PyRun>& run) {
-  const py::object owner = py::cast(run);
-  const Histories& found = run->results.response.histories;
+/// Arrays by name, lists of them where each building has its own; what is not kept is left out, or None in a list.
+py::dict arrays_of(const Histories& found, const py::object& owner) {
   py::dict arrays;
   if (found.time.empty()) return arrays;
   arrays["time"] = view_of(found.time, owner);
-  arrays["ground_acceleration"] = view_of(found.ground_acceleration, owner);
+  if (!found.ground_acceleration.empty()) arrays["ground_acceleration"] = view_of(found.ground_acceleration, owner);
   arrays["opening"] = view_of(found.opening, owner);
   arrays["force"] = view_of(found.force, owner);
-  const auto of_buildings = [&](const char* name, const std::vector<Eigen::MatrixXd>& all) {
+  const std::pair<const char*, const std::vector<Eigen::MatrixXd>&> of_buildings[] = {
+      {"displacement", found.displacement},  {"velocity", found.velocity},
+      {"acceleration", found.acceleration},  {"drift_ratio", found.drift_ratio},
+      {"storey_shear", found.storey_shear},  {"node_displacement", found.node_displacement},
+      {"column_forces", found.column_forces}};
+  for (const auto& [name, all] : of_buildings) {
+    if (all.empty()) continue;
     py::list list;
     for (const Eigen::MatrixXd& one : all) {
       list.append(one.size() > 0 ? py::object(view_of(one, owner)) : py::object(py::none()));
     }
     arrays[name] = list;
-  };
-  of_buildings("displacement", found.displacement);
-  of_buildings("velocity", found.velocity);
-  of_buildings("acceleration", found.acceleration);
-  of_buildings("drift_ratio", found.drift_ratio);
-  of_buildings("storey_shear", found.storey_shear);
-  of_buildings("node_displacement", found.node_displacement);
-  of_buildings("column_forces", found.column_forces);
-  if (const auto& audit = run->results.response.energy) {
-    const EnergyHistories& energy = audit->histories;
-    const auto curve = [&](const char* name, const Eigen::VectorXd& values) {
-      if (values.size() > 0) {
-        arrays[name] = view_of(values, owner);
-      } else {
-        arrays[name] = array_of(std::vector<double>(found.time.size(), 0.0));
-      }
-    };
-    curve("energy_input", energy.input);
-    curve("energy_kinetic", energy.kinetic);
-    curve("energy_strain", energy.strain);
-    curve("energy_damping", energy.damping);
-    curve("energy_hysteretic", energy.hysteretic);
-    curve("energy_contact_stored", energy.contact_stored);
-    curve("energy_contact_lost", energy.contact_lost);
+  }
+  return arrays;
+}
+
+py::dict histories(const std::shared_ptr<PyRun>& run) {
+  const py::object owner = py::cast(run);
+  const Histories& found = run->results.response.histories;
+  py::dict arrays = arrays_of(found, owner);
+  const auto& audit = run->results.response.energy;
+  if (found.time.empty() || !audit) return arrays;
+  const EnergyHistories& energy = audit->histories;
+  const std::pair<const char*, const Eigen::VectorXd&> curves[] = {{"energy_input", energy.input},
+                                                                   {"energy_kinetic", energy.kinetic},
+                                                                   {"energy_strain", energy.strain},
+                                                                   {"energy_damping", energy.damping},
+                                                                   {"energy_hysteretic", energy.hysteretic},
+                                                                   {"energy_contact_stored", energy.contact_stored},
+                                                                   {"energy_contact_lost", energy.contact_lost}};
+  for (const auto& [name, values] : curves) {
+    arrays[name] = values.size() > 0 ? view_of(values, owner) : array_of(std::vector<double>(found.time.size(), 0.0));
   }
   return arrays;
 }
@@ -225,6 +227,8 @@ void bind_run(py::module_& module) {
              return gap_json(r, separations(r.problem, r.response, r.c.code, r.c.units), BENTUR_VERSION);
            })
       .def("histories", &histories)
+      .def("course",
+           [](const std::shared_ptr<PyRun>& run) { return arrays_of(run->results.response.course, py::cast(run)); })
       .def("places", &places)
       .def("remarks", [](const PyRun& run) { return remark_texts(run.results.remarks); })
       .def("run_quantities", [](const PyRun& run) { return quantities_at(run, Owner::run, {{}}); })

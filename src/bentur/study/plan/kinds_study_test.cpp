@@ -6,6 +6,7 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/plan/study_check.h"
 #include "tests/support/kinds_case.h"
+#include "tests/support/study_of.h"
 
 namespace bentur {
 namespace {
@@ -25,7 +26,7 @@ TEST(KindsStudy, EveryNumberCanVary) {
     SCOPED_TRACE(parameter);
     const TemporaryFolder folder;
     Diagnostics diagnostics;
-    const auto read = read_study(test::study_of_kinds(folder.path(), parameter, values), diagnostics);
+    const auto read = read_study(test::study_of(test::every_kind, folder.path(), parameter, values), diagnostics);
     CaseMemo memo;
     if (read) (void)check_study(*read, memo, diagnostics);
     for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
@@ -35,8 +36,8 @@ TEST(KindsStudy, EveryNumberCanVary) {
 TEST(KindsStudy, ValuesThatMakeNoCaseAreTold) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;
-  const auto read =
-      read_study(test::study_of_kinds(folder.path(), "building[2].soil.half_space.poisson", "0.3, 0.6"), diagnostics);
+  const auto read = read_study(
+      test::study_of(test::every_kind, folder.path(), "building[2].soil.half_space.poisson", "0.3, 0.6"), diagnostics);
   ASSERT_TRUE(read);
   CaseMemo memo;
   EXPECT_FALSE(check_study(*read, memo, diagnostics)) << "0.6 is no case";

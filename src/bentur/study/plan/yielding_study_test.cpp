@@ -8,6 +8,7 @@
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/plan/study_check.h"
+#include "tests/support/study_of.h"
 #include "tests/support/yielding_case.h"
 
 namespace bentur {
@@ -32,7 +33,7 @@ TEST(YieldingStudy, EveryNumberCanVary) {
     SCOPED_TRACE(parameter);
     const std::string labels = std::string(values).find('[') != std::string::npos ? "labels = ['a', 'b']\n" : "";
     const TemporaryFolder folder;
-    const std::filesystem::path file = test::yielding_study(folder.path(), parameter, values);
+    const std::filesystem::path file = test::study_of(test::yielding_case, folder.path(), parameter, values);
     std::ofstream(file, std::ios::app) << labels;
     Diagnostics diagnostics;
     const auto read = read_study(file, diagnostics);
@@ -45,13 +46,13 @@ TEST(YieldingStudy, EveryNumberCanVary) {
 TEST(YieldingStudy, WhichBuildingsCanYieldIsTheSameInAllRuns) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;
-  const auto read =
-      read_study(test::yielding_study(folder.path(), "building[1].stick.yield_forces[0]", "inf, 4e4"), diagnostics);
+  const auto read = read_study(
+      test::study_of(test::yielding_case, folder.path(), "building[1].stick.yield_forces[0]", "inf, 4e4"), diagnostics);
   ASSERT_TRUE(read);
   CaseMemo memo;
   EXPECT_TRUE(check_study(*read, memo, diagnostics));  // its other storey yields in both
-  const auto elastic =
-      read_study(test::yielding_study(folder.path(), "building[1].stick.yield_forces", "4e4, inf"), diagnostics);
+  const auto elastic = read_study(
+      test::study_of(test::yielding_case, folder.path(), "building[1].stick.yield_forces", "4e4, inf"), diagnostics);
   ASSERT_TRUE(elastic);
   Diagnostics refused;
   EXPECT_FALSE(check_study(*elastic, memo, refused));
