@@ -222,7 +222,7 @@ std::string collapse_text(const RunResults& run) {
   const Response& response = run.response;
   const auto storey = [&](const Collapse& collapse) {
     const Building& building = run.problem.buildings[collapse.building];
-    return fmt::format("storey {} of {}, t = {} s", collapse.storey + (building.model.has_slab ? 0 : 1), building.name,
+    return fmt::format("storey {} of {}, t = {} s", building.model.storey_number(collapse.storey), building.name,
                        number(collapse.time));
   };
   if (response.collapse) {

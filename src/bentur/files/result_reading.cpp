@@ -274,7 +274,7 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
                                     [&](const Building& building) { return told.at("building") == building.name; });
     if (named == buildings.end()) fail(file, "names a building that collapsed and is not there");
     const Eigen::Index storey = told.at("storey");
-    return Collapse{named - buildings.begin(), storey - (named->model.has_slab ? 0 : 1), told.at("time")};
+    return Collapse{named - buildings.begin(), storey - named->model.storey_number(0), told.at("time")};
   };
   results.response.collapse = collapse("collapse");
   results.response.collapse_no_contact = collapse("collapse_no_contact");

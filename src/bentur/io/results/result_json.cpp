@@ -116,7 +116,7 @@ Json soil_json(const SoilSpec& spec) {
 
 Json collapse_json(const RunView& run, const Collapse& collapse) {
   return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
-          {"storey", collapse.storey + (run.problem.buildings[collapse.building].model.has_slab ? 0 : 1)},
+          {"storey", run.problem.buildings[collapse.building].model.storey_number(collapse.storey)},
           {"time", collapse.time}};
 }
 

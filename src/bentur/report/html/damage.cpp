@@ -22,7 +22,7 @@ bool is_slab(const Story& story, Eigen::Index b, Eigen::Index storey) {
 /// "2"; the bearings below a slab have no number.
 std::string name_of(const Story& story, Eigen::Index b, Eigen::Index storey) {
   if (is_slab(story, b, storey)) return story.say("word.bearings");
-  return std::to_string(storey + (story.problem.buildings[b].model.has_slab ? 0 : 1));
+  return std::to_string(story.problem.buildings[b].model.storey_number(storey));
 }
 
 /// White up to first yield, from there on the darker the more.

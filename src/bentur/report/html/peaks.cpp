@@ -17,6 +17,8 @@ std::string quantity(double value, const std::string& unit) { return with_power(
 
 std::string rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return number(value);
+  constexpr double long_number = 1e5;  // its last digits would be zeros
+  if (std::abs(value) >= long_number) return with_power(fmt::format("{:.2e}", value));
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
   return with_power(number(std::round(value / unit) * unit));
 }

@@ -1,5 +1,7 @@
 #include "bentur/report/html/report_figures.h"
 
+#include <algorithm>
+
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/internal/words.h"
 #include "bentur/report/kinds/kinds.h"
@@ -29,6 +31,9 @@ std::vector<ReportFigure> drawn(const Results& results, const std::string& famil
       continue;
     }
   }
+  // Wide ones between two columns of others would leave holes: they come first as they are, else last.
+  const auto is_narrow = [](const ReportFigure& one) { return !one.wide; };
+  std::stable_partition(std::find_if(figures.begin(), figures.end(), is_narrow), figures.end(), is_narrow);
   return figures;
 }
 

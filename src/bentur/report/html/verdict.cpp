@@ -255,9 +255,8 @@ Html collapse_block(const Story& story) {
   if (!with && !without) return {};
   const auto text = [&](const std::string& key, const Collapse& collapse) {
     const Building& building = story.problem.buildings[collapse.building];
-    const Eigen::Index storey = collapse.storey + (building.model.has_slab ? 0 : 1);
     return story.say(key, {{"building", building.name},
-                           {"storey", std::to_string(storey)},
+                           {"storey", std::to_string(building.model.storey_number(collapse.storey))},
                            {"time", prose(collapse.time, "s")},
                            {"limit", number(100 * story.problem.collapse_drift)}});
   };

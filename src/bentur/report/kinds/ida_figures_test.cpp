@@ -124,6 +124,23 @@ TEST(IdaFigure, FragilityOfAnotherEvent) {
   }
 }
 
+TEST(IdaFigure, SpeaksTheLanguageThatIsAskedFor) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.choose = true;
+  options.say = [](std::string_view english) { return "§" + std::string(english); };
+  const Figure ida = make_figure(results, "ida", options);
+  EXPECT_EQ(ida.panels.at(0).title, "§gap 0.1 m");
+  EXPECT_EQ(ida.panels.at(0).x.label, "§Peak contact force F [kN]");
+  const Figure forces = make_figure(results, "peak-force", options);
+  EXPECT_EQ(forces.panels.at(0).y.label, "§Peak contact force F [kN]");
+  options.at = {{"width", "0.1"}, {"intensity", "1"}};
+  const Figure records = make_figure(results, "peak-force", options);
+  EXPECT_EQ(records.panels.at(0).x.label, "§Record");
+  EXPECT_EQ(records.panels.at(0).x.number, "§number");
+}
+
 TEST(IdaFigure, ListsItsKinds) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path()));

@@ -39,9 +39,8 @@ Panel loop(const RunResults& run, Eigen::Index b, Eigen::Index storey, const Fig
   }
   const double largest = bearings ? peaks.displacement(storey) : peaks.drift_ratio(storey);
   const double yield = factor * largest / peaks.yielding.ductility(storey);
-  const std::string name =
-      bearings ? word(options, "bearings")
-               : word(options, "storey {}", fmt::format("{}", storey + (building.model.has_slab ? 0 : 1)));
+  const std::string name = bearings ? word(options, "bearings")
+                                    : word(options, "storey {}", std::to_string(building.model.storey_number(storey)));
   Panel panel{.title = fmt::format("{}, {}", building.name, name),
               .x = {.label = bearings ? with_unit(word(options, "Displacement x"), run.c.units.length)
                                       : word(options, "Storey drift Δ/h [%]")},

@@ -224,7 +224,13 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
     }
     const std::vector<std::string> found =
         pattern ? matches(*text, context.folder) : std::vector<std::string>{(context.folder / *text).string()};
-    if (found.empty()) one.error_value("no file matches (names are relative to the study)");
+    if (found.empty()) {
+      const fs::path folder = fs::path(*text).parent_path();
+      const bool there = folder.empty() || fs::is_directory(context.folder / folder, ignored) ||
+                         folder.string().find_first_of("*?[") != std::string::npos;
+      one.error_value(fmt::format("no file matches{} (names are relative to the study)",
+                                  there ? "" : fmt::format(": there is no folder {}", folder.string())));
+    }
     paths.insert(paths.end(), found.begin(), found.end());
     places.resize(paths.size(), &entry.value());
   };
