@@ -21,7 +21,7 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   std::string law;
   int yielding = 0;
-  for (std::size_t f = building.model.has_slab ? 1 : 0; f < building.storey_laws.size(); ++f) {
+  for (auto f = static_cast<std::size_t>(building.model.first_storey()); f < building.storey_laws.size(); ++f) {
     const auto& one = building.storey_laws[f];
     if (one == nullptr) continue;
     ++yielding;
@@ -32,7 +32,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   if (yielding == 0) return bearings;
   return bearings +
          fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
-                     count(building.storey_laws.size() - (building.model.has_slab ? 1 : 0), "storey", "storeys"), law,
+                     count(building.storey_laws.size() - static_cast<std::size_t>(building.model.first_storey()), "storey", "storeys"), law,
                      spec.tangent_damping ? ", damping of the tangent stiffness" : "");
 }
 

@@ -207,11 +207,10 @@ std::string screening_text(const Case& c, const Problem& problem, Eigen::Index g
   if (findings.empty()) return {};
   std::vector<std::string> titles, units, values, limits, verdicts, sources;
   for (const ScreeningFinding& found : findings) {
-    const bool yes_or_no = found.rule->name == "end-of-row" || found.rule->name == "pounding";
     const bool known = found.verdict != ScreeningFinding::Verdict::needs_seismicity;
     titles.emplace_back(found.rule->title);
     units.emplace_back(found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit));
-    values.emplace_back(!yes_or_no ? number(found.value) : !known ? "–" : found.value > 0 ? "yes" : "no");
+    values.emplace_back(!found.rule->yes_or_no ? number(found.value) : !known ? "–" : found.value > 0 ? "yes" : "no");
     limits.emplace_back(limit_text(found.limit));
     verdicts.emplace_back(known ? verdict_text(found.verdict) : "needs seismicity");
     sources.emplace_back(
@@ -252,13 +251,6 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
 
 std::string spectral_text(const Case& c, const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
   const std::string& length = c.units.length;
-  struct Worst {
-    double needed = 0, width = 0, elevation = 0;
-  };
-  std::optional<Worst> worst;
-  const auto look_at = [&](const Worst& one) {
-    if (!worst || one.needed - one.width > worst->needed - worst->width) worst = one;
-  };
   std::vector<PointSeparation> points;  // highest first
   std::vector<double> elevations, widths, differences, abs, srss, ddc;
   for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {
@@ -271,7 +263,6 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
     abs.push_back(s.abs);
     srss.push_back(s.srss);
     ddc.push_back(s.ddc);
-    look_at({s.simulated, point.width, point.elevation});
   }
   std::vector<double> watched_elevations, watched_widths, watched_differences;
   std::vector<std::string> owners, faces;
@@ -282,15 +273,14 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
     watched_differences.push_back(spectral.watched[*i]);
     owners.push_back(problem.buildings[static_cast<std::size_t>(floor.floor_of)].name);
     faces.emplace_back(floor.facing_floor ? "floor" : "column");
-    look_at({spectral.watched[*i], floor.width, floor.elevation});
   }
   std::string text = gap_name(problem, gap.left) + ": no floors face one another\n";
-  if (worst) {
-    const double short_by = worst->needed - worst->width;
+  if (const auto worst = governing_level(problem, spectral, gap)) {
+    const bool is_short = worst->is_short();
     text = fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
-                       short_by > 0 ? "too close" : "wide enough", number(worst->needed), length,
+                       is_short ? "too close" : "wide enough", number(worst->needed), length,
                        number(worst->elevation), length, number(worst->width), length,
-                       short_by > 0 ? fmt::format(": {} {} short", number(short_by), length) : "");
+                       is_short ? fmt::format(": {} {} short", number(worst->needed - worst->width), length) : "");
   }
   if (!points.empty()) {
     Table table;

@@ -83,10 +83,7 @@ Loaded load(const std::filesystem::path& file, Purpose purpose) {
   Diagnostics diagnostics;
   std::optional<Case> c = read_case(file, diagnostics);
   if (!c) throw Failure(diagnostics);
-  if (const auto& spectrum = c->excitation.spectrum; spectrum && purpose == Purpose::run) {
-    diagnostics.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
-    throw Failure(diagnostics);
-  }
+  if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics);
   try {
     Problem problem = make_still_problem(*c);
     std::vector<std::filesystem::path> files = {file};

@@ -37,12 +37,13 @@ std::optional<std::size_t> asked_width() {
 std::size_t line_width() { return asked_width().value_or(usual_width); }
 
 std::string wrapped(const std::string& text) {
+  const std::size_t widest = std::min(usual_width, line_width());
   std::string result;
   std::size_t taken = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    if (taken > 0 && taken + 1 + display_width(word) > std::min(usual_width, line_width())) {
+    if (taken > 0 && taken + 1 + display_width(word) > widest) {
       result += "\n  ";
       taken = 2;
     } else if (at > 0) {

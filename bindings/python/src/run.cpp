@@ -70,11 +70,7 @@ py::array_t<double> view_of(const std::vector<double>& values, const py::object&
 
 std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std::vector<OwnLaw>& laws,
                               const py::object& progress) {
-  if (const auto& spectrum = given.c.excitation.spectrum) {
-    Diagnostics found;
-    found.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
-    raise_case_error(found);
-  }
+  if (Diagnostics found; refuse_spectrum(given.c, found)) raise_case_error(found);
   Problem problem = given.problem;
   for (const OwnLaw& own : laws) {
     bool there = false;

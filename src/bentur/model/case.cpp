@@ -344,6 +344,7 @@ std::vector<std::shared_ptr<const HystereticLaw>> laws_of_storeys(const Building
 Building make_building(const BuildingSpec& spec, StructuralModel model) {
   if (std::holds_alternative<RigidSpec>(spec.structure)) return rigid_building(spec.name, model.elevations);
   Building building;
+  const double fixed_omega = spec.tangent_damping ? modes(model.mass, model.stiffness).omega(0) : 0;  // [rad/s]
   if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
     ModalModel known = modal_model(*modal, spec.base_elevation);
     building = {spec.name, std::move(known.model), std::move(known.modes), {}};
@@ -354,8 +355,7 @@ Building make_building(const BuildingSpec& spec, StructuralModel model) {
     building = make_building(spec.name, std::move(model), spec.damping, support, std::move(laws));
   }
   if (spec.tangent_damping) {
-    const StructuralModel fixed = structural_model(spec);  // on whose first period damping depends
-    const auto beta = stiffness_part(spec.damping, modes(fixed.mass, fixed.stiffness).omega(0));
+    const auto beta = stiffness_part(spec.damping, fixed_omega);
     if (!beta || *beta < 0) {
       throw InvalidParameter("damping_stiffness", "tangent",
                              "needs damping with a stiffness part that is not negative");
@@ -401,12 +401,11 @@ std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Buildi
   return all;
 }
 
-std::string spectrum_is_no_motion() {
-  return "a spectrum has no course in time: bentur gap and report take it, a run needs kind = \"record\" with a ground "
-         "motion, such as one matched to the spectrum";
-}
-
 namespace {
+
+const std::string spectrum_is_no_motion =
+    "a spectrum has no course in time: bentur gap and report take it, a run needs kind = \"record\" with a ground "
+    "motion, such as one matched to the spectrum";
 
 std::vector<Building> buildings_of(const Case& c) {
   std::vector<Building> buildings;
@@ -437,10 +436,16 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
 
 }  // namespace
 
+bool refuse_spectrum(const Case& c, Diagnostics& diagnostics) {
+  const auto& spectrum = c.excitation.spectrum;
+  if (spectrum) diagnostics.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion);
+  return spectrum.has_value();
+}
+
 Problem make_problem(const Case& c) { return make_problem(c, buildings_of(c)); }
 
 Problem make_problem(const Case& c, std::vector<Building> buildings) {
-  if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion());
+  if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion);
   return problem_of(c, std::move(buildings));
 }
 

@@ -212,8 +212,8 @@ struct SpecAndModel {
 [[nodiscard]] Problem make_problem(const Case& c);
 /// The same for what nothing is solved of: modes, gaps by a spectrum. A spectrum's problem has no motion.
 [[nodiscard]] Problem make_still_problem(const Case& c);
-/// What to do where a run is asked for and the case has a spectrum.
-[[nodiscard]] std::string spectrum_is_no_motion();
+/// Where a run is asked for: whether the case has a spectrum, and says at its place what to do.
+[[nodiscard]] bool refuse_spectrum(const Case& c, Diagnostics& diagnostics);
 /// The same with the case's buildings made already.
 [[nodiscard]] Problem make_problem(const Case& c, std::vector<Building> buildings);
 

@@ -232,7 +232,7 @@ Proportions proportions(const Building& building, const Units& units, const Buil
   Proportions result;
   if (building.is_rigid()) return result;
   for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
-  const auto storeys = static_cast<double>(building.model.floors() - (building.model.has_slab ? 1 : 0));
+  const auto storeys = static_cast<double>(building.model.floors() - building.model.first_storey());
   result.period_per_storey = 2 * std::numbers::pi / building.first_omega() / storeys;
   if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
   return result;

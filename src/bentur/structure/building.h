@@ -55,8 +55,10 @@ struct StructuralModel {
     while (floor + 1 < floors() && elevations[floor] < node_elevations[floor_or_node - floors()]) ++floor;
     return floor;
   }
+  /// The lowest storey, and floor above it, that is no isolation system: 1 above a slab, else 0.
+  [[nodiscard]] Eigen::Index first_storey() const { return has_slab ? 1 : 0; }
   /// Of storey `storey`, 0 the lowest, as people count: from 1, without the bearings below a slab, which are 0.
-  [[nodiscard]] Eigen::Index storey_number(Eigen::Index storey) const { return storey + (has_slab ? 0 : 1); }
+  [[nodiscard]] Eigen::Index storey_number(Eigen::Index storey) const { return storey + 1 - first_storey(); }
   [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };

@@ -280,7 +280,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
     whole.stiffness = fixed_stiffness;
   } else if (support.gravity) {
     // On total sways, x_0 that of the slab or the foundation.
-    const Index first = whole.has_slab ? 1 : 0;
+    const Index first = whole.first_storey();
     MatrixXd drifts = MatrixXd::Zero(structure.softening.size(), whole.dofs());
     for (Index j = 0; j < drifts.rows(); ++j) {
       drifts(j, first + j) = 1;

@@ -109,6 +109,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
 }  // namespace
 
 void make(ReadBuilding& building) {
+  building.made = nullptr;  // of what was read before
   try {
     building.model = structural_model(building.spec);
     if (building.spec.isolation) building.model = make_building(building.spec, *building.model).model;

@@ -106,12 +106,8 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
 
   std::optional<StrongMotionRecord> record;
   if (name && format_usable && step_usable && places_usable) {
-    const std::filesystem::path path = folder / *name;
-    const std::string problem = input_problem(path, record_input);
-    if (!problem.empty()) {
-      file->error_value(problem + " (names are relative to the case file)");
-    } else {
-      record = memo != nullptr ? memo->record(path, options, diagnostics) : read_record(path, options, diagnostics);
+    if (const auto path = input_path(*file, *name, folder, record_input)) {
+      record = memo != nullptr ? memo->record(*path, options, diagnostics) : read_record(*path, options, diagnostics);
     }
   }
   if (!record) {  // what can be said without the file

@@ -63,8 +63,9 @@ std::vector<Section> read_sections(const TomlView& frame, const std::string& key
 std::vector<double> read_per_floor(const TomlView& view, const std::string& key, Rule rule, std::size_t floors,
                                    Need need) {
   const auto value = view.get(key, need);
-  const auto numbers = value ? value->as_number_or_numbers(rule, {floors, "one per floor"}) : std::vector<double>();
-  return numbers.size() > 1 ? numbers : std::vector<double>(floors, numbers.empty() ? 0 : numbers.front());
+  std::vector<double> numbers = value ? value->as_number_for_each(rule, {floors, "one per floor"}) : std::vector<double>();
+  numbers.resize(floors);
+  return numbers;
 }
 
 /// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ

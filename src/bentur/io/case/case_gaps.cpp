@@ -259,10 +259,7 @@ void read_column_capacity(const TomlView& gap, const GapSides& sides, GapSpec& s
   if (!capacity || !capacity->is_table_of({"shear", "moment"})) return;
   const auto of_points = [&](const char* key) {
     const auto given = capacity->get(key);
-    std::vector<double> values =
-        given ? given->as_number_or_numbers(Rule::positive, sides.points()) : std::vector<double>();
-    if (values.size() == 1) values.assign(spec.elevations.size(), values.front());
-    return values;
+    return given ? given->as_number_for_each(Rule::positive, sides.points()) : std::vector<double>();
   };
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
 }

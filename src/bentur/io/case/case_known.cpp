@@ -16,10 +16,7 @@ constexpr std::int64_t most_storeys = 1000;
 /// One number for all storeys, or one each.
 std::vector<double> per_storey(const TomlView& view, const std::string& key, std::size_t storeys) {
   const auto value = view.get(key);
-  if (!value) return {};
-  std::vector<double> values = value->as_number_or_numbers(Rule::positive, {storeys, "one per storey"});
-  if (values.size() == 1) values.resize(storeys, double{values.front()});
-  return values;
+  return value ? value->as_number_for_each(Rule::positive, {storeys, "one per storey"}) : std::vector<double>();
 }
 
 /// α of a word, as [MirandaTaghavi2005] tells of such systems.
@@ -34,18 +31,14 @@ std::vector<std::vector<double>> read_shapes_file(const TomlView& file, const Ca
                                                   const ModalBuilding& modal, BuildingSpec& spec) {
   const auto name = file.as_text();
   if (!name) return {};
-  const std::filesystem::path path = files.folder / *name;
-  const std::string problem = input_problem(path, table_input);
-  if (!problem.empty()) {
-    file.error_value(problem + " (names are relative to the case file)");
-    return {};
-  }
-  spec.shapes_path = path.string();
-  const auto table = read_number_table(path, files.diagnostics);
+  const auto path = input_path(file, *name, files.folder, table_input);
+  if (!path) return {};
+  spec.shapes_path = path->string();
+  const auto table = read_number_table(*path, files.diagnostics);
   if (!table) return {};
   const std::size_t floors = modal.elevations.size(), modes = modal.periods.size();
   const auto complain = [&](int line, const std::string& message) {
-    files.diagnostics.error({path.string(), line, line > 0 ? 1 : 0}, message);
+    files.diagnostics.error({path->string(), line, line > 0 ? 1 : 0}, message);
     return std::vector<std::vector<double>>{};
   };
   if (table->columns() != modes && table->columns() != modes + 1) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
 
@@ -38,6 +39,11 @@ struct CaseFiles {
   const std::filesystem::path& folder;
   Diagnostics& diagnostics;
 };
+
+/// case_toml.cpp: the path of a file that the case names; nothing (and an error at `key`) where it cannot be read.
+[[nodiscard]] std::optional<std::filesystem::path> input_path(const TomlView& key, const std::string& name,
+                                                              const std::filesystem::path& folder,
+                                                              const InputKind& kind);
 
 /// case_buildings.cpp. What `memo` holds is not read again.
 [[nodiscard]] std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseFiles& files,

@@ -68,15 +68,11 @@ TableSpectrum read_table_file(const TomlView& view, const std::filesystem::path&
   const auto name = file.as_text();
   const auto column = view.whole("column", 2, 1000000, Need::optional);
   if (!name) return shape;
-  const std::filesystem::path path = folder / *name;
-  const std::string problem = input_problem(path, table_input);
-  if (!problem.empty()) {
-    file.error_value(problem + " (names are relative to the case file)");
-    return shape;
-  }
+  const auto path = input_path(file, *name, folder, table_input);
+  if (!path) return shape;
   spec.file = *name;
-  spec.path = path.string();
-  const auto table = read_number_table(path, diagnostics);
+  spec.path = path->string();
+  const auto table = read_number_table(*path, diagnostics);
   if (!table) return shape;
   const std::size_t count = table->columns();
   if (count < 2) {
@@ -94,7 +90,7 @@ TableSpectrum read_table_file(const TomlView& view, const std::filesystem::path&
   const std::size_t chosen = column ? static_cast<std::size_t>(*column) - 1 : 1;
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     const auto complain = [&](std::size_t cell, const char* rule) {
-      diagnostics.error({path.string(), table->lines[i], 1},
+      diagnostics.error({path->string(), table->lines[i], 1},
                         fmt::format("column {} = {}, {}", cell + 1, table->rows[i][cell], rule));
     };
     const double period = table->rows[i][0], acceleration = table->rows[i][chosen];
@@ -167,8 +163,7 @@ SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t
     spec.combination = ModalCombination::srss;
   }
   if (const auto reduction = view.find("reduction")) {
-    spec.reduction = reduction->as_number_or_numbers(Rule::positive, {buildings, "one per building"});
-    if (spec.reduction.size() == 1) spec.reduction.assign(buildings, spec.reduction.front());
+    spec.reduction = reduction->as_number_for_each(Rule::positive, {buildings, "one per building"});
   }
   return spec;
 }

@@ -5,13 +5,6 @@
 namespace bentur {
 namespace {
 
-std::optional<TomlView> table_at(const TomlView& view, const std::string& key) {
-  const auto table = view.get(key);
-  if (!table) return std::nullopt;
-  if (table->is(TomlValue::Kind::table)) return table;
-  return table->error_value("must be a table");
-}
-
 std::optional<FrictionPendulum> read_pendulum(const TomlView& view) {
   if (!view.is_table_of({"coefficient", "radius", "yield_displacement"})) return std::nullopt;
   return FrictionPendulum{view.number("coefficient", Rule::positive).value_or(0),
@@ -20,7 +13,7 @@ std::optional<FrictionPendulum> read_pendulum(const TomlView& view) {
 }
 
 Soil::Impedance read_impedance(const TomlView& view, const std::string& key) {
-  const auto table = table_at(view, key);
+  const auto table = view.get(key);
   if (!table || !table->is_table_of({"stiffness", "damping"})) return {};
   return {table->number("stiffness", Rule::positive).value_or(0),
           table->number("damping", Rule::not_negative, Need::optional).value_or(0)};
@@ -82,7 +75,7 @@ void read_soil(const TomlView& view, ReadBuilding& building) {
     spec.soil.sway = read_impedance(view, "sway");
     spec.soil.rocking = read_impedance(view, "rocking");
   }
-  if (const auto foundation = table_at(view, "foundation");
+  if (const auto foundation = view.get("foundation");
       foundation && foundation->is_table_of({"mass", "inertia"})) {
     spec.soil.mass = foundation->number("mass", Rule::positive).value_or(0);
     spec.soil.inertia = foundation->number("inertia", Rule::positive).value_or(0);

@@ -202,6 +202,14 @@ void check_times(const TomlView& root, const std::vector<TomlView>& views, const
 
 }  // namespace
 
+std::optional<std::filesystem::path> input_path(const TomlView& key, const std::string& name,
+                                                const std::filesystem::path& folder, const InputKind& kind) {
+  std::filesystem::path path = folder / name;
+  const std::string problem = input_problem(path, kind);
+  if (problem.empty()) return path;
+  return key.error_value(problem + " (names are relative to the case file)");
+}
+
 std::vector<Building> ReadCase::made_buildings() const {
   std::vector<Building> made;
   for (const ReadBuilding& building : buildings) made.push_back(*building.made);

@@ -259,6 +259,12 @@ std::vector<double> TomlView::as_number_or_numbers(Rule rule, const Length& leng
   return number ? std::vector<double>{*number} : std::vector<double>();
 }
 
+std::vector<double> TomlView::as_number_for_each(Rule rule, const Length& length) const {
+  std::vector<double> numbers = as_number_or_numbers(rule, length);
+  if (numbers.size() == 1) numbers.resize(length.count, double{numbers.front()});
+  return numbers;
+}
+
 std::optional<std::string> TomlView::as_text() const {
   if (is(TomlValue::Kind::text)) return value_->text;
   return error_value("must be a text in quotes");

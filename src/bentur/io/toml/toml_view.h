@@ -86,6 +86,8 @@ class TomlView {
   [[nodiscard]] std::vector<double> as_numbers(Rule rule, const Length& length = {}) const;
   /// One number for all, or one for each as `length` says.
   [[nodiscard]] std::vector<double> as_number_or_numbers(Rule rule, const Length& length) const;
+  /// The same, one number said once for each.
+  [[nodiscard]] std::vector<double> as_number_for_each(Rule rule, const Length& length) const;
   /// A whole number in [least, most]. @param rule what a message says of it; empty: just that.
   [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most,
                                                      const std::string& rule = {}) const;

@@ -43,20 +43,29 @@ double displacement_scale(const Problem& problem, const Response& response, Eige
   return scale;
 }
 
-GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
-  const Gap gap = gap_at(problem, number);
-  const double scale = displacement_scale(problem, response, number);
+std::optional<GoverningLevel> governing_level(const Problem& problem, const Gap& gap, double scale,
+                                              const std::function<double(Eigen::Index)>& at_point,
+                                              const std::function<double(Eigen::Index)>& at_watched) {
   std::optional<GoverningLevel> worst;
   const auto take = [&](const GoverningLevel& level) {
     if (!worst || level.needed - level.width > worst->needed - worst->width) worst = level;
   };
-  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {  // of levels that are alike the highest
+  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {
     const ContactPoint& point = problem.points[*i];
-    take({std::nullopt, point.elevation, point.width, response.points.at(*i).minimum_gap_no_contact, scale});
+    take({std::nullopt, point.elevation, point.width, at_point(*i), scale});
   }
   for (const Eigen::Index i : gap.watched) {
-    take({i, problem.watched[i].elevation, problem.watched[i].width, response.watched.at(i).needed, scale});
+    take({i, problem.watched[i].elevation, problem.watched[i].width, at_watched(i), scale});
   }
+  return worst;
+}
+
+GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
+  const double scale = displacement_scale(problem, response, number);
+  const auto worst = governing_level(
+      problem, gap_at(problem, number), scale,
+      [&](Eigen::Index i) { return response.points.at(i).minimum_gap_no_contact; },
+      [&](Eigen::Index i) { return response.watched.at(i).needed; });
   GoverningLevel level = worst.value_or(GoverningLevel{});
   if (!falls_short(0, level.needed, scale)) level.needed = 0;  // round-off
   return level;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace bentur {
 
-/// Where the gap between two neighbours falls short the most, or has least to spare, when they move freely: at a
-/// contact point, or at a watched floor.
+/// Where the gap between two neighbours falls short the most, or has least to spare: at a contact point, or at a watched
+/// floor.
 struct GoverningLevel {
   std::optional<Eigen::Index> watched;  ///< index into Problem::watched; nothing: a contact point
   double elevation = 0;                 ///< [length]
@@ -30,7 +31,13 @@ struct GoverningLevel {
 /// The scale of a gap's round-off: the largest displacements of both neighbours together [length].
 [[nodiscard]] double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap);
 
-/// Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
+/// Of levels that are alike the highest contact point; nothing where no floors face one another.
+/// @param at_point, at_watched what is needed at a contact point or watched floor of the problem [length]
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const Problem& problem, const Gap& gap, double scale,
+                                                            const std::function<double(Eigen::Index)>& at_point,
+                                                            const std::function<double(Eigen::Index)>& at_watched);
+
+/// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// The gap needed, the largest over its contact points and its watched floors [length].

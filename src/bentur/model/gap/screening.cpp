@@ -33,7 +33,7 @@ struct Standing {
 
 Standing standing(const StructuralModel& model) {
   Standing result;
-  result.floors.assign(model.elevations.begin() + (model.has_slab ? 1 : 0), model.elevations.end());
+  result.floors.assign(model.elevations.begin() + model.first_storey(), model.elevations.end());
   result.height = std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
   result.mass = std::accumulate(model.floor_masses.begin(), model.floor_masses.end(), 0.0);
   return result;
@@ -89,9 +89,9 @@ const std::vector<ScreeningRule>& screening_rules() {
   static const std::vector<ScreeningRule> rules = {
       {"floors-meet", "floors apart in height", p154, memory, "length"},
       {"storeys-apart", "difference in storeys", p154, memory, ""},
-      {"end-of-row", "at the end of a row", p154, memory, ""},
+      {"end-of-row", "at the end of a row", p154, memory, "", true},
       {"gap-per-storey", "gap for the storeys", p154, memory, "length"},
-      {"pounding", "pounding to be scored", p154, memory, ""},
+      {"pounding", "pounding to be scored", p154, memory, "", true},
       {"gap-per-height", "gap over height", "ASCE 41-17, Tier 1, adjacent buildings", memory, "%"},
       {"mass-ratio", "mass ratio", "no code's", "ours", ""},
   };

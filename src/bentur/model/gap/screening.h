@@ -30,6 +30,7 @@ struct ScreeningRule {
   std::string_view source;   ///< publication, and where in it
   std::string_view wording;  ///< "by memory, check the text", or "ours"
   std::string_view unit;     ///< of value and limit: "length" stands for that of the case
+  bool yes_or_no = false;    ///< its value is 1 or 0
 };
 /// With H, n height and storeys of the shorter building above its own base, w the narrowest width of the gap:
 ///

@@ -62,6 +62,7 @@ SpectralPeaks spectral_peaks(const Building& building, const SpectralModes& mode
 
 SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum, const CodeSpec& code,
                            const Units& units) {
+  validate(spectrum.spectrum);
   SpectralGaps gaps;
   std::vector<Eigen::VectorXd> peaks, of_codes;
   if (!spectrum.reduction.empty()) require_size("reduction", spectrum.reduction.size(), problem.buildings.size());
@@ -85,6 +86,12 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
     gaps.watched.push_back(difference(floor.left, floor.left_row, floor.right_row));
   }
   return gaps;
+}
+
+std::optional<GoverningLevel> governing_level(const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
+  return governing_level(
+      problem, gap, 0, [&](Eigen::Index i) { return spectral.points.at(i).simulated; },
+      [&](Eigen::Index i) { return spectral.watched.at(i); });
 }
 
 std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/model/case.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
 
 namespace bentur {
@@ -42,9 +43,14 @@ struct SpectralGaps {
   std::vector<double> watched;  ///< spectral difference [length] per watched floor
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.
-/// @throws InvalidParameter where a period is beyond the last of a table, or a code rule lacks something.
+/// @throws InvalidParameter where the spectrum does not pass validate(), a period is beyond the last of a table, or a code rule
+/// lacks something.
 [[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
                                          const CodeSpec& code = {}, const Units& units = {});
+
+/// Where a gap falls short of the spectral difference the most; nothing where no floors face one another.
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const Problem& problem, const SpectralGaps& spectral,
+                                                            const Gap& gap);
 
 /// "S_DS 0.8 g, S_D1 0.55 g, T_L 12 s", in every language the same.
 [[nodiscard]] std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units);

@@ -75,11 +75,10 @@ Html screening_table(const Story& story, Eigen::Index gap) {
   std::vector<std::string> rules, values, limits, units, verdicts, sources;
   for (const ScreeningFinding& found : findings) {
     const ScreeningRule& rule = *found.rule;
-    const bool yes_or_no = rule.name == "end-of-row" || rule.name == "pounding";
-    const bool open = yes_or_no && found.verdict == Verdict::needs_seismicity;
+    const bool open = rule.yes_or_no && found.verdict == Verdict::needs_seismicity;
     if (found.verdict == Verdict::attention) table.mark(rules.size());
     rules.push_back(say("screening." + std::string(rule.name)));
-    values.push_back(open ? "–" : yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
+    values.push_back(open ? "–" : rule.yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
     limits.emplace_back(found.limit ? number(*found.limit) : "–");
     units.emplace_back(rule.unit == "length" ? story.c.units.length : std::string(rule.unit));
     verdicts.push_back(verdict(found.verdict));

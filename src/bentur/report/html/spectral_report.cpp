@@ -19,41 +19,22 @@ using html::HtmlTable;
 using html::Story;
 using html::Words;
 
-/// One level of a gap: a contact point, or a floor where no contact is modelled.
-struct SpectralLevel {
-  double elevation = 0, width = 0, needed = 0;  ///< [length]
-  [[nodiscard]] double short_by() const { return needed - width; }
-};
-
-std::vector<SpectralLevel> levels_at(const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
-  std::vector<SpectralLevel> levels;
-  for (const Eigen::Index i : gap.points) {
-    levels.push_back({problem.points[i].elevation, problem.points[i].width, spectral.points[i].simulated});
-  }
-  for (const Eigen::Index i : gap.watched) {
-    levels.push_back({problem.watched[i].elevation, problem.watched[i].width, spectral.watched[i]});
-  }
-  return levels;
-}
-
 html::PageSection spectral_verdict(const Story& story, const SpectralGaps& spectral) {
   Html blocks;
   const std::string& length = story.c.units.length;
   for (const Gap& gap : gaps_of(story.problem)) {
-    const std::vector<SpectralLevel> levels = levels_at(story.problem, spectral, gap);
-    if (levels.empty()) continue;
-    const SpectralLevel& worst = *std::max_element(
-        levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.short_by() < b.short_by(); });
-    const bool too_small = falls_short(worst.width, worst.needed, 0);
+    const auto worst = governing_level(story.problem, spectral, gap);
+    if (!worst) continue;
+    const bool too_small = worst->is_short();
     Html block = element(
         "p", gap_name(story.problem, gap.left) + ": " + story.say(too_small ? "gap.too_close" : "gap.wide_enough"),
         "class=\"badge\"");
     block += element("p",
                      story.say(too_small ? "spectral.short" : "spectral.enough",
-                               {{"needed", html::quantity(worst.needed, length)},
-                                {"elevation", html::quantity(worst.elevation, length)},
-                                {"width", html::quantity(worst.width, length)},
-                                {"difference", html::quantity(std::abs(worst.short_by()), length)}}),
+                               {{"needed", html::quantity(worst->needed, length)},
+                                {"elevation", html::quantity(worst->elevation, length)},
+                                {"width", html::quantity(worst->width, length)},
+                                {"difference", html::quantity(std::abs(worst->needed - worst->width), length)}}),
                      "class=\"lead\"");
     blocks += element("div", block, html::verdict_class(too_small));
   }

@@ -1,10 +1,12 @@
 // Walls, bearings, soil, gravity loads, modes and generic buildings in studies: what can vary.
 #include <gtest/gtest.h>
 
+#include <string>
 #include <utility>
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/plan/study_check.h"
+#include "tests/support/column_case.h"
 #include "tests/support/kinds_case.h"
 #include "tests/support/study_of.h"
 
@@ -41,6 +43,22 @@ TEST(KindsStudy, ValuesThatMakeNoCaseAreTold) {
   ASSERT_TRUE(read);
   CaseMemo memo;
   EXPECT_FALSE(check_study(*read, memo, diagnostics)) << "0.6 is no case";
+}
+
+TEST(KindsStudy, ColumnsMayBeStruckAtOtherElevations) {  // each run has its own nodes in the columns
+  std::string frames = test::struck_columns;
+  const std::string capacity = "column_capacity = { shear = [400.0, 300.0, 400.0, 500.0], moment = 350.0 }";
+  ASSERT_NE(frames.find(capacity), std::string::npos);
+  frames.replace(frames.find(capacity), capacity.size(), "column_capacity = { shear = 400.0, moment = 350.0 }");
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto read = read_study(test::study_of(frames.c_str(), folder.path(), "gap[0].elevations",
+                                              "[3.0, 6.0], [3.0, 4.4]]\nlabels = ['own', 'both'"),
+                               diagnostics);
+  ASSERT_TRUE(read);
+  CaseMemo memo;
+  EXPECT_TRUE(check_study(*read, memo, diagnostics));
+  for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
 }
 
 }  // namespace

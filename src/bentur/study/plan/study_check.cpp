@@ -43,10 +43,7 @@ class Trial {
       }
     }
     if (!found.ok()) return false;
-    if (const auto& spectrum = read.c.excitation.spectrum) {
-      diagnostics_.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion());
-      return false;
-    }
+    if (refuse_spectrum(read.c, diagnostics_)) return false;
     try {
       facts_.problem = read.problem();
     } catch (const InvalidParameter& error) {

@@ -164,7 +164,7 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
     const Building& building = problem.buildings[b];
     if (!building.has_gravity_loads) continue;
     const MatrixXd drifts = drift_rows(building.model);
-    for (Index f = building.model.has_slab ? 1 : 0; f < building.model.floors(); ++f) {
+    for (Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
       const auto at = static_cast<Index>(b);
       elements.push_back({drift(blocks[b], at, building.modes.shapes.transpose() * drifts.row(f).transpose())});
       limits.push_back({at, f});
