@@ -948,9 +948,9 @@ kind = "spectrum"
     def test_a_report_of_gaps_peaks_and_screening(self):
         case = self.FOLDER / "spectrum-table.toml"
         gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
-        for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated",
+        for language, words in (("en", ["Difference", "Screening", "0.00423 m too small", "nothing was simulated",
                                        "What codes amplify, of Six: divided by"]),
-                                ("id", ["Selisih", "Penapisan", "kurang 0.004232 m", "tidak ada yang disimulasikan"])):
+                                ("id", ["Selisih", "Penapisan", "kurang 0.00423 m", "tidak ada yang disimulasikan"])):
             output = self.folder / "r.html"
             self.done("report", case, "-o", output, "--lang", language)
             page = html.unescape(output.read_text()).replace("\u00a0", " ")

@@ -91,7 +91,8 @@ std::string trimmed(std::string text) {
 
 NoGnuplot::NoGnuplot()
     : std::runtime_error(
-          "gnuplot is not installed, so that figures cannot be drawn (Debian: apt install gnuplot-nox)") {}
+          "gnuplot is not installed, so that figures cannot be drawn (Debian: apt install gnuplot-nox "
+          "fonts-dejavu-core)") {}
 
 std::optional<std::string> gnuplot_version() {
   const std::optional<GnuplotRun> outcome = run_gnuplot({"--version"}, "/");

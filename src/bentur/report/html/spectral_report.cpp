@@ -31,10 +31,10 @@ html::PageSection spectral_verdict(const Story& story, const SpectralGaps& spect
         "class=\"badge\"");
     block += element("p",
                      story.say(too_small ? "spectral.short" : "spectral.enough",
-                               {{"needed", html::quantity(worst->needed, length)},
-                                {"elevation", html::quantity(worst->elevation, length)},
-                                {"width", html::quantity(worst->width, length)},
-                                {"difference", html::quantity(std::abs(worst->needed - worst->width), length)}}),
+                               {{"needed", html::prose(worst->needed, length)},
+                                {"elevation", html::prose(worst->elevation, length)},
+                                {"width", html::prose(worst->width, length)},
+                                {"difference", html::prose(std::abs(worst->needed - worst->width), length)}}),
                      "class=\"lead\"");
     blocks += element("div", block, html::verdict_class(too_small));
   }

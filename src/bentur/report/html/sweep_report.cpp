@@ -224,7 +224,9 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
                                                                                      : "") +
                                      html::rounded(found->width));
       const auto& interval = gap.estimate.bounds;
-      bounds[p].push_back(interval ? interval_text(interval->lower, interval->upper) : "–");
+      bounds[p].push_back(!interval                        ? "–"
+                          : std::isfinite(interval->lower) ? interval_text(interval->lower, interval->upper)
+                                                           : gaps[p].back());
     }
   }
   add_cases(table, report.results, cases, report.gap_axis, sweep, say);
