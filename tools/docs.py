@@ -24,7 +24,7 @@ html_theme_options = {{"light_css_variables": {{"color-brand-primary": "#1f5fa8"
                       "dark_css_variables": {{"color-brand-primary": "#7fb2e5", "color-brand-content": "#7fb2e5"}}}}
 html_static_path = ["_static"]
 html_css_files = ["bentur.css"]
-html_copy_source = html_show_sourcelink = False
+html_copy_source = html_show_sourcelink = html_show_copyright = False
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 5
 myst_links_external_new_tab = False
@@ -66,6 +66,7 @@ def setup(app):
 CSS = '''
 article table { display: block; overflow-x: auto; width: fit-content; max-width: 100%; }
 article table td, article table th { vertical-align: top; }
+@media (min-width: 700px) { article td:first-child code { white-space: nowrap; } }
 article img { background: white; }
 article pre { font-size: 0.8rem; }
 math[display="block"] { margin: 1rem 0; overflow-x: auto; }
@@ -138,6 +139,12 @@ docs/architecture
 docs/decisions
 CONTRIBUTING
 CHANGELOG
+```
+
+```{{toctree}}
+:caption: Beside the sources
+:maxdepth: 1
+
 {others}
 ```
 '''
