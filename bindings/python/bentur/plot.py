@@ -211,7 +211,8 @@ def fragility(found: dict[str, Any], *, ax: Axes | None = None) -> Axes:
             ax.plot(x, probability, LINES[n % 4], color=TONES[n % 4], label=label or None)
         counts = [c for c in curve["counts"] if c["runs"] > 0]
         at, parts = [c["intensity"] for c in counts], [c["events"] / c["runs"] for c in counts]
-        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 4])
+        alone = label if curve["median"] is None else None
+        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 4], label=alone or None)
     unit = re.sub(r"^gravity$|^[\d.]+ \w+ s-2$", "g", found["intensity"]["units"])  # a case's g may be its own
     ax.set(
         xlabel=f"{found['intensity']['name'].split(',')[0]} [{unit}]",
