@@ -24,14 +24,14 @@ html_theme_options = {{"light_css_variables": {{"color-brand-primary": "#1f5fa8"
                       "dark_css_variables": {{"color-brand-primary": "#7fb2e5", "color-brand-content": "#7fb2e5"}}}}
 html_static_path = ["_static"]
 html_css_files = ["bentur.css"]
-html_copy_source = html_show_sourcelink = False
+html_copy_source = html_show_sourcelink = html_show_copyright = False
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 5
 myst_links_external_new_tab = False
 suppress_warnings = ["misc.highlighting_failure", "myst.header"]  # listings that are cut; headings that skip a level
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
-autodoc_type_aliases = {{"Floats": "numpy.ndarray"}}
+autodoc_type_aliases = {{name: name for name in ("Numbers", "Table", "ArrayLike")}}
 exclude_patterns = ["_build"]
 toc_object_entries = False
 linkcheck_timeout = 20
@@ -39,6 +39,8 @@ linkcheck_timeout = 20
 
 # MathML needs no script and no network; every browser of today draws it.
 MATHML = '''
+import re
+
 import latex2mathml.converter
 
 
@@ -57,7 +59,13 @@ def block(self, node):
     raise __import__("docutils.nodes", fromlist=["SkipNode"]).SkipNode
 
 
+def by_name(app, what, name, obj, options, signature, returns):
+    """Types by the names of autodoc_type_aliases, which Sphinx wraps where they stand in a union."""
+    return tuple(re.sub(r"TypeAliasForwardRef\\('(\\w+)'\\)", r"\\1", one) if one else one for one in (signature, returns))
+
+
 def setup(app):
+    app.connect("autodoc-process-signature", by_name)
     app.add_html_math_renderer("mathml", (inline, None), (block, None))
     app.connect("config-inited", lambda app, config: setattr(config, "html_math_renderer", "mathml"))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
@@ -66,6 +74,7 @@ def setup(app):
 CSS = '''
 article table { display: block; overflow-x: auto; width: fit-content; max-width: 100%; }
 article table td, article table th { vertical-align: top; }
+@media (min-width: 700px) { article td:first-child code { white-space: nowrap; } }
 article img { background: white; }
 article pre { font-size: 0.8rem; }
 math[display="block"] { margin: 1rem 0; overflow-x: auto; }
@@ -98,6 +107,8 @@ Studies and fragilities <docs/studies>
 docs/report
 docs/figures
 docs/gallery
+docs/studio
+docs/examples/struck-columns
 docs/howto/etabs_sap2000
 docs/howto/add_contact_law
 docs/howto/add_element
@@ -138,6 +149,12 @@ docs/architecture
 docs/decisions
 CONTRIBUTING
 CHANGELOG
+```
+
+```{{toctree}}
+:caption: Beside the sources
+:maxdepth: 1
+
 {others}
 ```
 '''
@@ -170,6 +187,8 @@ def python_reference():
     page = ["# Python", "", "From the docstrings of the package. The guide is [bentur from Python](../docs/python.md).", ""]
     for heading, names in groups.items():
         page += [f"## {heading}", ""]
+        if heading == "Tables of a case":
+            page += ["Numbers: a number, or a list or array of them. Table: a dictionary under the file's names.", ""]
         for name in names:
             kind = "autoclass" if isinstance(getattr(bentur, name), type) else "autofunction"
             kind = "autoexception" if name.endswith("Error") else kind

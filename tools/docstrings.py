@@ -84,7 +84,7 @@ def of_header(root, header, name):
     told = []
     for block in blocks:
         if block[0].startswith("  "):
-            told += ["::", "", *("  " + line for line in block), ""]
+            told += ["::", "", *("  " + re.sub(r"(?<=\S) {4,}(?=\()", "   ", line) for line in block), ""]
         else:
             told += [*textwrap.wrap(" ".join(" ".join(block).split()), WIDTH - 4), ""]
     return told[:-1]

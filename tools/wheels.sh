@@ -55,7 +55,7 @@ END
     (cd "$scratch" && BENTUR_PROGRAM=$program "$scratch/venv/bin/python" "$root/tests/python/run.py" -q --no-header \
       -p no:cacheprovider "$root/tests/python") >"$out/$tag-tests.log" 2>&1 ||
       { tail -n 30 "$out/$tag-tests.log" >&2; say "$tag: tests failed"; exit 1; }
-    say "$tag: $(tail -n 1 "$out/$tag-tests.log")"
+    say "$tag: $(grep -E '^[0-9]+ passed' "$out/$tag-tests.log")"
   fi
   rm -rf "$scratch"
   built=$((built + 1))

@@ -4,7 +4,10 @@
            prints
   sh       those of one page one after the other, in a scratch folder with `bentur` on the path
   toml     is TOML; a whole case is read without an error, with the records of data/ beside it
-  none     each line that begins with `bentur ` is a command with options that it has; it runs where its files are there
+  none     each line that begins with `bentur ` is a command with options that it has; it runs where its files are there;
+           each with `./dev ` one that it knows; any other command is run by what ELSEWHERE says
+
+What stands in other blocks is run by other tests: ELSEWHERE says by which. A block or command of no kind is a failure.
 """
 
 import contextlib
@@ -21,9 +24,25 @@ import pytest
 import bentur
 
 ROOT = pathlib.Path(__file__).parents[2]
-DOCUMENTS = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+DOCUMENTS = sorted(ROOT / name for name in subprocess.run(
+    ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"], cwd=ROOT, capture_output=True, text=True,
+    check=True).stdout.split())
+FENCE = re.compile(r"^```([^`\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PRINTS = re.compile(r"\A\n+prints\n+```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+# What another test or command runs, by language or by the first words of a command.
+ELSEWHERE = {
+    "cpp": "tests/consumer builds it",
+    "cmake": "tests/consumer",
+    "console": "tests/worked",
+    "console records": "tests/worked",
+    "sh records": "./dev gallery, to draw its pictures",
+    "git clone REPOSITORY": "tools/fresh.sh clones",
+    "cmake --preset": "the tests' own build",
+    "sudo cmake --install": "tests/consumer installs",
+    "pip install .": "./dev wheels builds and installs",
+    "build/release/apps/bentur/bentur run": "examples are run under the name bentur",
+    ".venv-peers/bin/python": "./dev bench --peers, with OpenSees from PyPI",
+}
 # What cannot run, by words in it, and why.
 SKIPPED = {
     "my-case.toml": "a case that the reader has",
@@ -61,6 +80,25 @@ def bin_folder(program, tmp_path):
     folder.mkdir()
     (folder / "bentur").symlink_to(program)
     return folder
+
+
+def test_every_block_has_its_test():
+    """No block is of a language that nothing runs, and no command in one is of nobody."""
+    usage = subprocess.run(["bash", ROOT / "dev", "help"], capture_output=True, text=True, check=True).stdout
+    known = set(re.findall(r"^\./dev (\w+)", usage, re.MULTILINE)) | {"help"}
+    blocks = 0
+    for document in DOCUMENTS:
+        text = document.read_text()
+        assert len(re.findall(r"^ *```", text, re.MULTILINE)) == 2 * len(FENCE.findall(text)), f"{document}: fences"
+        for language, block in FENCE.findall(text):
+            blocks += 1
+            assert language in ("", "python", "sh", "toml") or language in ELSEWHERE, f"{document}: ```{language}"
+            for line in block.splitlines() if language == "" else ():
+                if command := re.match(r"\./dev\b *(\w*)", line):
+                    assert command[1] in known, f"{document}: {line}"
+                elif re.match(r"(\./|\.venv|build/|git |cmake |sudo |pip |npm |npx |node |python3? |apt)", line):
+                    assert line.startswith(tuple(ELSEWHERE)), f"{document}: {line}"
+    assert blocks > 80
 
 
 PYTHON = list(_blocks("python"))

@@ -57,6 +57,22 @@ def test_others():
     assert ax.get_ylabel().endswith("[m/s²]")
 
 
+def test_a_fragility_without_a_fit_shows_its_fractions():
+    counts = [{"intensity": level, "runs": 4, "events": events} for level, events in ((0.1, 0), (0.2, 4))]
+    curve = {"case": {"width": 0.02}, "median": None, "dispersion": None, "counts": counts}
+    intensity = {"name": "peak ground acceleration", "units": "980 cm s-2", "levels": [0.1, 0.2]}
+    ax = bentur.plot.fragility({"curves": [curve], "intensity": intensity, "event": "impacts > 0"})
+    assert [list(line.get_ydata()) for line in ax.get_lines()] == [[0, 1]]
+    assert ax.get_xlabel() == "peak ground acceleration [g]"
+
+
+def test_lines_of_a_study_say_what_they_are_of():
+    pytest.importorskip("xarray")
+    found = bentur.vary(CASE, {"gap[0].width": [0.02, 0.05], "building[0].damping": [0.02, 0.05]})
+    ax = bentur.plot.against(found, "peak_force", "width")
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["damping = 0.02", "damping = 0.05"]
+
+
 def test_types():
     """mypy, strict, over the package and the examples, where it is installed."""
     if importlib.util.find_spec("mypy") is None:

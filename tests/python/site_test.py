@@ -2,6 +2,8 @@
 
 import importlib.util
 import pathlib
+import re
+import subprocess
 
 ROOT = pathlib.Path(__file__).parents[2]
 spec = importlib.util.spec_from_file_location("docs", ROOT / "tools" / "docs.py")
@@ -25,6 +27,21 @@ def test_documents_keep_their_links(tmp_path):
     readme = (tmp_path / "source/README.md").read_text()
     assert "](docs/theory/)" not in readme and "[docs/theory/]" not in readme
     assert (tmp_path / "source/LICENSE").exists()
+
+
+def test_addresses_of_other_sites_have_their_form():
+    """Whether they answer is asked by `./dev docs --links`, where there is a way out."""
+    found = set()
+    for document in subprocess.run(["git", "ls-files", "*.md"], cwd=ROOT, capture_output=True, text=True).stdout.split():
+        text = re.sub(r"^```.*?^```", "", (ROOT / document).read_text(), flags=re.MULTILINE | re.DOTALL)
+        found |= set(re.findall(r"https?:[^)>\s`]*", text))
+    assert len(found) >= 3
+    for address in found:
+        assert re.fullmatch(r"https?://[a-z0-9-]+(\.[a-z0-9-]+)+(/[\w.~%()/-]*)?(#[\w-]+)?", address), address
+    numbers = re.findall(r"doi\s*=\s*[{\"](.*?)[}\"]", (ROOT / "docs/references.bib").read_text())
+    assert len(numbers) > 10 and len(set(numbers)) == len(numbers)
+    for number in numbers:
+        assert re.fullmatch(r"10\.\d{4,9}/[^\s{}]+", number), number
 
 
 def test_every_page_of_the_index_is_there():

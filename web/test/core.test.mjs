@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
-import { difference, studio } from "./core.mjs";
+import { difference, studio, tolerance } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
 const examples = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
@@ -22,11 +22,6 @@ function solved(text, name) {
 // Where the numbers agree to the bit. Elsewhere the last digits differ: the sines of musl are not those of glibc, and
 // native code adds the terms of long sums two by two.
 const exact = new Set(["free-impact.toml", "m12-el-centro.toml", "m12-runge-kutta.toml"]);
-// Where storeys yield, a difference in the last digit of when one does moves all that comes after it. Columns that are
-// struck have light nodes: round-off is that of the fastest mode, and the slow ones lose digits to it, 1.2e-12 of the free
-// displacements already, the more in small impacts.
-const tolerances = { "yielding-pair.toml": 1e-11, "struck-column.toml": 5e-11 };
-const tolerance = (name) => tolerances[name] ?? 1e-12;
 
 for (const name of examples) {
   test(`${name} gives the command line's numbers`, () => {

@@ -28,6 +28,6 @@ case $1 in
     ;;
   page)
     command -v chromium >/dev/null || { echo "skipped: chromium is not installed"; exit 77; }
-    BENTUR_PAGE=$root/build/web/bentur-studio.html node --test "$here/page.test.mjs"
+    BENTUR_PAGE=$root/build/web/bentur-studio.html node --test "$here/page.test.mjs" "$here/doors.test.mjs"
     ;;
 esac

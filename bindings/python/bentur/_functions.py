@@ -200,8 +200,8 @@ def response_spectrum(
 
     ::
 
-        ẍ + 2ζω ẋ + ω² x = −a_g(t),   ω = 2π/T,   x(0) = ẋ(0) = 0,                                             (1)
-        S_d = max |x|,   S_v = ω S_d,   S_a = ω² S_d,   A = max |ẍ + a_g| = max |2ζω ẋ + ω² x|.               (2)
+        ẍ + 2ζω ẋ + ω² x = −a_g(t),   ω = 2π/T,   x(0) = ẋ(0) = 0,   (1)
+        S_d = max |x|,   S_v = ω S_d,   S_a = ω² S_d,   A = max |ẍ + a_g| = max |2ζω ẋ + ω² x|.   (2)
 
     T [s] period, ζ [-] damping ratio, a_g [length/s²] linear between samples and zero after the last. The maxima are
     over all t ≥ 0, the free vibration after the record included.

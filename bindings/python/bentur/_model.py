@@ -330,7 +330,7 @@ class Contact:
 
     ::
 
-        F = k δ for δ > 0,   F = 0 for δ ≤ 0.                                                     (3-3)
+        F = k δ for δ > 0,   F = 0 for δ ≤ 0.   (3-3)
 
     k [force/length] contact stiffness, > 0. Stores and returns: e = 1, no energy is lost. A free impact of masses m₁,
     m₂ lasts π √(m_e/k), m_e = m₁ m₂/(m₁ + m₂), and peaks at F = v₀ √(k m_e). Branches: 0 apart | 1 pushing. Source:
@@ -342,7 +342,7 @@ class Contact:
 
     ::
 
-        F = k δ + c δ̇,   c = 2 ξ √(k m_e).                                                       (C-11)
+        F = k δ + c δ̇,   c = 2 ξ √(k m_e).   (C-11)
 
     k [force/length] stiffness, > 0. ξ [-] damping ratio, ≥ 0. m_e [mass] of the two floors, > 0. c [force·s/length].
     The force jumps to c v₀ when the bodies meet. Since the dashpot would pull in the end, a contact ends in one of
@@ -370,7 +370,7 @@ class Contact:
 
     ::
 
-        F = k δ + c δ̇ while δ̇ > 0,   F = k δ after,   c = 2 ξ √(k m_e).                          (C-7)
+        F = k δ + c δ̇ while δ̇ > 0,   F = k δ after,   c = 2 ξ √(k m_e).   (C-7)
 
     k [force/length] stiffness, > 0. ξ [-] damping ratio, ≥ 0. m_e [mass] of the two floors, > 0. e of a free impact
     follows from ξ alone: (C-9) with n = 1. Calibrations, given e: exact (C-9), published (C-17). The force jumps to c
@@ -383,7 +383,7 @@ class Contact:
 
     ::
 
-        F = k δ (1 + α δ̇), cut at 0.                                                             (3.19)
+        F = k δ (1 + α δ̇), cut at 0.   (3.19)
 
     k [force/length] stiffness, > 0. α [s/length] ≥ 0. The force has no jump at either end of an impact. e of a free
     impact depends on its closing speed: (C-6) with d = α v₀. Branches: 0 apart | 1 pushing | 2 cut: parting faster
@@ -396,7 +396,7 @@ class Contact:
 
     ::
 
-        F = β δ^1.5 for δ > 0,   F = 0 for δ ≤ 0.                                                 (C-3)
+        F = β δ^1.5 for δ > 0,   F = 0 for δ ≤ 0.   (C-3)
 
     β [force/length^1.5] stiffness, > 0. Stores and returns: e = 1, no energy is lost. A free impact reaches δ_max =
     (5 m_e v₀²/(4 β))^(2/5) and lasts 2.94328 δ_max/v₀ (C-4). Branches: 0 apart | 1 pushing, nonlinear. Source:
@@ -408,7 +408,7 @@ class Contact:
 
     ::
 
-        F = β δ^1.5 (1 + d δ̇/v₀), cut at 0.                                                      (C-5)
+        F = β δ^1.5 (1 + d δ̇/v₀), cut at 0.   (C-5)
 
     β [force/length^1.5] stiffness, > 0. d [-] damping factor, ≥ 0. v₀ [length/s] closing speed at the start of this
     contact, or the least that a solver tells of (needs_closing_speed()); where it gives no scale (v₀ ≤ 0, or d/v₀
@@ -425,7 +425,7 @@ class Contact:
 
     ::
 
-        F = β δ^1.5 + c̄ δ̇ while δ̇ > 0,   F = β δ^1.5 after,   c̄ = 2 ξ √(β √δ m_e).               (C-8)
+        F = β δ^1.5 + c̄ δ̇ while δ̇ > 0,   F = β δ^1.5 after,   c̄ = 2 ξ √(β √δ m_e).   (C-8)
 
     β [force/length^1.5] stiffness, > 0. ξ [-] damping ratio, ≥ 0. m_e [mass] of the two floors, > 0. e of a free
     impact follows from ξ alone: (C-9) with n = 3/2. Calibrations, given e: exact (C-9), published (C-18). The force
@@ -439,7 +439,7 @@ class Contact:
 
     ::
 
-        F = k₂ δ + f,   ḟ = (k₁ − k₂) δ̇ inside, 0 at, the limits of   0 ≤ f ≤ (k₁ − k₂) δ_y.        (C-22)
+        F = k₂ δ + f,   ḟ = (k₁ − k₂) δ̇ inside, 0 at, the limits of   0 ≤ f ≤ (k₁ − k₂) δ_y.   (C-22)
 
     k₁ [force/length] stiffness, > 0. k₂ [force/length] second stiffness, 0 < k₂ ≤ k₁. δ_y [length] yield penetration,
     > 0. A free impact that gets to δ_max > δ_y loses (k₁ − k₂) δ_y (δ_max − δ_y) (C-23). f is forgotten when contact
@@ -454,7 +454,7 @@ class Contact:
 
     ::
 
-        δ̇⁺ = −e δ̇⁻, momentum kept.                                                              (C-24)
+        δ̇⁺ = −e δ̇⁻, momentum kept.   (C-24)
 
     e [-] coefficient of restitution, 0 < e ≤ 1. The law has no force of its own. A solver changes the velocities when
     a contact closes; the force of a contact that stays closed is what keeps its opening at zero. Branches: 0 apart |

@@ -155,7 +155,8 @@ def modes(case: Case, building: str | int = 0, count: int = 3, *, ax: Axes | Non
         shape = shape / np.abs(shape).max()
         label = f"{n + 1}: {found['periods'][n]:.3g} s"
         ax.plot([0, *shape], [elevations[0] * 0, *elevations], LINES[n % 4], marker="o", ms=3, color=TONES[n % 4], label=label)
-    ax.set(xlabel="sway, largest 1", ylabel=f"elevation $z$ [{case.length}]", title=name)
+    ax.set(xlabel="sway, largest 1", ylabel=f"elevation $z$ [{case.length}]")
+    ax.set_title(name, fontsize=8)
     _legend(ax)
     return ax
 
@@ -181,7 +182,9 @@ def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | No
     others = [d for d in values.dims if d != along]
     lines = values.stack(other=others).transpose("other", along) if others else values.expand_dims("other")
     for n in range(lines.sizes["other"]):
-        label = ", ".join(str(x) for x in np.atleast_1d(lines["other"].values[n])) if others else None
+        at = lines["other"].values[n]
+        chosen = zip(others, at if isinstance(at, tuple) else (at,), strict=True) if others else ()
+        label = ", ".join(f"{of} = {x}".replace("_", " ") for of, x in chosen) or None
         ax.plot(results[along], lines[n], LINES[n % 4], color=TONES[n % 4], label=label)
     unit, of = values.attrs.get("units", ""), results[along].attrs.get("units", "")
     ax.set(
@@ -194,22 +197,25 @@ def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | No
 
 def fragility(found: dict[str, Any], *, ax: Axes | None = None) -> Axes:
     """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to."""
+    import re
     from math import erf, sqrt
 
     ax = _axes(ax)
-    shown = [curve for curve in found["curves"] if curve["median"] is not None]
     most = max(found["intensity"]["levels"])
     x = np.linspace(most / 400, most, 400)
-    for n, curve in enumerate(shown):
-        z = np.log(x / curve["median"]) / curve["dispersion"]
-        probability = [0.5 * (1 + erf(one / sqrt(2))) for one in z]
+    for n, curve in enumerate(found["curves"]):
         label = ", ".join(f"{k} = {v:g}" if isinstance(v, float) else f"{k} = {v}" for k, v in curve["case"].items())
-        ax.plot(x, probability, LINES[n % 4], color=TONES[n % 4], label=label or None)
+        if curve["median"] is not None:  # else no curve fits, and the fractions stand alone
+            z = np.log(x / curve["median"]) / curve["dispersion"]
+            probability = [0.5 * (1 + erf(one / sqrt(2))) for one in z]
+            ax.plot(x, probability, LINES[n % 4], color=TONES[n % 4], label=label or None)
         counts = [c for c in curve["counts"] if c["runs"] > 0]
         at, parts = [c["intensity"] for c in counts], [c["events"] / c["runs"] for c in counts]
-        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 4])
+        alone = label if curve["median"] is None else None
+        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 4], label=alone or None)
+    unit = re.sub(r"^gravity$|^[\d.]+ \w+ s-2$", "g", found["intensity"]["units"])  # a case's g may be its own
     ax.set(
-        xlabel=f"{found['intensity']['name'].split(',')[0]} [{found['intensity']['units'].replace('gravity', 'g')}]",
+        xlabel=f"{found['intensity']['name'].split(',')[0]} [{unit}]",
         ylabel=f"P({found['event']})",
         ylim=(-0.02, 1.02),
     )
