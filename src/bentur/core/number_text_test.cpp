@@ -68,7 +68,7 @@ TEST(NumberText, IsReadAsTheStandardLibraryReadsIt) {
 
 TEST(NumberText, IsTheNearestDouble) {
   std::mt19937 random(5);
-  const auto among = [&](unsigned count) { return random() % count; };
+  const auto among = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
   for (int k = 0; k < 20000; ++k) {
     std::string text = among(2) == 0 ? "-" : "";
     const unsigned whole = among(12), fraction = among(12);
