@@ -2,7 +2,8 @@
 // BENTUR_SOURCE the repository.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync, statSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { after, before, test } from "node:test";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -390,6 +391,7 @@ test("hostile texts give a message and the page goes on", async () => {
 });
 
 test("hostile records give a message and the page goes on", async () => {
+  const folder = mkdtempSync(`${tmpdir()}/bentur-`);
   await on(async (page) => {
     await solved(page);
     const good = await page.inputValue(editor);
@@ -398,17 +400,18 @@ test("hostile records give a message and the page goes on", async () => {
       "words.txt": "<script>window.pwned = 1</script> ".repeat(1000),
       "bytes.AT2": Buffer.from(Array.from({ length: 50000 }, (_, i) => (i * 7919) % 256)),
       "promises.AT2": "PEER\nX\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 99999999999, DT= 1e-300 SEC\n1 2 3\n",
-      "long.csv": "1e308\n".repeat(2e6),
+      "long.csv": "1e308\n".repeat(2e5),
       "ten million lines.csv": "0.1\n".repeat(1e7),
     })) {
-      await page.setInputFiles("#take input[type=file]", { name: what, mimeType: "text/plain", buffer: Buffer.from(content) });
+      writeFileSync(`${folder}/${what}`, content);
+      await page.setInputFiles("#take input[type=file]", `${folder}/${what}`);
       await page.waitForTimeout(400);
       await solved(page, "errors");
       assert.ok((await page.textContent(".errors")).trim().length > 10, what);
       await write(page, good);
     }
     assert.equal(await page.evaluate(() => window.pwned), undefined);
-  });
+  }).finally(() => rmSync(folder, { recursive: true }));
 });
 
 test("work that takes long can be cancelled", async () => {

@@ -15,7 +15,8 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
-#include "bentur/io/case/case_toml.h"
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/parameter_units.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -227,26 +228,39 @@ Json gap_overview(const html::Story& story, const RunResults& run, Eigen::Index 
 
 }  // namespace
 
+Studio::Studio() : memo_(std::make_unique<CaseMemo>()) {}
+Studio::~Studio() = default;
+
 void Studio::put_file(const std::string& path, const std::string& bytes) {
   std::error_code ignored;  // a case that names it is told that it is not there
   const fs::path file = (folder / "cases" / path).lexically_normal();
   fs::create_directories(file.parent_path(), ignored);
   std::ofstream(file, std::ios::binary) << bytes;
+  memo_ = std::make_unique<CaseMemo>();  // what was read from another file of this name is forgotten
+  identities_.clear();
 }
 
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
     case_.reset(), problem_.reset(), run_.reset(), free_.reset();
     if (text.size() > most_text) return failure(text_too_long);
-    Diagnostics unread;  // what is wrong with the text is for the case's reader to say
-    if (const std::optional<TomlValue> root = parse_toml(text, file, unread)) {
-      if (std::optional<Json> answer = too_large(*root)) return *answer;
-    }
+    const fs::path path = folder / "cases" / file;
     Diagnostics diagnostics;
-    std::optional<Case> c = read_case_text(text, folder / "cases" / file, diagnostics);
-    if (!c) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
-    Problem problem = make_problem(*c);
-    case_ = std::move(c);
+    const std::optional<TomlValue> root = parse_toml(text, path.string(), diagnostics);
+    if (!root) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
+    if (std::optional<Json> answer = too_large(*root)) return *answer;
+    ReadCase read =
+        read_case_parts(TomlView(*root, "", path.string(), diagnostics), path.parent_path(), diagnostics, memo_.get());
+    if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
+    Problem problem = read.problem();
+    read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};
+    if (auto& record = read.c.excitation.record) {
+      const auto known = identities_.try_emplace(record->path);
+      if (known.second) known.first->second = identify(record->path);
+      record->size = known.first->second.size;
+      record->sha256 = known.first->second.sha256;
+    }
+    case_ = std::move(read.c);
     problem_ = std::move(problem);
     return {{"ok", true}, {"errors", Json::array()}};
   });

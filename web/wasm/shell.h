@@ -2,11 +2,17 @@
 
 #include <emscripten/val.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "bentur/io/file_identity.h"
 #include "bentur/model/run_results.h"
+
+namespace bentur {
+class CaseMemo;
+}
 
 namespace bentur::web {
 
@@ -15,6 +21,9 @@ namespace bentur::web {
 /// where that is false "errors": [{file, line, column, key, message}], line and column 0 for the whole file.
 class Studio {
  public:
+  Studio();
+  ~Studio();
+
   /// A file that cases may name, at a path relative to the case.
   void put_file(const std::string& path, const std::string& bytes);
 
@@ -52,6 +61,8 @@ class Studio {
   [[nodiscard]] std::string at_width(int gap, double width);
 
  private:
+  std::unique_ptr<CaseMemo> memo_;  // buildings and records of the cases that were open: a gap that moves leaves them
+  std::map<std::string, FileIdentity> identities_;  // of records, which are large
   std::optional<Case> case_;
   std::optional<Problem> problem_;
   std::optional<RunResults> run_;

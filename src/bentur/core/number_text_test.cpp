@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
+#include <random>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -61,6 +63,23 @@ TEST(NumberText, IsReadAsTheStandardLibraryReadsIt) {
     EXPECT_EQ(failure, std::errc::invalid_argument) << text;
     EXPECT_EQ(end, text.data()) << text;
     EXPECT_EQ(value, 7) << text;
+  }
+}
+
+TEST(NumberText, IsTheNearestDouble) {
+  std::mt19937 random(5);
+  const auto among = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
+  for (int k = 0; k < 20000; ++k) {
+    std::string text = among(2) == 0 ? "-" : "";
+    const unsigned whole = among(12), fraction = among(12);
+    for (unsigned i = 0; i <= whole; ++i) text += static_cast<char>('0' + among(10));
+    if (fraction > 0) text += '.';
+    for (unsigned i = 0; i < fraction; ++i) text += static_cast<char>('0' + among(10));
+    if (among(2) == 0) text += (among(2) == 0 ? "e-" : "E") + std::to_string(among(40));
+    double value = 0;
+    const auto [end, failure] = from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_EQ(end, text.data() + text.size()) << text;
+    EXPECT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
   }
 }
 

@@ -39,7 +39,7 @@ export function Chart({ title, x, xLabel, yLabel, curves, group, mark, onPick, h
       cursor: { drag: { x: true, y: false }, points: { size: 5 }, ...(group ? { sync: { key: group, setSeries: false } } : {}) },
       legend: { live: true },
       series: [{ label: xLabel }, ...curves.map((one) => ({ label: one.label, stroke: one.colour, width: 1.25, scale: one.axis === "right" ? "right" : "y", points: { show: false }, ...(one.dash ? { dash: one.dash } : {}) }))],
-      axes: [{ ...axis, label: xLabel, labelSize: 18, size: 30 }, { ...axis, label: yLabel, labelSize: 18, size: 66, values: (_: uPlot, all: number[]) => all.map((value) => number(value)) },
+      axes: [{ ...axis, label: xLabel, labelSize: 18, size: 30 }, { ...axis, label: yLabel, labelSize: 18, size: 66, space: 22, values: (_: uPlot, all: number[]) => all.map((value) => number(value)) },
         ...(right ? [{ ...axis, label: right, labelSize: 18, size: 50, side: 1 as const, scale: "right", grid: { show: false } }] : [])],
       hooks: {
         init: [(u) => {

@@ -74,7 +74,7 @@ function NumberField({ at, label, unit, names }: { at: Leaf; label: string; unit
   );
 }
 
-const MOST = 48; // fields of one group
+const MOST = 96; // fields of one group
 
 function label(path: Path): string {
   return path.filter((key) => !["frame", "stick", "generic", "modal", "matrices"].includes(String(key)))

@@ -44,8 +44,8 @@ function historyParts(now: Result, point: number) {
   const parts = [{ title: say("history.displacement"), x: histories.time, yLabel: length, curves: roofs }];
   if (histories.opening.length > 0) {
     const at = with_(overview.points[point].elevation, length);
-    parts.push({ title: `${say("history.opening")}, ${at}`, x: histories.time, yLabel: length, curves: [{ label: say("history.opening"), colour: buildingColour(2), values: histories.opening[point] }] });
-    parts.push({ title: `${say("history.force")}, ${at}`, x: histories.time, yLabel: overview.units.force, curves: [{ label: say("history.force"), colour: buildingColour(3), values: histories.force[point] }] });
+    parts.push({ title: `${say("history.opening")}, ${at}`, x: histories.time, yLabel: length, curves: [{ label: say("history.opening"), colour: buildingColour(4), values: histories.opening[point] }] });
+    parts.push({ title: `${say("history.force")}, ${at}`, x: histories.time, yLabel: overview.units.force, curves: [{ label: say("history.force"), colour: buildingColour(5), values: histories.force[point] }] });
   }
   return parts;
 }
@@ -150,8 +150,8 @@ export function GapCurve({ now }: { now: Result }) {
       <h2>{say("curve")}: {gaps[gap.value]?.name}</h2>
       <Chart title={curveDone.value < 1 ? say("curve.progress", { percent: Math.round(100 * curveDone.value) }) : `${say("curve.force")}, ${say("curve.amplification").toLowerCase()}`}
         x={points.map((one) => one.width)} xLabel={`${say("width")} [${units.length}]`} yLabel={units.force} right={say("curve.amplification")} height={200} mark={width} theme={`${theme.value}${language.value}`}
-        curves={[{ label: say("curve.force"), colour: buildingColour(3), values: points.map((one) => one.force) },
-          { label: say("curve.amplification"), colour: buildingColour(1), values: points.map((one) => one.amplification), axis: "right", dash: [5, 3] }]} />
+        curves={[{ label: say("curve.force"), colour: buildingColour(5), values: points.map((one) => one.force) },
+          { label: say("curve.amplification"), colour: buildingColour(4), values: points.map((one) => one.amplification), axis: "right", dash: [5, 3] }]} />
       <p class="note">{say("curve.note")}</p>
     </section>
   );
