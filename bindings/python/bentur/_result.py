@@ -38,6 +38,7 @@ class Result:
         self._summary: dict[str, Any] | None = None
         self._histories: dict[str, Any] | None = None
         self._exact: dict[str, Any] | None = None
+        self._shown: _core.Run | None = None
 
     @property
     def summary(self) -> dict[str, Any]:
@@ -203,19 +204,19 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        return self._with_motion()._run.report_html(language)
+        run = self._run if self._run.histories() else self._at_report_step()
+        return run.report_html(language)
 
-    def _with_motion(self) -> Result:
-        if self._run.histories():
-            return self
-        run = _core.solve(self.case._made, _core.report_output_step(self.case._made), self._laws, None)
-        return Result(run, self.case, self._laws)
+    def _at_report_step(self) -> _core.Run:
+        """The run with histories close enough for the motion of its page; solved once."""
+        if self._shown is None:
+            step = _core.report_output_step(self.case._made)
+            self._shown = _core.solve(self.case._made, step, self._laws, None)
+        return self._shown
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""
-        step = _core.report_output_step(self.case._made)
-        run = _core.solve(self.case._made, step, self._laws, None)
-        page = run.report_html("en").replace("</head>", _FIRST_SCREEN + "</head>", 1)
+        page = self._at_report_step().report_html("en").replace("</head>", _FIRST_SCREEN + "</head>", 1)
         page = page.replace("&", "&amp;").replace('"', "&quot;")
         # A frame of its own: neither the notebook's style nor its scripts reach the page, nor the other way round.
         return (
@@ -267,7 +268,7 @@ def _dataset(result: Result, xarray: Any) -> Any:
     case = result.case
     places = run.places()
     histories = result.histories
-    length, force = case.length, _udunit(case.force)
+    length, force = case.length, _core.udunit(case.force)
     variables: dict[str, Any] = {}
     put = _putter(variables)
 
@@ -331,7 +332,7 @@ def _dataset(result: Result, xarray: Any) -> Any:
 
 def _exact_dataset(result: Result, xarray: Any) -> Any:
     course = result.exact
-    length, force = result.case.length, _udunit(result.case.force)
+    length, force = result.case.length, _core.udunit(result.case.force)
     variables: dict[str, Any] = {}
     put = _putter(variables)
     put("time", ("time",), course["time"], "s", "instants between which straight lines follow the solution")
@@ -394,7 +395,3 @@ def _inputs(result: Result) -> dict[str, str]:
     told = {"case": result.summary.get("case"), "record": result.summary["excitation"]}
     keys = {"case": ("file", "sha256"), "record": ("file", "size", "sha256")}
     return {f"{of}_{key}": str(one[key]) for of, one in told.items() if one and one.get("sha256") for key in keys[of]}
-
-
-def _udunit(unit: str) -> str:
-    return "1000 kgf" if unit == "tf" else unit

@@ -68,7 +68,6 @@ void bind_records(py::module_& module) {
   module.def("acceleration_factor", [](const std::string& unit, const std::string& length) {
     return acceleration_factor(unit, {.length = length, .force = "N", .gravity = standard_gravity(length)});
   });
-  module.def("standard_gravity", &standard_gravity);
 }
 
 }  // namespace bentur::python

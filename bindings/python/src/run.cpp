@@ -56,14 +56,10 @@ py::array_t<double> view_of(const Eigen::MatrixXd& values, const py::object& own
   return array;
 }
 
-py::array_t<double> view_of(const Eigen::VectorXd& values, const py::object& owner) {
-  py::array_t<double> array({values.size()}, {sizeof(double)}, values.data(), owner);
-  array.attr("setflags")(false);
-  return array;
-}
-
-py::array_t<double> view_of(const std::vector<double>& values, const py::object& owner) {
-  py::array_t<double> array({values.size()}, {sizeof(double)}, values.data(), owner);
+/// VectorXd or std::vector<double>.
+template <typename Vector>
+py::array_t<double> view_of(const Vector& values, const py::object& owner) {
+  py::array_t<double> array({std::ssize(values)}, {sizeof(double)}, values.data(), owner);
   array.attr("setflags")(false);
   return array;
 }

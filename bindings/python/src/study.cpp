@@ -315,8 +315,9 @@ void bind_study(py::module_& module) {
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("asked"));
   module.def("parse_event", &event_of, py::arg("text"));
+  module.def("udunit", &udunit, py::arg("unit"));
   module.def("is_study", &is_study, py::arg("file"));
-  module.def("index_title", [] { return std::string("what moves together, by its labels or numbered from 0"); });
+  module.def("index_title", [] { return index_title; });
 }
 
 }  // namespace bentur::python

@@ -21,9 +21,6 @@ struct NetcdfVariable {
   bool text = false;
 };
 
-/// long_name of a coordinate that does no more than name or number the places of its dimension.
-inline constexpr std::string_view index_title = "what moves together, by its labels or numbered from 0";
-
 /// What the history of every file of ours begins with, before the version of the program.
 inline constexpr std::string_view netcdf_history = "written by bentur";
 

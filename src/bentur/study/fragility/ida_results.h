@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bentur/study/fragility/ida_fragility.h"
@@ -25,6 +26,9 @@ struct EventRule {
 
 /// @return nothing where it is not well formed; `error` then says why.
 [[nodiscard]] std::optional<EventRule> parse_event(const std::string& text, std::string& error);
+
+/// long_name of a coordinate that does no more than name or number the places of its dimension.
+inline constexpr std::string_view index_title = "what moves together, by its labels or numbered from 0";
 
 /// Values along a dimension of the results: numbers, or texts.
 struct ResultCoordinate {
