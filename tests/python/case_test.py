@@ -7,6 +7,7 @@ import signal
 import threading
 import time
 
+import doors
 import numpy as np
 import pytest
 
@@ -31,9 +32,8 @@ def pair(**more):
 
 def same(a, b):
     def numbers(result):
-        summary = {k: v for k, v in result.summary.items() if k != "case"}
-        summary["solver"] = {k: v for k, v in summary["solver"].items() if k != "wall_time"}
-        summary["excitation"] = {k: v for k, v in summary["excitation"].items() if k not in ("file", "sha256", "size")}
+        summary = doors.numbers(result.summary)
+        summary["excitation"] = {k: v for k, v in summary["excitation"].items() if k not in ("sha256", "size")}
         return summary
 
     return numbers(a) == numbers(b)
@@ -75,6 +75,26 @@ def test_errors_of_a_case_made_in_python_have_its_keys():
     assert isinstance(pickle.loads(pickle.dumps(caught.value)).errors[0], bentur.Finding)
 
 
+def test_a_message_without_a_key_has_none(tmp_path):
+    case = bentur.example("kelvin-voigt-pair")
+    text = case.text
+    keys = {}
+    for wrong in (text + "\nthis is not TOML", text.replace("[[gap]]", "[[gpa]]"), 'title = "nothing"'):
+        with pytest.raises(bentur.CaseError) as caught:
+            bentur.Case.from_text(wrong, folder=case.folder)
+        keys |= {one.message.split(",")[0]: one.key for one in caught.value.errors}
+    (tmp_path / "empty.txt").write_text("no number\n")
+    with pytest.raises(bentur.CaseError) as caught:
+        bentur.read_record(tmp_path / "empty.txt", time_step=0.01)
+    keys |= {one.message: one.key for one in caught.value.errors}
+    with pytest.raises(bentur.CaseError, match="over the limit") as caught:
+        bentur.run(pair(analysis={"duration": 10.0, "limits": {"memory": 1e-6}}))
+    keys |= {one.message: one.key for one in caught.value.errors}
+    told = {key for key in keys.values() if key}
+    assert told == {"gpa", "gap", "building", "excitation"}, keys
+    assert sorted(message.split()[0] for message, key in keys.items() if not key) == ["a", "holds", "not"], keys
+
+
 def test_a_value_of_another_type_is_told_by_its_key():
     with pytest.raises(TypeError, match=r"gap\[0\]\.width is a object"):
         pair(gap=[{"between": ["soft", "stiff"], "width": object()}])
@@ -89,6 +109,10 @@ def test_replace():
         case.replace({"gap[0].width": -1})
     with pytest.raises(bentur.CaseError, match="gap"):
         case.replace({"gap[3].width": 1})
+    with pytest.raises(bentur.CaseError, match="gap"):
+        case.replace({"gap[x].contact": {"law": "linear", "stiffness": 1e8}})
+    with pytest.raises(ValueError, match=r"only gap\[N\]\.contact can"):
+        case.replace({"gap[x].contact": bentur.ForceLaw(force=hertz)})
 
 
 def test_a_record_given_as_an_array_is_the_record_of_the_file():
@@ -102,7 +126,24 @@ def test_a_record_given_as_an_array_is_the_record_of_the_file():
     assert a.summary["gaps"] == b.summary["gaps"]
     assert same(b, bentur.run(pickle.loads(pickle.dumps(again))))
     times, values = again.acceleration
+    still = again.replace({"excitation": {"kind": "harmonic", "period": 0.5, "displacement_amplitude": 0.02}})
+    assert same(bentur.run(still), bentur.run(pickle.loads(pickle.dumps(still))))
     assert len(times) == len(values) == 1560 and np.abs(values).max() == pytest.approx(341.7, rel=1e-15)
+
+
+def test_a_record_given_as_an_array_leaves_the_folder_to_other_files(tmp_path):
+    pytest.importorskip("xarray")
+    (tmp_path / "shapes.csv").write_text("mode 1\n1.0\n")
+    modal = {"elevations": [3.0], "masses": [1e5], "periods": [0.5], "shapes_file": "shapes.csv"}
+    tables = pair().to_dict()
+    tables["building"][0] = {"name": "soft", "damping": 0.05, "modal": modal}
+    tables["excitation"] = {"kind": "record", "unit": "m/s2", "time_step": 0.01, "values": np.sin(np.arange(500) / 8)}
+    case = bentur.Case.from_dict(tables, folder=tmp_path)
+    assert case.folder == tmp_path
+    result = bentur.run(case)
+    assert same(result, bentur.run(pickle.loads(pickle.dumps(case))))
+    varied = bentur.vary(case, {"gap[0].width": [0.0, 0.02]})
+    assert float(varied.peak_force.sel(width=0.02).squeeze()) == result.summary["gaps"][0]["points"][0]["peak_force"]
 
 
 def test_arrays_are_views_that_cannot_be_written_and_outlive_the_result():
@@ -141,12 +182,16 @@ def test_save(tmp_path):
     assert not list(tmp_path.glob("**/*.new"))
 
 
-def test_report_and_notebook():
+def test_report_and_notebook(monkeypatch):
     result = bentur.run(pair())
     page = result.report("id")
     assert page.startswith("<!DOCTYPE html>") or page.startswith("<!doctype html>")
     shown = result._repr_html_()
     assert shown.startswith("<iframe srcdoc=") and shown.count('"') == 8
+    bare = bentur.run(pair(), histories=False)
+    motion = bare.report("id")
+    monkeypatch.delattr(bentur._core, "solve")  # what has been shown is not solved again
+    assert result._repr_html_() == shown and bare.report("id") == motion and "<iframe" in bare._repr_html_()
 
 
 def test_limits_refuse_before_any_work():

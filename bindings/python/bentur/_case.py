@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Mapping, Sequence
 from os import PathLike
@@ -15,6 +16,7 @@ from . import _core, _model
 
 # What stands in the case where a law of Python's own takes its place.
 _STAND_IN = {"law": "linear", "stiffness": 1.0}
+_CONTACT = re.compile(r"gap\[(\d+)\]\.contact", re.ASCII)
 
 
 class Case:
@@ -116,8 +118,7 @@ class Case:
             tables["gap"] = gaps
         files: list[tempfile.TemporaryDirectory[str]] = []
         _write_values(tables, files)
-        where = files[0].name if files else folder
-        return cls._of(_core.Case.from_values(tables, "", where), laws, files)
+        return cls._of(_core.Case.from_values(tables, "", folder), laws, files)
 
     def replace(self, values: Mapping[str, Any]) -> Case:
         """The same case with other values, by their keys: ``case.replace({"gap[0].width": 0.03})``.
@@ -130,16 +131,16 @@ class Case:
         laws = list(self._laws)
         plain: dict[str, Any] = {}
         for key, value in values.items():
+            of_gap = _CONTACT.fullmatch(key)
+            if of_gap:
+                laws = [one for one in laws if one[0] != int(of_gap[1])]
             if isinstance(value, _model.ForceLaw | _model.BranchLaw):
-                if not (key.startswith("gap[") and key.endswith("].contact")):
+                if not of_gap:
                     raise ValueError(f"{key} cannot be a law of Python's own: only gap[N].contact can")
-                number = int(key[4 : key.index("]")])
-                laws = [one for one in laws if one[0] != number] + [(number, value._made())]
+                laws.append((int(of_gap[1]), value._made()))
                 plain[key] = dict(_STAND_IN)
             else:
                 plain[key] = _model.table_of(value)
-                if key.startswith("gap[") and key.endswith("].contact"):
-                    laws = [one for one in laws if one[0] != int(key[4 : key.index("]")])]
         return Case._of(self._made.with_values(plain), laws, self._files)
 
     def to_dict(self) -> dict[str, Any]:
@@ -219,9 +220,9 @@ def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
 def _with_record(case: Case) -> dict[str, Any]:
     """The tables, with a record that was given as an array put back."""
     tables = case.to_dict()
-    if case._files:
-        excitation = tables["excitation"]
-        excitation["values"] = np.loadtxt(Path(case._files[0].name) / excitation.pop("file"))
+    excitation = tables["excitation"]
+    if case._files and Path(excitation.get("file", "")).parent == Path(case._files[0].name).resolve():
+        excitation["values"] = np.loadtxt(excitation.pop("file"))
         del excitation["format"]
     return tables
 
@@ -235,8 +236,9 @@ def _write_values(tables: dict[str, Any], files: list[tempfile.TemporaryDirector
     folder = tempfile.TemporaryDirectory(prefix="bentur-")
     files.append(folder)
     text = "\n".join(map(repr, values.tolist())) + "\n"
-    (Path(folder.name) / "values.txt").write_text(text, encoding="ascii")
-    excitation["file"] = "values.txt"
+    file = Path(folder.name).resolve() / "values.txt"
+    file.write_text(text, encoding="ascii")
+    excitation["file"] = str(file)
     excitation.setdefault("format", "one-column")
 
 

@@ -7,6 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 _KEY = re.compile(r'^[A-Za-z_][\w-]*(?:\.[\w-]+|\["(?:[^"\\]|\\.)*"\]|\[\d+\])*')
+# A word without "." and "[" is a key where it is one of a case's, or where this stands behind it; else a sentence begins.
+_TABLES = {"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code", "screening"}
+_AFTER_KEY = (" = ", " is missing", " is not a known key")
 
 
 @dataclass(frozen=True)
@@ -14,7 +17,8 @@ class Finding:
     """One error of a case, study or record.
 
     `line` and `column` count from 1; they are 0 where the value stands in no file, as that of a case
-    made in Python. `key` is the way to it, as in ``building["A"].stick.masses``.
+    made in Python. `key` is the way to it, as in ``building["A"].stick.masses``; it is empty where
+    the message is of no key.
     """
 
     file: str
@@ -25,7 +29,11 @@ class Finding:
     @property
     def key(self) -> str:
         found = _KEY.match(self.message)
-        return found[0] if found else ""
+        if found is None:
+            return ""
+        key = found[0]
+        is_key = "." in key or "[" in key or key in _TABLES or self.message.startswith(_AFTER_KEY, found.end())
+        return key if is_key else ""
 
     def __str__(self) -> str:
         place = self.file

@@ -162,8 +162,7 @@ def vary(
         tables = case.to_dict()
         excitation = tables.get("excitation", {})
         if "file" in excitation:
-            where = Path(case._files[0].name) if case._files else case.folder
-            excitation["file"] = str((where / excitation["file"]).resolve())
+            excitation["file"] = str((case.folder / excitation["file"]).resolve())
         for building in tables["building"]:
             if "shapes_file" in building.get("modal", {}):
                 building["modal"]["shapes_file"] = str((case.folder / building["modal"]["shapes_file"]).resolve())
