@@ -42,21 +42,15 @@ MATHML = '''
 import re
 
 import latex2mathml.converter
+from docutils import nodes
 
 
-def visit(self, node, display):
-    text = node.astext().strip()
-    self.body.append(latex2mathml.converter.convert(text, display=display))
+def visit(display):
+    def one(self, node):
+        self.body.append(latex2mathml.converter.convert(node.astext().strip(), display=display))
+        raise nodes.SkipNode
 
-
-def inline(self, node):
-    visit(self, node, "inline")
-    raise __import__("docutils.nodes", fromlist=["SkipNode"]).SkipNode
-
-
-def block(self, node):
-    visit(self, node, "block")
-    raise __import__("docutils.nodes", fromlist=["SkipNode"]).SkipNode
+    return one
 
 
 def by_name(app, what, name, obj, options, signature, returns):
@@ -66,7 +60,7 @@ def by_name(app, what, name, obj, options, signature, returns):
 
 def setup(app):
     app.connect("autodoc-process-signature", by_name)
-    app.add_html_math_renderer("mathml", (inline, None), (block, None))
+    app.add_html_math_renderer("mathml", (visit("inline"), None), (visit("block"), None))
     app.connect("config-inited", lambda app, config: setattr(config, "html_math_renderer", "mathml"))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 '''
@@ -283,10 +277,11 @@ def main(root, out, *options):
     (reference / "python.md").write_text(python_reference())
     (reference / "cpp.md").write_text(cpp_reference(root, reference))
     theory = sorted(name.removesuffix(".md") for name in documents if name.startswith("docs/theory/"))
-    index = INDEX.format(theory="\n".join(theory), others="{others}")
+    theory = "\n".join(theory)
+    index = INDEX.format(theory=theory, others="")
     listed = set(re.findall(r"<?((?:docs|examples|reference|README|CONTRIBUTING|CHANGELOG)[\w/.-]*)>?$", index, re.MULTILINE))
     others = [n.removesuffix(".md") for n in documents if n.removesuffix(".md") not in listed]
-    (source / "index.md").write_text(index.replace("{others}", "\n".join(others)))
+    (source / "index.md").write_text(INDEX.format(theory=theory, others="\n".join(others)))
     (source / "_static").mkdir()
     (source / "_static/bentur.css").write_text(CSS)
     version = re.search(r"project\(bentur VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text())[1]

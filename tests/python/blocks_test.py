@@ -13,17 +13,16 @@ What stands in other blocks is run by other tests: ELSEWHERE says by which. A bl
 import contextlib
 import io
 import os
-import pathlib
 import re
 import shutil
 import subprocess
 import tomllib
 
 import pytest
+from doors import ROOT
 
 import bentur
 
-ROOT = pathlib.Path(__file__).parents[2]
 DOCUMENTS = sorted(ROOT / name for name in subprocess.run(
     ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"], cwd=ROOT, capture_output=True, text=True,
     check=True).stdout.split())

@@ -1,20 +1,16 @@
 """Classes and docstrings have the keys of docs/case-file.md, and the reader knows them."""
 
 import dataclasses
-import importlib.util
-import pathlib
 import re
 import types
 import typing
 
+import docstrings
 import pytest
+from doors import ROOT
 
 import bentur
 
-ROOT = pathlib.Path(__file__).parents[2]
-spec = importlib.util.spec_from_file_location("docstrings", ROOT / "tools" / "docstrings.py")
-docstrings = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(docstrings)
 REFERENCE = (ROOT / "docs" / "case-file.md").read_text()
 # What is of Python alone: a record given as an array.
 OWN = {"Excitation": {"values"}}
@@ -32,7 +28,7 @@ def test_every_table_has_its_class():
     assert sorted(CLASSES) == sorted(set(tables) - {"ForceLaw", "BranchLaw", "Branch", "Guard"})
     top = re.search(r"At the top level: (.*?)\.\n\n", REFERENCE, re.DOTALL)[1]
     parameters = bentur.Case.__init__.__annotations__.keys() - {"return", "folder"}
-    assert set(re.findall(r"`\[*(\w+)\]*`", top)) == parameters
+    assert set(re.findall(r"`\[*(\w+)\]*`", top)) == parameters == bentur._errors._TABLES
 
 
 @pytest.mark.parametrize("name", CLASSES)

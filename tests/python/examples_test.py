@@ -1,12 +1,12 @@
 """Every example in examples/python runs, in a folder of its own, and what it asserts holds."""
 
 import importlib.util
-import pathlib
 import runpy
 
 import pytest
+from doors import ROOT
 
-FOLDER = pathlib.Path(__file__).parents[2] / "examples" / "python"
+FOLDER = ROOT / "examples" / "python"
 
 
 @pytest.mark.parametrize("file", sorted(FOLDER.glob("*.py")), ids=lambda file: file.stem)

@@ -1,13 +1,13 @@
 """Every function of bentur.plot draws what it is given, with units on its axes; types hold."""
 
 import importlib.util
-import pathlib
 import shutil
 import subprocess
 import sys
 
 import numpy as np
 import pytest
+from doors import ROOT
 
 import bentur
 
@@ -15,7 +15,6 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 import bentur.plot  # noqa: E402
 
-ROOT = pathlib.Path(__file__).parents[2]
 CASE = bentur.example("kelvin-voigt-pair")
 
 

@@ -1,14 +1,11 @@
 """What the site is made with: links that lead nowhere are found, folders become pages. `./dev docs` builds it."""
 
-import importlib.util
-import pathlib
 import re
 import subprocess
 
-ROOT = pathlib.Path(__file__).parents[2]
-spec = importlib.util.spec_from_file_location("docs", ROOT / "tools" / "docs.py")
-docs = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(docs)
+import docs
+from doors import ROOT
+
 
 
 def test_broken_links(tmp_path):

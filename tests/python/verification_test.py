@@ -1,14 +1,10 @@
 """The checks of docs/verification.md, with the limits that stand there, and the page lists them all."""
 
-import importlib.util
-import pathlib
 
 import pytest
+import verification
+from doors import ROOT
 
-ROOT = pathlib.Path(__file__).parents[2]
-spec = importlib.util.spec_from_file_location("verification", ROOT / "tools" / "verification.py")
-verification = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(verification)
 PAGE = (ROOT / "docs" / "verification.md").read_text()
 
 
