@@ -32,8 +32,9 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   if (yielding == 0) return bearings;
   return bearings +
          fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
-                     count(building.storey_laws.size() - static_cast<std::size_t>(building.model.first_storey()), "storey", "storeys"), law,
-                     spec.tangent_damping ? ", damping of the tangent stiffness" : "");
+                     count(building.storey_laws.size() - static_cast<std::size_t>(building.model.first_storey()),
+                           "storey", "storeys"),
+                     law, spec.tangent_damping ? ", damping of the tangent stiffness" : "");
 }
 
 void run(const std::string& file) {

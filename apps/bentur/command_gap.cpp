@@ -278,8 +278,8 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
   if (const auto worst = governing_level(problem, spectral, gap)) {
     const bool is_short = worst->is_short();
     text = fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
-                       is_short ? "too close" : "wide enough", number(worst->needed), length,
-                       number(worst->elevation), length, number(worst->width), length,
+                       is_short ? "too close" : "wide enough", number(worst->needed), length, number(worst->elevation),
+                       length, number(worst->width), length,
                        is_short ? fmt::format(": {} {} short", number(worst->needed - worst->width), length) : "");
   }
   if (!points.empty()) {

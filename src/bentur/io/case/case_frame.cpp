@@ -63,7 +63,8 @@ std::vector<Section> read_sections(const TomlView& frame, const std::string& key
 std::vector<double> read_per_floor(const TomlView& view, const std::string& key, Rule rule, std::size_t floors,
                                    Need need) {
   const auto value = view.get(key, need);
-  std::vector<double> numbers = value ? value->as_number_for_each(rule, {floors, "one per floor"}) : std::vector<double>();
+  std::vector<double> numbers =
+      value ? value->as_number_for_each(rule, {floors, "one per floor"}) : std::vector<double>();
   numbers.resize(floors);
   return numbers;
 }

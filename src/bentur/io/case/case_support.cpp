@@ -75,8 +75,7 @@ void read_soil(const TomlView& view, ReadBuilding& building) {
     spec.soil.sway = read_impedance(view, "sway");
     spec.soil.rocking = read_impedance(view, "rocking");
   }
-  if (const auto foundation = view.get("foundation");
-      foundation && foundation->is_table_of({"mass", "inertia"})) {
+  if (const auto foundation = view.get("foundation"); foundation && foundation->is_table_of({"mass", "inertia"})) {
     spec.soil.mass = foundation->number("mass", Rule::positive).value_or(0);
     spec.soil.inertia = foundation->number("inertia", Rule::positive).value_or(0);
   }

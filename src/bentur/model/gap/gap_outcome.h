@@ -11,8 +11,8 @@
 
 namespace bentur {
 
-/// Where the gap between two neighbours falls short the most, or has least to spare: at a contact point, or at a watched
-/// floor.
+/// Where the gap between two neighbours falls short the most, or has least to spare: at a contact point, or at a
+/// watched floor.
 struct GoverningLevel {
   std::optional<Eigen::Index> watched;  ///< index into Problem::watched; nothing: a contact point
   double elevation = 0;                 ///< [length]

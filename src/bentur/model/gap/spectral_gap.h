@@ -43,8 +43,8 @@ struct SpectralGaps {
   std::vector<double> watched;  ///< spectral difference [length] per watched floor
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.
-/// @throws InvalidParameter where the spectrum does not pass validate(), a period is beyond the last of a table, or a code rule
-/// lacks something.
+/// @throws InvalidParameter where the spectrum does not pass validate(), a period is beyond the last of a table, or a
+/// code rule lacks something.
 [[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
                                          const CodeSpec& code = {}, const Units& units = {});
 

@@ -67,8 +67,6 @@ void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std
 
 namespace {
 
-constexpr std::size_t rows_in_print = 30;  // report.css hides the others
-
 Html contact_table(const Story& story, Eigen::Index gap) {
   const std::vector<Eigen::Index> points = points_of(story.problem, gap);
   std::vector<double> elevations;
@@ -85,6 +83,9 @@ Html floors_table(const Story& story, Eigen::Index b, std::vector<TableColumn> c
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  for (TableColumn& column : columns) {
+    for (std::string& cell : column.cells) cell = with_power(cell);
+  }
   add_columns(table, std::move(columns));
   return table.markup();
 }

@@ -224,9 +224,10 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
                                                                                      : "") +
                                      html::rounded(found->width));
       const auto& interval = gap.estimate.bounds;
-      bounds[p].push_back(!interval                        ? "–"
-                          : std::isfinite(interval->lower) ? interval_text(interval->lower, interval->upper)
-                                                           : gaps[p].back());
+      const bool beyond = interval && (!std::isfinite(interval->lower) ||  // what is analysed, at either end
+                                       (found && found->kind == GapForProbability::Kind::smallest &&
+                                        interval->upper == found->width));
+      bounds[p].push_back(!interval ? "–" : beyond ? gaps[p].back() : interval_text(interval->lower, interval->upper));
     }
   }
   add_cases(table, report.results, cases, report.gap_axis, sweep, say);
@@ -315,7 +316,10 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   if (rows < status.size()) {
     content +=
         element("p", say("sweep.runs_cut", {{"shown", std::to_string(rows)}, {"all", std::to_string(status.size())}}),
-                "class=\"note\"");
+                "class=\"screen note\"");
+  }
+  if (rows > html::rows_in_print) {
+    content += element("p", say("sweep.runs_print", {{"all", std::to_string(status.size())}}), "class=\"print note\"");
   }
   return {"runs", say("heading.runs"), content};
 }

@@ -31,6 +31,8 @@ struct Story {
 
 /// Impacts a report lists, hardest first; where there are more, it says so.
 constexpr std::size_t most_impacts = 1500;
+/// Of a long list; report.css hides the others there.
+constexpr std::size_t rows_in_print = 30;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] PageSection verdict_section(const Story& story);

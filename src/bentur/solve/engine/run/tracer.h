@@ -61,7 +61,7 @@ class Tracer {
   const ModalSystem* system_;
   const Problem* problem_;
   Eigen::Index floors_ = 0, points_ = 0;
-  Eigen::Index others_ = 0;  ///< values of an instant that come along without a bound
+  Eigen::Index others_ = 0;     ///< values of an instant that come along without a bound
   Eigen::VectorXd scales_;      ///< of displacements and openings [length]
   Eigen::VectorXd forces_met_;  ///< largest force of each contact so far [force]; 0 where there is none
   double bound_ = course_bound;
