@@ -97,4 +97,23 @@ std::vector<PointSeparation> separations(const Problem& problem, const Response&
   return separations(problem, peaks, code, units);
 }
 
+PointSeparation largest_of(const std::vector<PointSeparation>& separations, const std::vector<Eigen::Index>& points) {
+  PointSeparation largest;
+  for (const Eigen::Index i : points) {
+    const PointSeparation& separation = separations.at(i);
+    largest.simulated = std::max(largest.simulated, separation.simulated);
+    largest.abs = std::max(largest.abs, separation.abs);
+    largest.srss = std::max(largest.srss, separation.srss);
+    largest.ddc = std::max(largest.ddc, separation.ddc);
+    if (largest.codes.empty()) largest.codes = separation.codes;
+    for (std::size_t k = 0; k < separation.codes.size(); ++k) {
+      CodeSeparation& code = largest.codes[k];
+      code.gap = std::max(code.gap, separation.codes[k].gap);
+      code.to_left = std::max(code.to_left, separation.codes[k].to_left);
+      code.to_right = std::max(code.to_right, separation.codes[k].to_right);
+    }
+  }
+  return largest;
+}
+
 }  // namespace bentur

@@ -34,6 +34,11 @@ struct PeaksForRules {
 [[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const Response& response,
                                                        const CodeSpec& code = {}, const Units& units = {});
 
+/// Each number the largest of some points', 0 where there are none; `points`: indices into `separations`, one entry per
+/// contact point of the problem. @throws std::out_of_range when there is no such entry.
+[[nodiscard]] PointSeparation largest_of(const std::vector<PointSeparation>& separations,
+                                         const std::vector<Eigen::Index>& points);
+
 /// Whether each floor of the lower of two neighbours has a floor of the other at its elevation, within a millionth of
 /// the taller one's height.
 [[nodiscard]] bool floors_aligned(const Building& left, const Building& right);

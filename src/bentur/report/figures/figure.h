@@ -42,7 +42,7 @@ struct Events {
 };
 
 /// A straight line across a panel: x = at where vertical, else y = at.
-struct Rule {
+struct RuleLine {
   double at = 0;
   bool vertical = false;
   std::string label = {};  ///< in the legend; empty: not there
@@ -80,7 +80,7 @@ struct Panel {
   Axis x = {}, y = {};
   double height = 4.2;  ///< of the frame [cm]
   std::vector<Curve> curves = {};
-  std::vector<Rule> rules = {};
+  std::vector<RuleLine> rules = {};
   Events events = {};
   std::optional<HeatMap> map = {};
   std::string note = {};  ///< in the middle of the frame, where there is little else to see

@@ -202,7 +202,7 @@ class Writer {
     legend(placed);
     std::vector<std::string> plots;
     if (panel.map) plots.push_back(map(placed));
-    for (const Rule& rule : panel.rules) {
+    for (const RuleLine& rule : panel.rules) {
       const Ticks& across = rule.vertical ? placed.x : placed.y;
       if (rule.at < across.from || rule.at > across.to) continue;
       const auto end = [&](int edge) {

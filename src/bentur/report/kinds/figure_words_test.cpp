@@ -34,7 +34,7 @@ std::vector<std::string> texts_of(const Figure& figure) {
   for (const Panel& panel : figure.panels) {
     texts.insert(texts.end(), {panel.title, panel.x.label, panel.y.label, panel.note, panel.events.label});
     for (const Curve& curve : panel.curves) texts.push_back(curve.label);
-    for (const Rule& rule : panel.rules) texts.push_back(rule.label);
+    for (const RuleLine& rule : panel.rules) texts.push_back(rule.label);
     if (panel.map) texts.push_back(panel.map->label);
   }
   std::erase(texts, "");

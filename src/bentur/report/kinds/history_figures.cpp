@@ -140,7 +140,7 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
 struct HistoryPanels {
   std::string label;             ///< of the y axis
   std::string label_of_parts{};  ///< the same in short; empty: the curves of the whole run stand in one panel
-  std::vector<Rule> rules{};
+  std::vector<RuleLine> rules{};
   bool mark_contacts = false;
 };
 
@@ -226,8 +226,8 @@ Figure opening_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_point(run, options);
   const Curve opening{
       .label = word(options, "opening"), .x = course_of(run).time, .y = row_of(course_of(run).opening, i)};
-  const Rule closed{.at = 0, .tone = Tone::grey};
-  const Rule rest{
+  const RuleLine closed{.at = 0, .tone = Tone::grey};
+  const RuleLine rest{
       .at = run.problem.points[i].width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
   Figure figure = histories(run, options, i, {opening},
                             {.label = with_unit(word(options, "Opening g"), run.c.units.length),
@@ -274,7 +274,7 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
     }
   }
   // Impacts are shorter than samples: the largest is told as it was.
-  std::vector<Rule> rules;
+  std::vector<RuleLine> rules;
   for (const double sign : {1.0, -1.0}) {
     rules.push_back({.at = sign * largest, .label = sign > 0 ? word(options, "largest") : "", .line = Line::dotted});
     if (capacity > 0) {

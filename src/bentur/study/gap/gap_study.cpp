@@ -18,19 +18,12 @@ namespace {
 /// for.
 constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
-/// The largest of the points of gap `gap`.
+/// The largest of the points of a gap.
 GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
-                Eigen::Index gap) {
-  GapNeed need;
-  need.simulated = gap_needed(problem, response, gap);
-  for (const PointSeparation& one : separations) {
-    if (problem.points[static_cast<std::size_t>(one.point)].left != static_cast<int>(gap)) continue;
-    need.abs = std::max(need.abs, one.abs);
-    need.srss = std::max(need.srss, one.srss);
-    need.ddc = std::max(need.ddc, one.ddc);
-    need.codes.resize(one.codes.size(), 0.0);
-    for (std::size_t i = 0; i < one.codes.size(); ++i) need.codes[i] = std::max(need.codes[i], one.codes[i].gap);
-  }
+                const Gap& gap) {
+  const PointSeparation largest = largest_of(separations, gap.points);
+  GapNeed need{gap_needed(problem, response, gap.left), largest.abs, largest.srss, largest.ddc, {}};
+  for (const CodeSeparation& code : largest.codes) need.codes.push_back(code.gap);
   return need;
 }
 
@@ -209,7 +202,7 @@ class Work {
       throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
     for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
-    for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    for (const Gap& gap : gaps_of(problem)) {
       result.gaps.push_back(need_of(problem, response, result.separations, gap));
     }
     if (result_.title.empty() && result_.needs.empty()) {

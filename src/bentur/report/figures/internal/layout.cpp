@@ -106,7 +106,7 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
       }
     }
   }
-  for (const Rule& rule : panel.rules) {
+  for (const RuleLine& rule : panel.rules) {
     if (rule.vertical != is_upright) take(rule.at);
   }
   if (panel.map) {
@@ -149,7 +149,7 @@ void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
     add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
          !curve.top.empty()});
   }
-  for (const Rule& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
+  for (const RuleLine& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
 }
 
