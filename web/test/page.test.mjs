@@ -144,6 +144,55 @@ test("what is taken away is what was computed; the link brings the case back", a
   }, {}, "#case=%%%");
 });
 
+test("nothing that is taken away is lost to something else that is asked for", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click('[data-case="monograph"]');
+    await page.waitForTimeout(300);
+    await solved(page);
+    const given = [];
+    page.on("download", (one) => given.push(one));
+    // Its curve over gaps is under way; another case brings another curve.
+    await page.evaluate(() => {
+      for (const what of ["summary", "gaps", "modes", "impacts"]) document.querySelector(`[data-take="${what}"]`).click();
+      document.querySelector('[data-case="row"]').click();
+    });
+    await page.waitForTimeout(300);
+    await solved(page);
+    await page.waitForFunction(() => document.querySelector("#curve figcaption")?.textContent.includes("amplification"), null, { timeout: 60000 });
+    assert.deepEqual(given.map((one) => one.suggestedFilename()), ["summary.json", "gaps.json", "modes.json", "impacts.csv"]);
+    const summary = JSON.parse(readFileSync(await given[0].path(), "utf8"));
+    assert.equal(summary.gaps[0].points.reduce((sum, point) => sum + point.impacts, 0), 37); // of the case that stood there
+  });
+});
+
+test("a case that is chosen stays, whatever was typed just before", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.locator(editor).evaluate((area) => {
+      area.value += "\n# typed";
+      area.dispatchEvent(new Event("input", { bubbles: true }));
+      document.querySelector('[data-case="row"]').click();
+    });
+    await page.waitForTimeout(400);
+    await solved(page);
+    const text = await page.inputValue(editor);
+    assert.ok(!text.includes("# typed") && text.match(/\[\[building\]\]/g).length === 3, text.slice(0, 200));
+    assert.equal((await page.$$(".verdict")).length, 2);
+  });
+});
+
+test("in a file with CRLF a mistake is gone to where it is", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const text = (await page.inputValue(editor)).replace("width = 0.05", "widht = 0.05");
+    await page.setInputFiles("#take input[type=file]", { name: "crlf.toml", mimeType: "text/plain", buffer: Buffer.from(text.replaceAll("\n", "\r\n")) });
+    await solved(page, "errors");
+    await page.locator(".errors li", { hasText: "widht" }).getByRole("button").click();
+    assert.equal(await page.locator(editor).evaluate((area) => area.selectionStart), text.indexOf("widht"));
+  });
+});
+
 test("a case file is opened, and its form and its text are one", async () => {
   await on(async (page) => {
     await solved(page);
@@ -284,7 +333,9 @@ test("what the page says itself is Indonesian there", async () => {
         await page.waitForTimeout(300);
         await solved(page);
         await page.evaluate(() => { for (const one of document.querySelectorAll("details")) one.open = true; });
+        await page.waitForSelector(".form");
         await page.click("#compare button");
+        await page.waitForTimeout(300); // a picture that is pinned has its words after the next frame
         for (const word of await page.evaluate(() => {
           const all = [], walk = document.createTreeWalker(document.querySelector("#app"), NodeFilter.SHOW_TEXT);
           while (walk.nextNode()) if (!walk.currentNode.parentElement.closest("textarea")) all.push(walk.currentNode.textContent.trim());
@@ -321,6 +372,7 @@ for (const colorScheme of ["light", "dark"]) {
         await page.waitForSelector("#loops");
         await page.click("#compare button");
         await page.evaluate(() => { for (const one of document.querySelectorAll("details")) one.open = true; });
+        await page.waitForSelector(".form");
         await page.evaluate(axe);
         const { violations } = await page.evaluate(() => window.axe.run(document));
         assert.deepEqual(violations.map((one) => [one.id, one.nodes.slice(0, 3).map((node) => `${node.html.slice(0, 120)} ${node.failureSummary.slice(0, 200)}`)]), []);
@@ -423,6 +475,26 @@ test("work that takes long can be cancelled", async () => {
     await solved(page, "errors");
     assert.match(await page.textContent(".errors"), /Cancelled/);
     assert.equal(await page.locator(".busy").count(), 0);
+    await write(page, good);
+  });
+});
+
+test("work that takes long says so, also when other work is under way as it is asked for", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const good = await page.inputValue(editor);
+    await page.locator(editor).evaluate((area, texts) => {
+      const put = (text) => { area.value = text; area.dispatchEvent(new Event("input", { bubbles: true })); };
+      put(texts[0]);
+      setTimeout(() => put(texts[1]), 200); // within a moment the first one is done
+    }, ["200.0", "2000.0"].map((duration) => good.replace("duration = 20.0", `duration = ${duration}`)));
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("duration = 2000.0"), editor);
+    await page.waitForFunction(() => document.querySelector("main").dataset.solved === "rough");
+    const first = await page.getAttribute("main", "data-ms");
+    await page.getByRole("button", { name: "Cancel" }).click({ timeout: 15000 });
+    await solved(page, "errors");
+    assert.match(await page.textContent(".errors"), /Cancelled/);
+    assert.equal(await page.getAttribute("main", "data-ms"), first); // it was said before there was any result of the other
     await write(page, good);
   });
 });

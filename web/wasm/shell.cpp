@@ -22,6 +22,7 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/limits.h"
 #include "bentur/model/quantities.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/sections.h"
@@ -193,36 +194,34 @@ double largest_force(const Response& response) {
   return largest;
 }
 
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 Json list(const Eigen::VectorXd& values) {
   Json all = Json::array();
-  for (const double value : values) all.push_back(std::isfinite(value) ? Json(value) : Json());
+  for (const double value : values) all.push_back(number_or_null(value));
   return all;
 }
-
-Json numbers_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json gap_overview(const html::Story& story, const RunResults& run, Eigen::Index gap,
                   const std::vector<PointSeparation>& separations) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
-  Json one = {
-      {"name", gap_name(run.problem, gap)},     {"impacts", found.impacts},       {"touched", found.touched},
-      {"points", found.gap.points.size()},      {"width", found.governing.width}, {"needed", found.governing.needed},
-      {"elevation", found.governing.elevation}, {"unmodelled", Json()},           {"rules", Json::object()}};
+  Json one = {{"name", gap_name(run.problem, gap)},
+              {"impacts", found.impacts},
+              {"points", found.gap.points.size()},
+              {"width", found.governing.width},
+              {"needed", found.governing.needed},
+              {"elevation", found.governing.elevation},
+              {"unmodelled", Json()},
+              {"rules", Json::object()}};
   if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
     const PointSummary& worst = run.response.points[*found.hardest];
-    one["hardest"] = {{"force", worst.peak_force},
-                      {"elevation", run.problem.points[*found.hardest].elevation},
-                      {"time", *worst.peak_force_time}};
+    one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
   }
   if (!found.unmodelled.empty()) one["unmodelled"] = html::unmodelled_text(story, found.unmodelled);
-  double abs = 0, srss = 0, ddc = 0;
-  for (const PointSeparation& point : separations) {
-    if (run.problem.points[point.point].left != gap) continue;
-    abs = std::max(abs, point.abs);
-    srss = std::max(srss, point.srss);
-    ddc = std::isnan(point.ddc) ? ddc : std::max(ddc, point.ddc);
+  if (!separations.empty()) {
+    const PointSeparation largest = largest_of(separations, found.gap.points);
+    one["rules"] = {{"abs", largest.abs}, {"srss", largest.srss}, {"ddc", largest.ddc}};
   }
-  if (!separations.empty()) one["rules"] = {{"abs", abs}, {"srss", srss}, {"ddc", ddc}};
   return one;
 }
 
@@ -293,20 +292,20 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
     SolveOptions options;
-    if (!output_step.isNull()) options.output_step = output_step.as<double>();
-    if (output_step.isNull()) options.output_step = report_output_step(*problem_);
+    options.output_step = output_step.isNull() ? report_output_step(*problem_) : output_step.as<double>();
     if (options.output_step < 0) options.output_step = c.analysis.output_step;
     options.energy_audit = c.analysis.energy_audit;
     options.most_steps = static_cast<long>(std::min(c.analysis.limits.steps, most_steps));
     if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
     const Effort needed = effort(*problem_, c.analysis.solver, options);
-    if (needed.certain_steps > static_cast<double>(options.most_steps)) {
+    if (const std::string refused = beyond_limits(c, *problem_, needed); !refused.empty()) return failure(refused);
+    if (needed.certain_steps > most_steps) {
       return failure(
           fmt::format("a run takes {:.3g} steps or more, over the limit of {:.3g} of a page. Is a motion so "
                       "fast meant? bentur run may take longer",
-                      needed.certain_steps, static_cast<double>(options.most_steps)));
+                      needed.certain_steps, most_steps));
     }
-    if (needed.memory > std::min(most_memory, 1e6 * c.analysis.limits.memory)) {
+    if (needed.memory > most_memory) {
       return failure(
           fmt::format("a run takes {:.3g} MB of memory, over the limit of a page. Make the duration shorter, "
                       "or take bentur run",
@@ -358,19 +357,14 @@ std::string Studio::overview(const std::string& language) const {
     for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
       const Building& building = run.problem.buildings[b];
       const BuildingPeaks& peaks = run.response.buildings[b];
-      buildings.push_back(
-          {{"name", building.name},
-           {"rigid", building.is_rigid()},
-           {"period", building.is_rigid() ? Json() : Json(2 * std::acos(-1.0) / building.first_omega())},
-           {"elevations", building.model.elevations},
-           {"heights", building.model.storey_heights},
-           {"yields", peaks.yielding.ductility.size() > 0},
-           {"displacement", list(peaks.displacement)},
-           {"alone", list(peaks.displacement_no_contact)},
-           {"drift", list(peaks.drift_ratio)},
-           {"acceleration", list(peaks.acceleration)},
-           {"shear", list(peaks.storey_shear)},
-           {"ductility", list(peaks.yielding.ductility)}});
+      buildings.push_back({{"name", building.name},
+                           {"rigid", building.is_rigid()},
+                           {"elevations", building.model.elevations},
+                           {"heights", building.model.storey_heights},
+                           {"yields", peaks.yielding.ductility.size() > 0},
+                           {"displacement", list(peaks.displacement)},
+                           {"alone", list(peaks.displacement_no_contact)},
+                           {"drift", list(peaks.drift_ratio)}});
     }
     Json impacts = Json::array();
     for (const Impact& one : run.response.impacts) {
@@ -378,11 +372,11 @@ std::string Studio::overview(const std::string& language) const {
       const ContactPoint& point = run.problem.points[one.point];
       const std::optional<double> e = one.restitution();
       impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,
-                         one.peak_penetration, e ? numbers_or_null(*e) : Json()});
+                         e ? number_or_null(*e) : Json()});
     }
     Json points = Json::array();
     for (const ContactPoint& point : run.problem.points) {
-      points.push_back({{"gap", point.left}, {"elevation", point.elevation}, {"width", point.width}});
+      points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
     }
     Json answer = {{"ok", true},
                    {"title", run.c.title},
@@ -396,8 +390,7 @@ std::string Studio::overview(const std::string& language) const {
                    {"impactCount", run.response.impacts.size()},
                    {"force", largest_force(run.response)},
                    {"amplification", largest_amplification(run.response)},
-                   {"remarks", remark_texts(run.remarks, language)},
-                   {"milliseconds", 1e3 * run.response.wall_time}};
+                   {"remarks", remark_texts(run.remarks, language)}};
     if (run.response.collapse) {
       answer["collapse"] = {{"building", run.problem.buildings[run.response.collapse->building].name},
                             {"time", run.response.collapse->time}};
@@ -422,13 +415,10 @@ std::string Studio::at_width(int gap, double width) {
     }
     const Response response = free_->solve(make_problem(c, problem_->buildings), options);
     if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
-    long impacts = 0;
-    for (const PointSummary& point : response.points) impacts += point.impacts;
     return {{"ok", true},
             {"errors", Json::array()},
             {"force", largest_force(response)},
-            {"amplification", largest_amplification(response)},
-            {"impacts", impacts}};
+            {"amplification", largest_amplification(response)}};
   });
 }
 

@@ -8,7 +8,8 @@ export interface Curve { label: string; colour: string; values: ArrayLike<number
 
 const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 /** The same building has one colour everywhere. */
-export const buildingColour = (index: number) => style(`--building-${(index % 6) + 1}`);
+export const buildingVariable = (index: number) => `--building-${(index % 6) + 1}`;
+export const buildingColour = (index: number) => style(buildingVariable(index));
 
 /** Curves over one axis, zoomed and pointed at together with others of the same `group`. */
 export function Chart({ title, x, xLabel, yLabel, curves, group, mark, onPick, height = 150, right, theme }: {

@@ -39,9 +39,10 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
         onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
         onInput={(event) => {
           const { value } = event.currentTarget;
+          const base = text.value; // what has come in its place by then stays
           show(value);
           clearTimeout(later.current);
-          later.current = window.setTimeout(() => change(value), 150);
+          later.current = window.setTimeout(() => { if (text.value === base) change(value); }, 150);
         }} />
     </div>
   );
@@ -122,6 +123,9 @@ export function Units() {
   </>;
 }
 
+/** Another ground motion; when it comes to which building stays. */
+const excite = (lines: string[]) => change(withTable(text.value, "excitation", lines, ["delays", "wave_velocity", "kinematics"]));
+
 /** A neighbour of which four numbers are known, to the right of the last building. */
 function withNeighbour(now: string, scale: number, mass: number): string {
   const all = found.value!.tables.filter((one) => same(one.path, ["building", one.path[1]]));
@@ -146,18 +150,17 @@ export function Form() {
   const kind = String(leaf(now, ["excitation", "kind"])?.value ?? "");
   const scale = { m: 1, cm: 100, mm: 1000, in: 39.37, ft: 3.281 }[units.length] ?? 1;
   const newton = { N: 1, kN: 1e3, MN: 1e6, kgf: 9.807, tf: 9807, lbf: 4.448, kip: 4448 }[units.force] ?? 1;
-  const excite = (lines: string[]) => change(withTable(text.value, "excitation", lines, ["delays", "wave_velocity", "kinematics"]));
   return (
     <div class="form">
       {buildings.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={String(leaf(now, [...one.path, "name"])?.value ?? `${i + 1}`)} />)}
-      <p><button type="button" onClick={() => change(withNeighbour(text.value, scale, (250e3 * 1) / newton / scale))}>{say("form.add")}</button></p>
+      <p><button type="button" onClick={() => change(withNeighbour(text.value, scale, 250e3 / newton / scale))}>{say("form.add")}</button></p>
       {gaps.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.gap", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} without={["between"]} />)}
       {now.tables.filter((one) => one.path.length === 2 && one.path[0] === "link").slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.link", { n: i + 1 })} without={["between"]} />)}
       <Group path={["excitation"]} title={say("form.excitation")} />
       <p class="controls">
         <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite(['kind = "harmonic"', "period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
         <button type="button" aria-pressed={kind === "record" && leaf(now, ["excitation", "file"])?.value === recordName} onClick={() => excite(['kind = "record"', `file = "${recordName}"`, 'unit = "g"'])}>{say("form.elcentro")}</button>
-        <FilePicker label={say("form.record")} accept="" />
+        <FilePicker label={say("form.record")} />
         {kind === "record" && <Choice name={say("form.unit")} options={["–", ...accelerations]} value={String(leaf(now, ["excitation", "unit"])?.value ?? "–")} set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
       </p>
       {now.leaves.some((one) => one.path[0] === "initial") && <Group path={["initial"]} title={say("form.initial")} />}
@@ -188,11 +191,11 @@ export async function openFile(file: File) {
   const unit = leaf(found.value, ["excitation", "unit"]);
   // Formats that say their unit refuse another one; a plain column does not say it.
   if (!/\.(at2|v1|v2|v2c|smc|ew|ns|ud|ew1|ns1|ud1|ew2|ns2|ud2|asc)$/i.test(name)) lines.push(`unit = ${unit ? unit.text : '"g"'}`);
-  change(withTable(text.value, "excitation", lines, ["delays", "wave_velocity", "kinematics"]));
+  excite(lines);
 }
 
-export function FilePicker({ label: shown, accept }: { label: string; accept: string }) {
-  return <label class="file button">{shown}<input type="file" accept={accept} onChange={(event) => {
+export function FilePicker({ label: shown }: { label: string }) {
+  return <label class="file button">{shown}<input type="file" onChange={(event) => {
     const file = event.currentTarget.files?.[0];
     if (file) void openFile(file);
     event.currentTarget.value = "";

@@ -7,7 +7,7 @@ import { fromFragment } from "./link";
 import { MotionView } from "./motion";
 import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict } from "./results";
 import type { Result } from "./solver";
-import { chosen, errors, load, pinned, problem, result } from "./state";
+import { begin, chosen, errors, load, pinned, problem, result } from "./state";
 import "./style.css";
 import { Take } from "./take";
 import { language, languages, number, say, type Word } from "./texts";
@@ -36,6 +36,7 @@ const widthsOf = ({ overview }: Result) => `${say("gap")} ${overview.gaps.map((o
 function App() {
   const area = useRef<HTMLTextAreaElement>(null);
   const dropping = useSignal(false);
+  const formOpen = useSignal(false); // a closed form costs nothing
   const now = result.value;
   return (
     <div class={`page${dropping.value ? " dropping" : ""}`}
@@ -58,16 +59,16 @@ function App() {
             {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
               <div class={pinned.value ? "motions" : ""}>
                 <div>{pinned.value && <h3>{say("now")}: {widthsOf(now)}</h3>}
-                  <MotionView data={now.motion} names={now.overview.buildings.map((one) => one.name)} play={true} primary={true} /></div>
-                {pinned.value && <div><h3>{say("pinned")}: {widthsOf(pinned.value.result)}</h3>
-                  <MotionView data={pinned.value.result.motion} names={pinned.value.result.overview.buildings.map((one) => one.name)} play={false} primary={false} /></div>}
+                  <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
+                {pinned.value && <div><h3>{say("pinned")}: {widthsOf(pinned.value)}</h3>
+                  <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
               </div></section>}
             {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: {now.overview.remarks.join(" ")}</>}</p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
             <details open><summary>{say("edit.text")}</summary><Editor area={area} /></details>
-            <details><summary>{say("edit.form")}</summary><Form /></details>
+            <details onToggle={(event) => { formOpen.value = event.currentTarget.open; }}><summary>{say("edit.form")}</summary>{formOpen.value && <Form />}</details>
           </section>
         </div>
         {now && <>
@@ -85,6 +86,7 @@ function App() {
 }
 
 effect(() => { document.documentElement.lang = language.value; });
-fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); });
-addEventListener("hashchange", () => { fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); }); });
+const fromAddress = () => fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); });
+void fromAddress().then(begin);
+addEventListener("hashchange", () => void fromAddress());
 render(<App />, document.getElementById("app")!);

@@ -1,6 +1,7 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion.js";
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import type { Overview } from "./solver";
 import { time } from "./state";
 import { language, say } from "./texts";
 
@@ -10,10 +11,10 @@ const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 �
 export let main: Motion | null = null;
 
 /** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
-export function MotionView({ data, names, play, primary }: { data: string; names: string[]; play: boolean; primary: boolean }) {
+export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
-  const unit = (JSON.parse(data.slice(data.indexOf('"units":') + 8, data.indexOf("}", data.indexOf('"units":')) + 1)) as { length: string }).length;
+  const unit = overview.units.length;
   useEffect(() => {
     const read = JSON.parse(data);
     if (motion.current) {
@@ -52,7 +53,7 @@ export function MotionView({ data, names, play, primary }: { data: string; names
           </div>
         </div>
       </div>
-      <p data-part="buildingKey" class="note">{names.map((name, b) => `${b + 1} ${name}`).join(", ")}</p>
+      <p data-part="buildingKey" class="note">{overview.buildings.map(({ name }, b) => `${b + 1} ${name}`).join(", ")}</p>
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
       <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
       <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("motion.scrub")} />

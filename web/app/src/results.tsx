@@ -1,12 +1,13 @@
 import { useState } from "preact/hooks";
-import { buildingColour, Chart, type Curve, curvesSvg } from "./charts";
+import { buildingColour, buildingVariable, Chart, type Curve, curvesSvg } from "./charts";
 import { main } from "./motion";
 import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
-import { cancel, curve, curveDone, gap, pinned, progress, result, slow, text, time, width } from "./state";
+import { cancel, curve, curveDone, gap, pinned, progress, result, slow, time, width } from "./state";
 import { language, number, say } from "./texts";
 import { theme } from "./theme";
 
 const unitOf = (overview: Overview) => overview.units.length;
+const colour = (index: number) => `var(${buildingVariable(index)})`; // in styles, where a theme is followed
 const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
 
 function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
@@ -92,9 +93,9 @@ function Profile({ title, unit, buildings, solid, dashed }: { title: string; uni
         <text x="36" y="206">0</text><text x="232" y="206" text-anchor="end">{number(most)} {unit}</text>
         <text x="32" y="20" text-anchor="end">{number(top)}</text><text x="32" y="190" text-anchor="end">0</text>
         {moving.map(({ one, index }) => <>
-          <path d={line(one, solid(one))} style={{ stroke: `var(--building-${(index % 6) + 1})` }} />
-          {dashed && <path d={line(one, dashed(one))} stroke-dasharray="4 3" style={{ stroke: `var(--building-${(index % 6) + 1})` }} />}
-          <text x={40 + 90 * (index % 2)} y={221 + 12 * Math.floor(index / 2)} style={{ fill: `var(--building-${(index % 6) + 1})` }}>{one.name.slice(0, 16)}</text>
+          <path d={line(one, solid(one))} style={{ stroke: colour(index) }} />
+          {dashed && <path d={line(one, dashed(one))} stroke-dasharray="4 3" style={{ stroke: colour(index) }} />}
+          <text x={40 + 90 * (index % 2)} y={221 + 12 * Math.floor(index / 2)} style={{ fill: colour(index) }}>{one.name.slice(0, 16)}</text>
         </>)}
       </svg>
     </figure>
@@ -132,7 +133,7 @@ export function Impacts({ now }: { now: Result }) {
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
             <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
               <td><button type="button" aria-label={say("impact.show", { n: k + 1 })} onClick={() => { main?.showImpact(main.impacts[k]); document.getElementById("motion")?.scrollIntoView(); }}>{k + 1}</button></td>
-              <td class="t">{gaps[one[0]]?.name}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[7])}</td>
+              <td class="t">{gaps[one[0]]?.name}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
             </tr>))}</tbody>
         </table>
       </div>
@@ -176,7 +177,7 @@ export function Loops({ now }: { now: Result }) {
             let d = "";
             for (let i = 0; i < drift.length; i += by) if (Number.isFinite(drift[i])) d += `${d ? "L" : "M"}${(80 + (70 * drift[i]) / x).toFixed(1)} ${(75 - (65 * shear[i]) / y).toFixed(1)}`;
             return d === "" ? null : <figure key={k}><svg viewBox="0 0 160 150" role="img" aria-label={`${one.name}, ${name}`}>
-              <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: `var(--building-${(b % 6) + 1})` }} /></svg>
+              <path class="frame" d="M10 75H150M80 10V140" /><path d={d} style={{ stroke: colour(b) }} /></svg>
             <figcaption>{name}: {slab ? with_(x, unitOf(now.overview)) : `${number(100 * x)} %`}, {with_(y, now.overview.units.force)}</figcaption></figure>;
           })}
         </div></div>))}
@@ -193,13 +194,13 @@ export function Comparison({ now }: { now: Result }) {
     <section id="compare">
       <h2>{say("compare")}</h2>
       <p class="controls">
-        <button type="button" onClick={() => { pinned.value = { text: text.value, result: now }; }}>{say("pin")}</button>
+        <button type="button" onClick={() => { pinned.value = now; }}>{say("pin")}</button>
         {other && <button type="button" onClick={() => { pinned.value = null; }}>{say("unpin")}</button>}
       </p>
       {other && <>
         <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead><tbody>
           <tr><th scope="row" class="t">{say("now")}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
-          <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other.result).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
+          <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
         </tbody></table></div>
       </>}
     </section>

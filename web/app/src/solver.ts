@@ -1,4 +1,5 @@
-// The page's side of the worker: the newest request counts, and one that takes too long is given up with its worker.
+// The page's side of the worker: of each kind the newest request counts, and one that takes too long is given up with
+// its worker.
 import SolverWorker from "./worker?worker&inline";
 
 export interface CaseError { file: string; line: number; column: number; key: string; message: string }
@@ -10,25 +11,24 @@ export interface Histories {
   buildings: { displacement: Float64Array[]; drift: Float64Array[]; shear: Float64Array[] }[];
 }
 export interface GapOverview {
-  name: string; impacts: number; touched: number; points: number; width: number; needed: number; elevation: number;
-  hardest?: { force: number; elevation: number; time: number };
+  name: string; impacts: number; points: number; width: number; needed: number; elevation: number;
+  hardest?: { force: number; elevation: number };
   unmodelled: string | null;
   rules: { abs?: number; srss?: number; ddc?: number };
 }
 export interface BuildingOverview {
-  name: string; rigid: boolean; period: number | null; yields: boolean; elevations: number[]; heights: number[];
-  displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[]; acceleration: (number | null)[];
-  shear: (number | null)[]; ductility: (number | null)[];
+  name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
+  displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];
 }
-/** [left building, elevation, start, end, peak force, closing speed, penetration, restitution] */
-export type ImpactRow = [number, number, number, number, number, number, number, number | null];
+/** [left building, elevation, start, end, peak force, closing speed, restitution] */
+export type ImpactRow = [number, number, number, number, number, number, number | null];
 export interface Overview {
   title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
-  buildings: BuildingOverview[]; points: { gap: number; elevation: number; width: number }[]; impacts: ImpactRow[];
-  impactCount: number; force: number; amplification: number; remarks: string[]; milliseconds: number;
+  buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
+  impactCount: number; force: number; amplification: number; remarks: string[];
   collapse?: { building: string; time: number };
 }
-export interface CurvePoint { width: number; force: number; amplification: number; impacts: number }
+export interface CurvePoint { width: number; force: number; amplification: number }
 export type Take = "summary" | "impacts" | "gaps" | "modes" | "report";
 export type Files = [string, Uint8Array][];
 interface Common { id: number; text: string; language: string; files?: Files }
@@ -46,17 +46,23 @@ export type Answer = { id: number } & (
   | { kind: "curve"; curve: CurvePoint[]; done: number });
 
 type Wanted = Omit<Request, "id" | "files"> & { [key: string]: unknown };
+interface Asked { request: Wanted; hear: (answer: Answer) => void }
 const LIMIT = 20000; // [ms] that anything may take
+const MOMENT = 700; // [ms] after which it is said that something is under way
 
 export class Solver {
   private worker: Worker | null = null; // only when there is something to do: it has all of WebAssembly to compile
   private last = 0;
-  private running: { id: number; hear: (answer: Answer) => void } | null = null;
-  private waiting: { request: Wanted; hear: (answer: Answer) => void } | null = null;
+  private running: (Asked & { id: number }) | null = null;
+  private waiting: Asked[] = [];
   private sent = 0;
   private timer = 0;
+  private moment = 0;
   /** Every file that cases may name. */
   files: Files = [];
+
+  /** `slow` hears when something takes longer than a moment, and when it no longer runs. */
+  constructor(private readonly slow: (yes: boolean) => void = () => undefined) {}
 
   private get awake(): Worker {
     if (this.worker) return this.worker;
@@ -75,31 +81,30 @@ export class Solver {
 
   private rest() {
     clearTimeout(this.timer);
+    clearTimeout(this.moment);
     this.running = null;
+    this.slow(false);
   }
 
   private next() {
-    if (this.running || !this.waiting) return;
-    const { request, hear } = this.waiting;
-    this.waiting = null;
-    this.running = { id: ++this.last, hear };
+    const asked = this.running ? undefined : this.waiting.shift();
+    if (!asked) return;
+    this.running = { ...asked, id: ++this.last };
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
     this.timer = window.setTimeout(() => this.giveUp("limit"), LIMIT);
-    this.awake.postMessage({ ...request, id: this.last, files });
+    this.moment = window.setTimeout(() => this.slow(true), MOMENT);
+    this.awake.postMessage({ ...asked.request, id: this.last, files });
   }
 
-  /** Asks for something; what waits already is forgotten. A curve under way ends for it. */
+  /** Asks for something, for which older ones of its kind that wait are forgotten; what is taken away is never. */
   ask(request: Wanted, hear: (answer: Answer) => void) {
-    this.waiting = { request, hear };
-    if (this.running && request.kind === "curve") {
-      clearTimeout(this.timer);
-      this.running = null; // its worker hears of the new one and stops
-    }
+    this.waiting = this.waiting.filter((one) => one.request.kind !== request.kind || request.kind === "take");
+    this.waiting.push({ request, hear });
+    // A curve under way ends for a newer one: its worker hears of what comes next and stops.
+    if (this.running?.request.kind === "curve" && request.kind === "curve") this.rest();
     this.next();
   }
-
-  get busy() { return this.running !== null; }
 
   /** Ends what is under way, whatever it is: its worker goes, another one comes. */
   giveUp(message: "cancelled" | "limit" | "worker") {

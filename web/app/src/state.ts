@@ -1,7 +1,7 @@
 // What the page knows: one text, from which everything else follows.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { cases, recordBytes, recordName } from "./cases";
-import { type CaseError, type CurvePoint, type Result, Solver } from "./solver";
+import { type CaseError, type CurvePoint, type Result, Solver, type Take } from "./solver";
 import { language, say, type Word } from "./texts";
 import { outline, widths, withWidth } from "./toml";
 
@@ -15,7 +15,7 @@ export const progress = signal(0);
 export const gap = signal(0); // the one that the slider is of
 export const curve = signal<CurvePoint[]>([]);
 export const curveDone = signal(1);
-export const pinned = signal<{ text: string; result: Result } | null>(null);
+export const pinned = signal<Result | null>(null);
 export const time = signal(0);
 /** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
 export const problem = signal<(() => string) | null>(null);
@@ -34,38 +34,26 @@ export const width = computed(() => {
   return values.length > 0 ? Math.min(...values) : 0;
 });
 
-const live = new Solver();
+const live = new Solver((yes) => {
+  slow.value = yes;
+  if (!yes) progress.value = 0;
+});
 const behind = new Solver(); // curves and files, so that nothing waits for them
 for (const solver of [live, behind]) solver.files = [[recordName, recordBytes], [`../data/${recordName}`, recordBytes]];
 
-let settle = 0, wait = 0, curveText = "";
-
-function refuse(list: CaseError[]) {
-  batch(() => {
-    errors.value = list;
-    slow.value = false;
-  });
-}
+let settle = 0, curveText = "";
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
   const wanted = text.value;
   clearTimeout(settle);
-  clearTimeout(wait);
-  wait = window.setTimeout(() => { slow.value = true; }, 700);
   const duration = result.value?.overview.duration ?? 20;
   live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002) }, (answer) => {
     if (answer.kind === "progress") progress.value = answer.done;
-    if (answer.kind === "refused") {
-      clearTimeout(wait);
-      refuse(answer.errors);
-    }
+    if (answer.kind === "refused") errors.value = answer.errors;
     if (answer.kind === "result") {
-      clearTimeout(wait);
       batch(() => {
         errors.value = [];
-        slow.value = false;
-        progress.value = 0;
         result.value = answer;
         solvedText.value = wanted;
       });
@@ -99,10 +87,7 @@ export function change(next: string) {
   text.value = next;
 }
 
-export function cancel() {
-  live.giveUp("cancelled");
-  slow.value = false;
-}
+export const cancel = () => live.giveUp("cancelled");
 
 const MOST_LINES = 50000; // browsers lay out all lines of a text field at once: a million take them ten seconds
 
@@ -114,7 +99,8 @@ export function tooLong(next: string): boolean {
   return lines > MOST_LINES;
 }
 
-export function load(next: string, id = "") {
+export function load(given: string, id = "") {
+  const next = given.replace(/\r\n?/g, "\n"); // as a text field has it: places in the one are places in the other
   if (tooLong(next)) return;
   if (next === text.value) {
     chosen.value = id;
@@ -152,9 +138,8 @@ export function addFile(name: string, bytes: Uint8Array) {
   ownRecord.value = true;
 }
 
-export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"): Promise<string> {
+export function take(what: Take): Promise<string> {
   return new Promise((resolve, reject) => {
-    curveText = "";
     behind.ask({ kind: "take", what, text: text.value, language: language.value }, (answer) => {
       if (answer.kind === "text") resolve(answer.text);
       if (answer.kind === "refused") reject(new Error(told(answer.errors[0])));
@@ -162,12 +147,15 @@ export function take(what: "summary" | "impacts" | "gaps" | "modes" | "report"):
   });
 }
 
-effect(() => {
-  void text.value;
-  void language.value;
-  untracked(() => run(false));
-});
-effect(() => {
-  void gap.value;
-  untracked(() => { if (result.value && solvedText.value === text.value) drawCurve(text.value); });
-});
+/** From now on what changes is run. */
+export function begin() {
+  effect(() => {
+    void text.value;
+    void language.value;
+    untracked(() => run(false));
+  });
+  effect(() => {
+    void gap.value;
+    untracked(() => { if (result.value && solvedText.value === text.value) drawCurve(text.value); });
+  });
+}

@@ -80,7 +80,7 @@ export function Take() {
     <section id="take">
       <h2>{say("take")}</h2>
       <p class="controls">
-        <FilePicker label={say("take.open")} accept="" />
+        <FilePicker label={say("take.open")} />
         <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("take.case")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
         {now && <>

@@ -9,8 +9,15 @@ export interface Outline { leaves: Leaf[]; tables: Table[]; lists: Table[] }
 
 const LONGEST = 200000; // characters that a form is made of
 
-/** Every value with its place; nothing where the text is not TOML. */
+let lastText = "", last: Outline | null = null;
+
+/** Every value with its place; nothing where the text is not TOML. What was outlined last is known still. */
 export function outline(text: string): Outline | null {
+  if (text !== lastText) [lastText, last] = [text, outlineOf(text)];
+  return last;
+}
+
+function outlineOf(text: string): Outline | null {
   if (text.length > LONGEST) return null;
   try {
     const found: Outline = { leaves: [], tables: [], lists: [] };

@@ -1,11 +1,11 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
-import type { Answer, Request } from "./solver";
+import type { Answer, CurvePoint, Request } from "./solver";
 
 const ready: Promise<Studio> = createBentur().then((module) => new module.Studio());
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
 let opened = "";
-let stop = 0; // requests up to this number are no longer wanted
+let stop = 0; // curves up to this number are no longer wanted
 
 function buffers(value: unknown, found: Transferable[] = []): Transferable[] {
   if (value instanceof Float64Array) found.push(value.buffer);
@@ -65,12 +65,12 @@ async function answer(request: Request): Promise<void> {
     const result = open(request.text);
     if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
   }
-  const curve: { width: number; force: number; amplification: number; impacts: number }[] = [];
+  const curve: CurvePoint[] = [];
   for (const [k, width] of request.widths.entries()) {
     if (id <= stop) return;
     const one = JSON.parse(studio.atWidth(request.gap, width));
     if (!one.ok) return post({ id, kind: "refused", errors: one.errors });
-    curve.push({ width, force: one.force, amplification: one.amplification, impacts: one.impacts });
+    curve.push({ width, force: one.force, amplification: one.amplification });
     if (k % 4 === 3 || k + 1 === request.widths.length) {
       post({ id, kind: "curve", curve: [...curve], done: (k + 1) / request.widths.length });
       await new Promise((resolve) => setTimeout(resolve, 0));
@@ -81,7 +81,7 @@ async function answer(request: Request): Promise<void> {
 let queue = Promise.resolve();
 self.addEventListener("message", (event: MessageEvent<Request>) => {
   const request = event.data;
-  if (request.kind === "curve") stop = request.id - 1;
+  stop = request.id - 1; // it is sent when the one before is over or given up
   queue = queue.then(() => answer(request)).catch((error: unknown) => {
     opened = "";
     post({ id: request.id, kind: "refused", errors: [{ file: "", line: 0, column: 0, key: "",
