@@ -224,9 +224,9 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
                                                                                      : "") +
                                      html::rounded(found->width));
       const auto& interval = gap.estimate.bounds;
-      const bool beyond = interval && (!std::isfinite(interval->lower) ||  // what is analysed, at either end
-                                       (found && found->kind == GapForProbability::Kind::smallest &&
-                                        interval->upper == found->width));
+      const bool beyond =
+          interval && (!std::isfinite(interval->lower) ||  // what is analysed, at either end
+                       (found && found->kind == GapForProbability::Kind::smallest && interval->upper == found->width));
       bounds[p].push_back(!interval ? "–" : beyond ? gaps[p].back() : interval_text(interval->lower, interval->upper));
     }
   }
