@@ -33,14 +33,17 @@ export function Chart({ title, x, xLabel, yLabel, curves, group, mark, onPick, h
   };
   useEffect(() => {
     const ink = style("--ink"), grid = style("--rule");
-    const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
+    // The decimal point in every language, as everywhere.
+    const values = (_: uPlot, all: (number | null)[]) => all.map((one) => (one === null ? "" : number(one)));
+    const value = (_: uPlot, one: number | null) => number(one);
+    const axis = { values, stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
     const made = new uPlot({
       width: Math.max(root.current!.clientWidth, 200), height,
       scales: { x: { time: false } },
       cursor: { drag: { x: true, y: false }, points: { size: 5 }, ...(group ? { sync: { key: group, setSeries: false } } : {}) },
       legend: { live: true },
-      series: [{ label: xLabel }, ...curves.map((one) => ({ label: one.label, stroke: one.colour, width: 1.25, scale: one.axis === "right" ? "right" : "y", points: { show: false }, ...(one.dash ? { dash: one.dash } : {}) }))],
-      axes: [{ ...axis, label: xLabel, labelSize: 18, size: 30 }, { ...axis, label: yLabel, labelSize: 18, size: 66, space: 22, values: (_: uPlot, all: number[]) => all.map((value) => number(value)) },
+      series: [{ label: xLabel, value }, ...curves.map((one) => ({ label: one.label, value, stroke: one.colour, width: 1.25, scale: one.axis === "right" ? "right" : "y", points: { show: false }, ...(one.dash ? { dash: one.dash } : {}) }))],
+      axes: [{ ...axis, label: xLabel, labelSize: 18, size: 30 }, { ...axis, label: yLabel, labelSize: 18, size: 66, space: 22 },
         ...(right ? [{ ...axis, label: right, labelSize: 18, size: 50, side: 1 as const, scale: "right", grid: { show: false } }] : [])],
       hooks: {
         init: [(u) => {
