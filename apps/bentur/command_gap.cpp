@@ -147,6 +147,16 @@ std::string watched_text(const Problem& problem, const Response& response, Eigen
   return watched_heading + table.text();
 }
 
+/// "A | B: too close. 0.191 m is needed at level 20 m, 0.05 m given: 0.141 m short".
+std::string verdict_line(const Problem& problem, const Gap& gap, const GoverningLevel& level,
+                         const std::string& length) {
+  const bool is_short = level.is_short();
+  return fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
+                     is_short ? "too close" : "wide enough", number(level.needed), length, number(level.elevation),
+                     length, number(level.width), length,
+                     is_short ? fmt::format(": {} {} short", number(level.needed - level.width), length) : "");
+}
+
 std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<PointSeparation>& all) {
   const Problem& problem = run.problem;
   const std::string& length = run.c.units.length;
@@ -156,12 +166,7 @@ std::string gap_text(const RunResults& run, const Gap& gap, const std::vector<Po
     return problem.points[static_cast<std::size_t>(s.point)];
   };
   const GoverningLevel governing = governing_level(problem, run.response, gap.left);
-  const bool too_close = governing.is_short();
-  std::string text =
-      fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
-                  too_close ? "too close" : "wide enough", number(governing.needed), length,
-                  number(governing.elevation), length, number(governing.width), length,
-                  too_close ? fmt::format(": {} {} short", number(governing.needed - governing.width), length) : "");
+  std::string text = verdict_line(problem, gap, governing, length);
   if (governing.watched) {
     const WatchedFloor& floor = problem.watched[*governing.watched];
     text += fmt::format("  There {} faces {}, and no contact is modelled.\n", floor_text(problem, floor),
@@ -275,13 +280,7 @@ std::string spectral_text(const Case& c, const Problem& problem, const SpectralG
     faces.emplace_back(floor.facing_floor ? "floor" : "column");
   }
   std::string text = gap_name(problem, gap.left) + ": no floors face one another\n";
-  if (const auto worst = governing_level(problem, spectral, gap)) {
-    const bool is_short = worst->is_short();
-    text = fmt::format("{}: {}. {} {} is needed at level {} {}, {} {} given{}\n", gap_name(problem, gap.left),
-                       is_short ? "too close" : "wide enough", number(worst->needed), length, number(worst->elevation),
-                       length, number(worst->width), length,
-                       is_short ? fmt::format(": {} {} short", number(worst->needed - worst->width), length) : "");
-  }
+  if (const auto worst = governing_level(problem, spectral, gap)) text = verdict_line(problem, gap, *worst, length);
   if (!points.empty()) {
     Table table;
     table.add("level", length, elevations);

@@ -14,8 +14,7 @@ import bentur
 REFERENCE = (ROOT / "docs" / "case-file.md").read_text()
 # What is of Python alone: a record given as an array.
 OWN = {"Excitation": {"values"}}
-# Tables that the reference has with others, and what is no table of a case.
-CLASSES = [name for name in docstrings.SECTIONS]
+CLASSES = list(docstrings.SECTIONS)
 
 
 @pytest.mark.parametrize("file", docstrings.HEADERS)

@@ -13,7 +13,8 @@
 namespace bentur {
 namespace {
 
-/// The unit of a key, by the table it stands in ("*": any): L length, F force; mass is F s2 L-1.
+/// The unit of a key, by the table it stands in ("*": any; the first that fits counts): L length, F force; mass is
+/// F s2 L-1.
 struct KeyUnit {
   const char* table;
   const char* key;
@@ -75,12 +76,8 @@ const KeyUnit key_units[] = {
     {"isolation", "characteristic_strength", "F"},
     {"*", "yield_displacement", "L"},
     {"friction_pendulum", "coefficient", "1"},
-    {"friction_pendulum", "radius", "L"},
     {"half_space", "shear_wave_velocity", "L s-1"},
     {"half_space", "poisson", "1"},
-    {"half_space", "radius", "L"},
-    {"foundation", "mass", mass},
-    {"foundation", "inertia", "F s2 L"},
     {"sway", "stiffness", "F L-1"},
     {"sway", "damping", "F s L-1"},
     {"rocking", "stiffness", "F L"},
@@ -91,32 +88,10 @@ const KeyUnit key_units[] = {
     {"matrices", "mass", mass},
     {"matrices", "stiffness", "F L-1"},
     {"matrices", "damping", "F s L-1"},
-    {"modal", "elevations", "L"},
-    {"modal", "masses", mass},
-    {"modal", "periods", "s"},
     {"modal", "shapes", "1"},
     {"generic", "storeys", "1"},
-    {"generic", "storey_height", "L"},
-    {"generic", "floor_mass", mass},
-    {"generic", "period", "s"},
-    {"generic", "stiffness_ratio", "1"},
-    {"generic", "yield_base_shear", "1"},
-    {"generic", "hardening", "1"},
-    {"isolation", "mass", mass},
-    {"isolation", "stiffness", "F L-1"},
-    {"isolation", "characteristic_strength", "F"},
     {"isolation", "damping", "F s L-1"},
-    {"*", "yield_displacement", "L"},
-    {"friction_pendulum", "coefficient", "1"},
     {"*", "radius", "L"},
-    {"sway", "stiffness", "F L-1"},
-    {"sway", "damping", "F s L-1"},
-    {"rocking", "stiffness", "F L"},
-    {"rocking", "damping", "F L s"},
-    {"half_space", "shear_wave_velocity", "L s-1"},
-    {"half_space", "poisson", "1"},
-    {"column_capacity", "shear", "F"},
-    {"column_capacity", "moment", "F L"},
     {"link", "elevations", "L"},
     {"link", "level_tolerance", "L"},
     {"link", "stiffness", "F L-1"},

@@ -92,7 +92,7 @@ struct Figure {
   std::vector<Panel> panels = {};
   int columns = 1;              ///< panels side by side
   double width = column_width;  ///< of the whole [cm]
-  bool shared_legend = false;   ///< the first panel's legend stands above all panels and the others have none
+  bool shared_legend = false;   ///< one legend of all panels stands above them
 };
 
 /// The figure in gnuplot's terms. The script reads NAME.dat and writes NAME.svg, or NAME.pdf, NAME.png where the

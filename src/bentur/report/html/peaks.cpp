@@ -58,7 +58,10 @@ std::size_t table_language(const Words& say) {
 }
 
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
-  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
+  for (TableColumn& column : columns) {
+    for (std::string& cell : column.cells) cell = with_power(cell);
+    table.add(column.label, column.unit, std::move(column.cells));
+  }
 }
 
 void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
@@ -83,9 +86,6 @@ Html floors_table(const Story& story, Eigen::Index b, std::vector<TableColumn> c
   const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  for (TableColumn& column : columns) {
-    for (std::string& cell : column.cells) cell = with_power(cell);
-  }
   add_columns(table, std::move(columns));
   return table.markup();
 }
@@ -230,7 +230,9 @@ PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>&
   if (story.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   table.add(say("column.elevation"), story.c.units.length, elevations);
   if (of_columns) table.add(say("columns.struck"), "", struck, false);
-  add_quantities(table, story, Owner::impact, places_of(listed));
+  for (TableColumn& column : table_columns(Owner::impact, story.run, places_of(listed), table_language(say))) {
+    table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
+  }
   Html content;
   if (listed.size() < all.size()) {
     content += element("p", Html::text(say("impacts.cut", {{"listed", std::to_string(listed.size())},

@@ -1,6 +1,5 @@
 #include "bentur/report/html/spectral_report.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -17,14 +17,13 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
   Axis axis{.label = with_unit(word(options, "Level z"), run.c.units.length)};
   axis.from = base_of(run.problem.buildings.front());
   for (const Building& building : run.problem.buildings) axis.from = std::min(*axis.from, base_of(building));
-  double top = *axis.from;
-  for (const Building& building : run.problem.buildings) top = std::max(top, building.model.elevations.back());
-  axis.to = top + 0.03 * (top - *axis.from);
   std::vector<double> levels = {*axis.from};
   for (const Building& building : run.problem.buildings) {
     levels.insert(levels.end(), building.model.elevations.begin(), building.model.elevations.end());
   }
   std::sort(levels.begin(), levels.end());
+  const double top = levels.back();
+  axis.to = top + 0.03 * (top - *axis.from);
   const auto same = [&](double a, double b) { return b - a <= 1e-6 * (top - *axis.from); };
   levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
   axis.places = std::move(levels);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -152,8 +153,7 @@ std::pair<double, double> range_of(const std::vector<Curve>& curves, const Windo
     const auto [least, most] = std::minmax_element(part.y.begin(), part.y.end());
     range = {std::min(range.first, *least), std::max(range.second, *most)};
   }
-  constexpr double marks = 0.09;
-  range.second += marks * (range.second - range.first);
+  range.second += events_height * (range.second - range.first);
   return range;
 }
 

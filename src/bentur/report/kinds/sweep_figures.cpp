@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
@@ -307,7 +308,7 @@ class SweepDrawing {
     };
     constexpr std::size_t most_names = 45;  // below one another
     const std::size_t names = sweep_.dimensions()[y].texts.size();
-    const double height = names > most_names ? 4.6 : std::max(4.6, 0.38 * static_cast<double>(names));
+    const double height = names > most_names ? 4.6 : std::max(4.6, line_height * static_cast<double>(names));
     return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = height, .map = map};
   }
 

@@ -14,11 +14,10 @@
 namespace bentur {
 namespace {
 
-constexpr double label_room = 0.45;     // of an axis' label
-constexpr double edge = 0.3;            // free to the right of a frame
-constexpr double events_height = 0.09;  // of the frame, kept free for marks along its upper edge
-constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 3;   // of a title
+constexpr double label_room = 0.45;    // of an axis' label
+constexpr double edge = 0.3;           // free to the right of a frame
+constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
+constexpr std::size_t most_lines = 3;  // of a title, or of a label in a legend
 
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.

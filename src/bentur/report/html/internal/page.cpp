@@ -9,7 +9,6 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/report/html/internal/assets.h"
-#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur::html {
