@@ -202,7 +202,7 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-Json gap_overview(const html::Story& story, const RunResults& run, Eigen::Index gap,
+Json gap_overview(const html::Report& report, const RunResults& run, Eigen::Index gap,
                   const std::vector<PointSeparation>& separations) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
   Json one = {{"name", gap_name(run.problem, gap)},
@@ -217,7 +217,7 @@ Json gap_overview(const html::Story& story, const RunResults& run, Eigen::Index 
     const PointSummary& worst = run.response.points[*found.hardest];
     one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
   }
-  if (!found.unmodelled.empty()) one["unmodelled"] = html::unmodelled_text(story, found.unmodelled);
+  if (!found.unmodelled.empty()) one["unmodelled"] = html::unmodelled_text(report, found.unmodelled);
   if (!separations.empty()) {
     const PointSeparation largest = largest_of(separations, found.gap.points);
     one["rules"] = {{"abs", largest.abs}, {"srss", largest.srss}, {"ddc", largest.ddc}};
@@ -333,11 +333,11 @@ std::string Studio::modes() const { return run_ ? modes_json(run_->problem.build
 
 std::string Studio::motion(const std::string& language) const {
   if (!run_) return "";
-  const html::Words say(language);
-  const html::Story story{run_->view(), run_->c, run_->problem, run_->response, say, {}, {}};
+  const Words say(language);
+  const html::Report report{run_->view(), run_->c, run_->problem, run_->response, say, {}, {}};
   std::vector<Eigen::Index> listed(std::min(run_->response.impacts.size(), html::most_impacts));
   for (std::size_t k = 0; k < listed.size(); ++k) listed[k] = static_cast<Eigen::Index>(k);
-  return html::animation_json(story, listed);
+  return html::animation_json(report, listed);
 }
 
 std::string Studio::report(const std::string& language) const {
@@ -348,11 +348,11 @@ std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
-    const html::Words say(language);
-    const html::Story story{run.view(), run.c, run.problem, run.response, say, {}, {}};
+    const Words say(language);
+    const html::Report report{run.view(), run.c, run.problem, run.response, say, {}, {}};
     const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
     Json gaps = Json::array();
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(story, run, gap.left, rules));
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(report, run, gap.left, rules));
     Json buildings = Json::array();
     for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
       const Building& building = run.problem.buildings[b];

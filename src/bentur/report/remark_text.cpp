@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/html/internal/words.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -14,7 +14,7 @@ std::string value_with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
-std::string usual_text(const Remark& remark, const html::Words& say) {
+std::string usual_text(const Remark& remark, const Words& say) {
   if (remark.usual_from && remark.usual_to) {
     return say("remark.between",
                {{"from", number(*remark.usual_from)}, {"to", value_with_unit(number(*remark.usual_to), remark.unit)}});
@@ -26,7 +26,7 @@ std::string usual_text(const Remark& remark, const html::Words& say) {
 }  // namespace
 
 std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::string_view language) {
-  const html::Words say(language);
+  const Words say(language);
   std::vector<std::string> texts;
   std::vector<char> told(remarks.size(), 0);
   for (std::size_t i = 0; i < remarks.size(); ++i) {
@@ -58,7 +58,7 @@ std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::s
 }
 
 std::string model_text(const Problem& problem, bool yields, std::string_view language) {
-  const html::Words say(language);
+  const Words say(language);
   std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
   for (const Building& building : problem.buildings) {
     if (building.is_rigid()) continue;

@@ -11,30 +11,30 @@ namespace {
 
 /// What the sentence about the worst column names: the one nearest to what it bears, else the one with the largest
 /// shear.
-Eigen::Index worst_of(const Story& story, const std::vector<Eigen::Index>& points) {
+Eigen::Index worst_of(const Report& report, const std::vector<Eigen::Index>& points) {
   const auto demand = [&](Eigen::Index i) {
-    const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), story.run, {i, 0});
-    const std::optional<ColumnPeaks>& column = story.response.points[i].column;
+    const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), report.run, {i, 0});
+    const std::optional<ColumnPeaks>& column = report.response.points[i].column;
     return std::pair{std::isnan(ratio) ? 0.0 : ratio, column ? column->shear : 0.0};
   };
   return *std::max_element(points.begin(), points.end(),
                            [&](Eigen::Index a, Eigen::Index b) { return demand(a) < demand(b); });
 }
 
-Html lead(const Story& story, const std::vector<Eigen::Index>& points) {
-  const Words& say = story.say;
-  const Eigen::Index i = worst_of(story, points);
-  const ColumnPeaks column = story.response.points[i].column.value_or(ColumnPeaks{});
-  const StruckColumn struck = struck_column(story.problem, story.problem.points[i]).value();
-  const std::string moment_unit = story.c.units.force + "·" + story.c.units.length;
+Html lead(const Report& report, const std::vector<Eigen::Index>& points) {
+  const Words& say = report.say;
+  const Eigen::Index i = worst_of(report, points);
+  const ColumnPeaks column = report.response.points[i].column.value_or(ColumnPeaks{});
+  const StruckColumn struck = struck_column(report.problem, report.problem.points[i]).value();
+  const std::string moment_unit = report.c.units.force + "·" + report.c.units.length;
   std::string text =
-      say("columns.worst", {{"building", story.problem.buildings[struck.building].name},
-                            {"elevation", quantity(story.problem.points[i].elevation, story.c.units.length)},
-                            {"shear", quantity(column.shear, story.c.units.force)},
-                            {"shear_without", quantity(column.shear_no_contact, story.c.units.force)},
+      say("columns.worst", {{"building", report.problem.buildings[struck.building].name},
+                            {"elevation", quantity(report.problem.points[i].elevation, report.c.units.length)},
+                            {"shear", quantity(column.shear, report.c.units.force)},
+                            {"shear_without", quantity(column.shear_no_contact, report.c.units.force)},
                             {"moment", quantity(column.moment, moment_unit)},
                             {"moment_without", quantity(column.moment_no_contact, moment_unit)}});
-  const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), story.run, {i, 0});
+  const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), report.run, {i, 0});
   if (!std::isnan(ratio)) {
     text += " " + say(ratio > 1 ? "columns.fails" : "columns.holds", {{"ratio", fmt::format("{:.2f}", ratio)}});
   }
@@ -51,34 +51,34 @@ std::vector<Eigen::Index> struck_points(const Problem& problem) {
   return points;
 }
 
-std::string struck_text(const Story& story, Eigen::Index point) {
-  const std::optional<StruckColumn> struck = struck_column(story.problem, story.problem.points[point]);
-  return struck ? story.say("columns.of", {{"building", story.problem.buildings[struck->building].name}})
-                : story.say("columns.floor");
+std::string struck_text(const Report& report, Eigen::Index point) {
+  const std::optional<StruckColumn> struck = struck_column(report.problem, report.problem.points[point]);
+  return struck ? report.say("columns.of", {{"building", report.problem.buildings[struck->building].name}})
+                : report.say("columns.floor");
 }
 
-PageSection columns_section(const Story& story) {
-  const std::vector<Eigen::Index> points = struck_points(story.problem);
+PageSection columns_section(const Report& report) {
+  const std::vector<Eigen::Index> points = struck_points(report.problem);
   if (points.empty()) return {};
-  const Words& say = story.say;
+  const Words& say = report.say;
   std::vector<std::string> gaps, struck, times;
   std::vector<double> elevations;
   for (const Eigen::Index i : points) {
-    const ContactPoint& point = story.problem.points[i];
-    const std::optional<double>& hardest = story.response.points[i].peak_force_time;
-    gaps.push_back(gap_name(story.problem, point.left));
-    struck.push_back(story.problem.buildings[struck_column(story.problem, point)->building].name);
+    const ContactPoint& point = report.problem.points[i];
+    const std::optional<double>& hardest = report.response.points[i].peak_force_time;
+    gaps.push_back(gap_name(report.problem, point.left));
+    struck.push_back(report.problem.buildings[struck_column(report.problem, point)->building].name);
     elevations.push_back(point.elevation);
     times.push_back(hardest ? fmt::format("{:.3f}", *hardest) : "–");
   }
   HtmlTable table;
-  if (story.problem.buildings.size() > 2) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), story.c.units.length, elevations);
+  if (report.problem.buildings.size() > 2) table.add(say("column.gap"), "", gaps, false);
+  table.add(say("column.elevation"), report.c.units.length, elevations);
   table.add(say("columns.struck"), "", struck, false);
   table.add(say("columns.hardest"), "s", times);
-  add_columns(table, struck_column_columns(story.run, places_of(points), table_language(say)));
+  add_columns(table, struck_column_columns(report.run, places_of(points), table_language(say)));
   return {"columns", say("heading.columns"),
-          lead(story, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\"")};
+          lead(report, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\"")};
 }
 
 }  // namespace bentur::html

@@ -12,17 +12,17 @@ namespace {
 constexpr double percent = 100;
 constexpr double darkest = 8;  // ductility of the darkest fill
 
-bool yields(const Story& story, Eigen::Index b) { return story.response.buildings[b].yielding.ductility.size() > 0; }
+bool yields(const Report& report, Eigen::Index b) { return report.response.buildings[b].yielding.ductility.size() > 0; }
 
 /// Of a slab: its bearings are there to yield, which is no damage.
-bool is_slab(const Story& story, Eigen::Index b, Eigen::Index storey) {
-  return storey == 0 && story.problem.buildings[b].model.has_slab;
+bool is_slab(const Report& report, Eigen::Index b, Eigen::Index storey) {
+  return storey == 0 && report.problem.buildings[b].model.has_slab;
 }
 
 /// "2"; the bearings below a slab have no number.
-std::string name_of(const Story& story, Eigen::Index b, Eigen::Index storey) {
-  if (is_slab(story, b, storey)) return story.say("word.bearings");
-  return std::to_string(story.problem.buildings[b].model.storey_number(storey));
+std::string name_of(const Report& report, Eigen::Index b, Eigen::Index storey) {
+  if (is_slab(report, b, storey)) return report.say("word.bearings");
+  return std::to_string(report.problem.buildings[b].model.storey_number(storey));
 }
 
 /// White up to first yield, from there on the darker the more.
@@ -34,18 +34,18 @@ std::string fill_of(double ductility) {
 }
 
 /// The building, each storey a box of two halves: without contact and with it.
-Html drawing(const Story& story, Eigen::Index b) {
+Html drawing(const Report& report, Eigen::Index b) {
   constexpr double half = 34;    // width of a half
   constexpr double height = 30;  // of a storey
   constexpr double margin = 8;
-  const BuildingPeaks& peaks = story.response.buildings[b];
+  const BuildingPeaks& peaks = report.response.buildings[b];
   const Eigen::Index storeys = peaks.yielding.ductility.size();
   std::string boxes;
   for (Eigen::Index f = 0; f < storeys; ++f) {
     const double y = margin + height * static_cast<double>(storeys - 1 - f);
     const auto box = [&](double x, double ductility) {
       const std::string text = std::isfinite(ductility) ? fmt::format("{:.3g}", ductility) : "–";
-      const double damage = is_slab(story, b, f) ? 0 : ductility;
+      const double damage = is_slab(report, b, f) ? 0 : ductility;
       const bool dark = damage > 3;
       boxes += fmt::format(
           "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#444\" stroke-width=\".7\"/>"
@@ -62,24 +62,24 @@ Html drawing(const Story& story, Eigen::Index b) {
   const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
   const Html svg = element(
       "svg", Html::markup(boxes),
-      "viewBox=\"" + box + "\" role=\"img\" aria-label=\"" + Html::text(story.problem.buildings[b].name).str() + "\"");
-  return element("figure", svg + element("figcaption", Html::text(story.problem.buildings[b].name)));
+      "viewBox=\"" + box + "\" role=\"img\" aria-label=\"" + Html::text(report.problem.buildings[b].name).str() + "\"");
+  return element("figure", svg + element("figcaption", Html::text(report.problem.buildings[b].name)));
 }
 
-Html lead(const Story& story) {
+Html lead(const Report& report) {
   int all = 0;
   int yielded = 0;
   int yielded_without = 0;
   Eigen::Index worst_building = -1;
   Eigen::Index worst = 0;
   double most = 1;
-  for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
-    if (!yields(story, b)) continue;
-    const BuildingPeaks& peaks = story.response.buildings[b];
+  for (Eigen::Index b = 0; b < std::ssize(report.response.buildings); ++b) {
+    if (!yields(report, b)) continue;
+    const BuildingPeaks& peaks = report.response.buildings[b];
     const Eigen::VectorXd& with = peaks.yielding.ductility;
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
     for (Eigen::Index f = 0; f < with.size(); ++f) {
-      if (std::isnan(with(f)) || is_slab(story, b, f)) continue;
+      if (std::isnan(with(f)) || is_slab(report, b, f)) continue;
       ++all;
       yielded += with(f) > 1 ? 1 : 0;
       yielded_without += f < without.size() && without(f) > 1 ? 1 : 0;
@@ -89,7 +89,7 @@ Html lead(const Story& story) {
       worst = f;
     }
   }
-  const Words& say = story.say;
+  const Words& say = report.say;
   if (all == 0) return {};
   Html content = element("p",
                          Html::text(say("damage.lead", {{"yielded", std::to_string(yielded)},
@@ -97,12 +97,12 @@ Html lead(const Story& story) {
                                                         {"without", std::to_string(yielded_without)}})),
                          "class=\"lead\"");
   if (worst_building < 0) return content;
-  const BuildingPeaks& peaks = story.response.buildings[worst_building];
+  const BuildingPeaks& peaks = report.response.buildings[worst_building];
   const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
   content += element(
       "p", Html::text(say("damage.worst",
-                          {{"building", story.problem.buildings[worst_building].name},
-                           {"storey", name_of(story, worst_building, worst)},
+                          {{"building", report.problem.buildings[worst_building].name},
+                           {"storey", name_of(report, worst_building, worst)},
                            {"with", rounded(most)},
                            {"without", worst < without.size() ? rounded(without(worst)) : "–"},
                            {"residual", rounded(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
@@ -111,15 +111,15 @@ Html lead(const Story& story) {
 
 }  // namespace
 
-PageSection damage_section(const Story& story) {
+PageSection damage_section(const Report& report) {
   Html drawings;
-  for (Eigen::Index b = 0; b < std::ssize(story.response.buildings); ++b) {
-    if (yields(story, b)) drawings += drawing(story, b);
+  for (Eigen::Index b = 0; b < std::ssize(report.response.buildings); ++b) {
+    if (yields(report, b)) drawings += drawing(report, b);
   }
   if (drawings.str().empty()) return {};
-  const Words& say = story.say;
+  const Words& say = report.say;
   return {"damage", say("heading.damage"),
-          lead(story) + element("div", drawings, "class=\"damage\"") +
+          lead(report) + element("div", drawings, "class=\"damage\"") +
               element("p", Html::text(say("damage.drawing")), "class=\"note\"")};
 }
 

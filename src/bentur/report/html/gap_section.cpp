@@ -21,26 +21,26 @@ std::string wording_text(const CodeRule& rule, const Words& say) {
 
 }  // namespace
 
-Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
+Html code_table(const Report& report, const std::vector<Eigen::Index>& points) {
+  const Words& say = report.say;
+  const std::string& length = report.c.units.length;
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> titles, clauses, wordings, verdicts;
   std::vector<double> gaps, elevations, lefts, rights;
-  const auto width = [&](Eigen::Index i) { return story.problem.points[i].width; };
-  const std::size_t count = story.separations.at(points.front()).codes.size();
+  const auto width = [&](Eigen::Index i) { return report.problem.points[i].width; };
+  const std::size_t count = report.separations.at(points.front()).codes.size();
   bool property_line = false;
   for (std::size_t k = 0; k < count; ++k) {
-    const auto short_by = [&](Eigen::Index i) { return story.separations[i].codes[k].gap - width(i); };
+    const auto short_by = [&](Eigen::Index i) { return report.separations[i].codes[k].gap - width(i); };
     const Eigen::Index most = *std::max_element(
         points.begin(), points.end(), [&](Eigen::Index a, Eigen::Index b) { return short_by(a) < short_by(b); });
-    const CodeSeparation& code = story.separations[most].codes[k];
+    const CodeSeparation& code = report.separations[most].codes[k];
     const CodeRule& rule = *find_code_rule(code.rule);
     titles.emplace_back(rule.title);
     clauses.emplace_back(rule.clause);
     wordings.push_back(wording_text(rule, say));
     gaps.push_back(code.gap);
-    elevations.push_back(story.problem.points[most].elevation);
+    elevations.push_back(report.problem.points[most].elevation);
     lefts.push_back(code.to_left.value_or(none));
     rights.push_back(code.to_right.value_or(none));
     property_line = property_line || code.to_left || code.to_right;
@@ -60,9 +60,9 @@ Html code_table(const Story& story, const std::vector<Eigen::Index>& points) {
   return table.markup();
 }
 
-Html screening_table(const Story& story, Eigen::Index gap) {
-  const Words& say = story.say;
-  const std::vector<ScreeningFinding> findings = screening(story.problem, gap, story.c.screening, story.c.units);
+Html screening_table(const Report& report, Eigen::Index gap) {
+  const Words& say = report.say;
+  const std::vector<ScreeningFinding> findings = screening(report.problem, gap, report.c.screening, report.c.units);
   if (findings.empty()) return {};
   using Verdict = ScreeningFinding::Verdict;
   const auto verdict = [&](Verdict of) {
@@ -80,7 +80,7 @@ Html screening_table(const Story& story, Eigen::Index gap) {
     rules.push_back(say("screening." + std::string(rule.name)));
     values.push_back(open ? "–" : rule.yes_or_no ? say(found.value > 0 ? "word.yes" : "word.no") : number(found.value));
     limits.emplace_back(found.limit ? number(*found.limit) : "–");
-    units.emplace_back(rule.unit == "length" ? story.c.units.length : std::string(rule.unit));
+    units.emplace_back(rule.unit == "length" ? report.c.units.length : std::string(rule.unit));
     verdicts.push_back(verdict(found.verdict));
     sources.emplace_back(rule.wording == "ours" ? say("screening.ours") : std::string(rule.source));
   }
@@ -102,21 +102,21 @@ bool stands_out(bool is_short, bool governs, const std::optional<GoverningLevel>
 
 }  // namespace
 
-const std::string& floor_owner(const Story& story, const WatchedFloor& floor) {
-  return story.problem.buildings[floor.floor_of].name;
+const std::string& floor_owner(const Report& report, const WatchedFloor& floor) {
+  return report.problem.buildings[floor.floor_of].name;
 }
 
-Html points_table(const Story& story, const std::vector<Eigen::Index>& points, const std::string& needed_label,
+Html points_table(const Report& report, const std::vector<Eigen::Index>& points, const std::string& needed_label,
                   const std::optional<GoverningLevel>& governing) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
+  const Words& say = report.say;
+  const std::string& length = report.c.units.length;
   const double scale = governing ? governing->scale : 0;
   HtmlTable table;
   std::vector<double> elevations, widths, needed, abs, srss, ddc;
   std::vector<std::string> marks;
   for (const Eigen::Index i : points) {
-    const ContactPoint& point = story.problem.points[i];
-    const PointSeparation& s = story.separations.at(i);
+    const ContactPoint& point = report.problem.points[i];
+    const PointSeparation& s = report.separations.at(i);
     const bool is_short = falls_short(point.width, s.simulated, scale);
     const bool governs = governing && !governing->watched && point.elevation == governing->elevation;
     if (stands_out(is_short, governs, governing)) table.mark(elevations.size());
@@ -134,24 +134,24 @@ Html points_table(const Story& story, const std::vector<Eigen::Index>& points, c
   table.add(needed_label, length, needed);
   table.add("ABS", length, abs);
   table.add("SRSS", length, srss);
-  if (story.from_case()) table.add("DDC", length, ddc);
+  if (report.from_case()) table.add("DDC", length, ddc);
   return table.markup();
 }
 
-Html watched_table(const Story& story, const std::vector<Eigen::Index>& floors, const std::vector<double>& needed_at,
+Html watched_table(const Report& report, const std::vector<Eigen::Index>& floors, const std::vector<double>& needed_at,
                    const std::string& needed_label, const std::optional<GoverningLevel>& governing) {
   if (floors.empty()) return {};
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
+  const Words& say = report.say;
+  const std::string& length = report.c.units.length;
   HtmlTable table;
   std::vector<double> elevations, widths, needed;
   std::vector<std::string> owners, faces, marks;
   for (auto i = floors.rbegin(); i != floors.rend(); ++i) {
-    const WatchedFloor& floor = story.problem.watched[*i];
+    const WatchedFloor& floor = report.problem.watched[*i];
     const bool is_short = falls_short(floor.width, needed_at[*i], governing ? governing->scale : 0);
     if (stands_out(is_short, governing && governing->watched == *i, governing)) table.mark(elevations.size());
     elevations.push_back(floor.elevation);
-    owners.push_back(floor_owner(story, floor));
+    owners.push_back(floor_owner(report, floor));
     faces.push_back(say(floor.facing_floor ? "gap.floor" : "gap.column"));
     widths.push_back(floor.width);
     needed.push_back(needed_at[*i]);
@@ -166,30 +166,30 @@ Html watched_table(const Story& story, const std::vector<Eigen::Index>& floors, 
   return element("p", say("gap.watched")) + table.markup();
 }
 
-PageSection gap_section(const Story& story) {
-  const Words& say = story.say;
+PageSection gap_section(const Report& report) {
+  const Words& say = report.say;
   Html content;
   bool codes = false;
   std::vector<double> watched;
-  for (const WatchedSummary& floor : story.response.watched) watched.push_back(floor.needed);
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
-    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
-    const GoverningLevel governing = governing_level(story.problem, story.response, gap);
-    content += element("h3", gap_name(story.problem, gap));
-    if (!points.empty()) content += points_table(story, points, say("column.simulated"), governing);
-    content += watched_table(story, gap_at(story.problem, gap).watched, watched, say("column.simulated"), governing);
-    if (!points.empty() && !story.separations.at(points.front()).codes.empty()) {
+  for (const WatchedSummary& floor : report.response.watched) watched.push_back(floor.needed);
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(report.problem.buildings); ++gap) {
+    const std::vector<Eigen::Index> points = points_of(report.problem, gap);
+    const GoverningLevel governing = governing_level(report.problem, report.response, gap);
+    content += element("h3", gap_name(report.problem, gap));
+    if (!points.empty()) content += points_table(report, points, say("column.simulated"), governing);
+    content += watched_table(report, gap_at(report.problem, gap).watched, watched, say("column.simulated"), governing);
+    if (!points.empty() && !report.separations.at(points.front()).codes.empty()) {
       codes = true;
-      content += code_table(story, points);
+      content += code_table(report, points);
     }
-    if (story.from_case()) content += screening_table(story, gap);
+    if (report.from_case()) content += screening_table(report, gap);
   }
   content += element("p", say("gap.note"), "class=\"note\"");
-  if (story.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
+  if (report.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p",
-                     say(!story.from_case() ? "gap.no_case"
-                         : codes            ? "gap.codes_note"
-                                            : "gap.no_codes"),
+                     say(!report.from_case() ? "gap.no_case"
+                         : codes             ? "gap.codes_note"
+                                             : "gap.no_codes"),
                      "class=\"note\"");
   return {"gaps", say("heading.gaps"), content};
 }

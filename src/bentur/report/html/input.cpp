@@ -68,9 +68,9 @@ std::vector<std::string> storey_numbers(std::size_t count) {
   return numbers;
 }
 
-Html structure_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
-  const Words& say = story.say;
-  const Units& units = story.c.units;
+Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
+  const Words& say = report.say;
+  const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.frame"));
   rows.emplace_back(say("input.modulus"), quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
   rows.emplace_back(say("input.bays"), list_text(frame.bay_widths) + " " + units.length);
@@ -103,26 +103,26 @@ Html structure_echo(const PlaneFrame& frame, const Story& story, Rows& rows) {
   table.add(say("column.height"), units.length, reversed(frame.storey_heights, storeys));
   table.add(say("column.column_area"), units.length + "²", values(frame.columns, &Section::area));
   table.add(say("column.column_inertia"), units.length + "⁴", values(frame.columns, &Section::inertia));
-  table.add(say("column.column_mass"), mass_unit(story.c), reversed(column_masses, storeys));
+  table.add(say("column.column_mass"), mass_unit(report.c), reversed(column_masses, storeys));
   table.add(say("column.beam_area"), units.length + "²", values(frame.beams, &Section::area));
   table.add(say("column.beam_inertia"), units.length + "⁴", values(frame.beams, &Section::inertia));
-  table.add(say(by_length && !equal_bays ? "column.beam_mean_mass" : "column.beam_mass"), mass_unit(story.c),
+  table.add(say(by_length && !equal_bays ? "column.beam_mean_mass" : "column.beam_mass"), mass_unit(report.c),
             reversed(beam_masses, storeys));
   if (std::any_of(frame.floor_masses.begin(), frame.floor_masses.end(), [](double mass) { return mass != 0; })) {
-    table.add(say("column.floor_mass"), mass_unit(story.c), reversed(frame.floor_masses, storeys));
+    table.add(say("column.floor_mass"), mass_unit(report.c), reversed(frame.floor_masses, storeys));
   }
   return table.markup();
 }
 
-Html structure_echo(const Stick& stick, const Story& story, Rows& rows) {
-  const Words& say = story.say;
-  const Units& units = story.c.units;
+Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
+  const Words& say = report.say;
+  const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.stick"));
   const std::size_t storeys = stick.storey_heights.size();
   HtmlTable table;
   table.add(say("column.storey"), "", storey_numbers(storeys));
   table.add(say("column.height"), units.length, reversed(stick.storey_heights, storeys));
-  table.add(say("column.mass"), mass_unit(story.c), reversed(stick.masses, storeys));
+  table.add(say("column.mass"), mass_unit(report.c), reversed(stick.masses, storeys));
   table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
   if (!stick.yield_forces.empty()) {
     rows.emplace_back(say("input.hysteresis"),
@@ -147,50 +147,50 @@ Html matrix_echo(const std::string& name, const std::string& unit, const Eigen::
   return element("p", name + " [" + unit + "]") + table.markup();
 }
 
-Html structure_echo(const MatricesSpec& spec, const Story& story, Rows& rows) {
-  const Words& say = story.say;
-  const Units& units = story.c.units;
+Html structure_echo(const MatricesSpec& spec, const Report& report, Rows& rows) {
+  const Words& say = report.say;
+  const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.matrices"));
   rows.emplace_back(say("input.elevations"), list_text(spec.elevations) + " " + units.length);
   if (spec.mass.rows() > largest_matrix_shown) {
     rows.emplace_back(say("input.size"), fmt::format("{0} × {0}", spec.mass.rows()));
     return {};
   }
-  return matrix_echo(say("column.mass"), mass_unit(story.c), spec.mass) +
+  return matrix_echo(say("column.mass"), mass_unit(report.c), spec.mass) +
          matrix_echo(say("column.stiffness"), units.force + "/" + units.length, spec.stiffness);
 }
 
-Html structure_echo(const RigidSpec& spec, const Story& story, Rows& rows) {
-  rows.emplace_back(story.say("input.structure"), story.say("input.rigid"));
-  rows.emplace_back(story.say("input.elevations"), list_text(spec.elevations) + " " + story.c.units.length);
+Html structure_echo(const RigidSpec& spec, const Report& report, Rows& rows) {
+  rows.emplace_back(report.say("input.structure"), report.say("input.rigid"));
+  rows.emplace_back(report.say("input.elevations"), list_text(spec.elevations) + " " + report.c.units.length);
   return {};
 }
 
-Html structure_echo(const ModalBuilding& modal, const Story& story, Rows& rows) {
-  const Words& say = story.say;
+Html structure_echo(const ModalBuilding& modal, const Report& report, Rows& rows) {
+  const Words& say = report.say;
   rows.emplace_back(say("input.structure"), say("input.modal", {{"modes", std::to_string(modal.periods.size())}}));
   HtmlTable table;
   const std::size_t floors = modal.elevations.size();
-  table.add(say("column.elevation"), story.c.units.length, reversed(modal.elevations, floors));
-  table.add(say("column.mass"), mass_unit(story.c), reversed(modal.masses, floors));
+  table.add(say("column.elevation"), report.c.units.length, reversed(modal.elevations, floors));
+  table.add(say("column.mass"), mass_unit(report.c), reversed(modal.masses, floors));
   return table.markup();
 }
 
-Html structure_echo(const GenericBuilding& generic, const Story& story, Rows& rows) {
-  const Words& say = story.say;
+Html structure_echo(const GenericBuilding& generic, const Report& report, Rows& rows) {
+  const Words& say = report.say;
   rows.emplace_back(say("input.structure"), say("input.generic", {{"ratio", number(generic.stiffness_ratio)}}));
   const std::size_t storeys = generic.storey_heights.size();
   HtmlTable table;
   table.add(say("column.storey"), "", storey_numbers(storeys));
-  table.add(say("column.height"), story.c.units.length, reversed(generic.storey_heights, storeys));
-  table.add(say("column.mass"), mass_unit(story.c), reversed(generic.floor_masses, storeys));
+  table.add(say("column.height"), report.c.units.length, reversed(generic.storey_heights, storeys));
+  table.add(say("column.mass"), mass_unit(report.c), reversed(generic.floor_masses, storeys));
   return table.markup();
 }
 
 /// What the building stands on and bears.
-void support_echo(const BuildingSpec& spec, const Story& story, Rows& rows) {
-  const Words& say = story.say;
-  const Units& units = story.c.units;
+void support_echo(const BuildingSpec& spec, const Report& report, Rows& rows) {
+  const Words& say = report.say;
+  const Units& units = report.c.units;
   const std::string spring = units.force + "/" + units.length;
   if (spec.p_delta || !spec.gravity_loads.empty()) {
     rows.emplace_back(say("input.gravity"), spec.gravity_loads.empty()
@@ -199,7 +199,7 @@ void support_echo(const BuildingSpec& spec, const Story& story, Rows& rows) {
   }
   if (spec.isolation) {
     const Isolation& bearings = spec.isolation->bearings;
-    rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(story.c)));
+    rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(report.c)));
     if (const auto& pendulum = spec.isolation->pendulum) {
       rows.emplace_back(say("input.bearings"),
                         say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
@@ -224,8 +224,8 @@ std::vector<double> first_modes(const Eigen::VectorXd& values) {
   return {values.begin(), values.begin() + std::min(values.size(), most_modes)};
 }
 
-Html modes_table(const Building& building, const Story& story) {
-  const Words& say = story.say;
+Html modes_table(const Building& building, const Report& report) {
+  const Words& say = report.say;
   const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> numbers = storey_numbers(static_cast<std::size_t>(shown));
@@ -238,7 +238,7 @@ Html modes_table(const Building& building, const Story& story) {
   table.add(say("column.period"), "s", first_modes(properties.periods));
   table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse()));
   table.add(say("column.damping"), "%", first_modes(100 * damping));
-  table.add(say("column.participation"), "(" + mass_unit(story.c) + ")^½", first_modes(properties.participation));
+  table.add(say("column.participation"), "(" + mass_unit(report.c) + ")^½", first_modes(properties.participation));
   table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
   table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
   Html content = element("h4", say("heading.modes")) + table.markup();
@@ -249,24 +249,24 @@ Html modes_table(const Building& building, const Story& story) {
   return content;
 }
 
-Html building_echo(const Story& story, Eigen::Index b) {
-  const Words& say = story.say;
-  const BuildingSpec& spec = story.c.buildings.at(b);
-  const Building& building = story.problem.buildings.at(b);
+Html building_echo(const Report& report, Eigen::Index b) {
+  const Words& say = report.say;
+  const BuildingSpec& spec = report.c.buildings.at(b);
+  const Building& building = report.problem.buildings.at(b);
   Rows rows;
   const Html table =
-      std::visit([&](const auto& structure) { return structure_echo(structure, story, rows); }, spec.structure);
+      std::visit([&](const auto& structure) { return structure_echo(structure, report, rows); }, spec.structure);
   if (building.is_rigid()) return element("h3", building.name) + facts(rows) + table;
-  support_echo(spec, story, rows);
+  support_echo(spec, report, rows);
   const std::string damping = damping_text(spec.damping, say);
   rows.emplace_back(say("input.damping"),
                     spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);
   if (spec.calibrate_period) rows.emplace_back(say("input.calibrated"), quantity(*spec.calibrate_period, "s"));
   if (spec.base_elevation != 0) {
-    rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, story.c.units.length));
+    rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, report.c.units.length));
   }
-  if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, story.c.units.length));
-  return element("h3", building.name) + facts(rows) + table + modes_table(building, story);
+  if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, report.c.units.length));
+  return element("h3", building.name) + facts(rows) + table + modes_table(building, report);
 }
 
 /// Unit of what a law works with, by the law's exponent; empty where it has none or it is the law's own.
@@ -280,24 +280,25 @@ std::string parameter_unit(std::string_view name, const std::string& law, const 
   return "";
 }
 
-Html gap_echo(const Story& story, Eigen::Index gap) {
-  const Words& say = story.say;
-  const GapSpec& spec = story.c.gaps.at(gap);
+Html gap_echo(const Report& report, Eigen::Index gap) {
+  const Words& say = report.say;
+  const GapSpec& spec = report.c.gaps.at(gap);
   Rows rows;
   if (spec.elevations.empty()) {
     rows.emplace_back(say("input.law"), say("input.no_contact"));
-    if (!spec.widths.empty()) rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), story.c.units.length));
-    return element("h3", say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}})) + facts(rows);
+    if (!spec.widths.empty())
+      rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), report.c.units.length));
+    return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows);
   }
   rows.emplace_back(say("input.law"), spec.contact.law);
-  for (const auto& [name, word] : story.from_case() ? spec.contact.choices() : spec.contact.words) {
+  for (const auto& [name, word] : report.from_case() ? spec.contact.choices() : spec.contact.words) {
     rows.emplace_back(chosen_word(say, name), chosen_word(say, word));
   }
   if (spec.contact.axial) rows.emplace_back(chosen_word(say, "stiffness"), say("input.axial"));
   std::vector<double> elevations, widths;
   std::vector<std::pair<std::string, std::vector<double>>> parameters;
-  for (const Eigen::Index i : points_of(story.problem, gap)) {
-    const ContactPoint& point = story.problem.points[i];
+  for (const Eigen::Index i : points_of(report.problem, gap)) {
+    const ContactPoint& point = report.problem.points[i];
     elevations.push_back(point.elevation);
     widths.push_back(point.width);
     if (point.law == nullptr) continue;
@@ -308,24 +309,24 @@ Html gap_echo(const Story& story, Eigen::Index gap) {
       parameters[k].second.push_back(of_law[k].second);
     }
   }
-  if (!story.from_case()) {  // result files keep what the laws worked with, point by point from the lowest
+  if (!report.from_case()) {  // result files keep what the laws worked with, point by point from the lowest
     for (const auto& [name, values] : spec.contact.numbers)
       parameters.emplace_back(name, reversed(values, values.size()));
   }
   HtmlTable table;
-  table.add(say("column.elevation"), story.c.units.length, elevations);
-  table.add(say("column.gap"), story.c.units.length, widths);
+  table.add(say("column.elevation"), report.c.units.length, elevations);
+  table.add(say("column.gap"), report.c.units.length, widths);
   for (const auto& [name, values] : parameters) {
-    table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, story.c.units), values);
+    table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, report.c.units), values);
   }
-  return element("h3", say("heading.gap_of", {{"gap", gap_name(story.problem, gap)}})) + facts(rows) + table.markup();
+  return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows) + table.markup();
 }
 
 /// Of one [[link]] table, from the top down.
-Html link_echo(const Story& story, const LinkSpec& spec, const std::vector<Eigen::Index>& links) {
+Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eigen::Index>& links) {
   if (links.empty()) return {};
-  const Words& say = story.say;
-  const Units& units = story.c.units;
+  const Words& say = report.say;
+  const Units& units = report.c.units;
   const auto unit = [&](std::string_view name) -> std::string {
     if (name == "yield_force") return units.force;
     return name == "slack" ? units.length : parameter_unit(name, spec.law, units);
@@ -340,14 +341,14 @@ Html link_echo(const Story& story, const LinkSpec& spec, const std::vector<Eigen
     for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
     table.add(say("parameter." + std::string(key.name)), unit(key.name), values);
   }
-  const std::string name = link_name(story.problem, story.problem.links.at(links.front()));
+  const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
   return element("h3", say("heading.links_of", {{"link", name}})) +
          facts({{say("input.link_law"), say("input." + spec.law)}}) + table.markup();
 }
 
-Html motion_echo(const Story& story) {
-  const Words& say = story.say;
-  const Case& c = story.c;
+Html motion_echo(const Report& report) {
+  const Words& say = report.say;
+  const Case& c = report.c;
   const std::string acceleration = acceleration_unit(c);
   const MotionMeasures measures = motion_measures(c.excitation.motion);
   Rows rows;
@@ -384,7 +385,7 @@ Html motion_echo(const Story& story) {
   }
   for (Eigen::Index b = 0; b < std::ssize(c.excitation.delays); ++b) {
     if (c.excitation.delays[b] != 0) {
-      rows.emplace_back(say("motion.delay", {{"building", story.problem.buildings.at(b).name}}),
+      rows.emplace_back(say("motion.delay", {{"building", report.problem.buildings.at(b).name}}),
                         quantity(c.excitation.delays[b], "s"));
     }
   }
@@ -394,39 +395,39 @@ Html motion_echo(const Story& story) {
   return element("h3", say("heading.motion")) + facts(rows);
 }
 
-Html initial_echo(const Story& story) {
-  const Words& say = story.say;
-  const InitialSpec& initial = story.c.initial;
+Html initial_echo(const Report& report) {
+  const Words& say = report.say;
+  const InitialSpec& initial = report.c.initial;
   Html content;
-  for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) {
+  for (Eigen::Index b = 0; b < std::ssize(report.c.buildings); ++b) {
     const auto given = [&](const std::vector<std::vector<double>>& all) {
       return b < std::ssize(all) ? all[b] : std::vector<double>();
     };
     const std::vector<double> displacements = given(initial.displacements);
     const std::vector<double> velocities = given(initial.velocities);
     if (displacements.empty() && velocities.empty()) continue;
-    const std::vector<double>& elevations = story.problem.buildings[b].model.elevations;
+    const std::vector<double>& elevations = report.problem.buildings[b].model.elevations;
     HtmlTable table;
-    table.add(say("column.elevation"), story.c.units.length, reversed(elevations, elevations.size()));
+    table.add(say("column.elevation"), report.c.units.length, reversed(elevations, elevations.size()));
     if (!displacements.empty()) {
-      table.add(say("column.initial_displacement"), story.c.units.length, reversed(displacements, elevations.size()));
+      table.add(say("column.initial_displacement"), report.c.units.length, reversed(displacements, elevations.size()));
     }
     if (!velocities.empty()) {
-      table.add(say("column.initial_velocity"), story.c.units.length + "/s", reversed(velocities, elevations.size()));
+      table.add(say("column.initial_velocity"), report.c.units.length + "/s", reversed(velocities, elevations.size()));
     }
-    content += element("h3", say("heading.initial_of", {{"building", story.c.buildings[b].name}})) + table.markup();
+    content += element("h3", say("heading.initial_of", {{"building", report.c.buildings[b].name}})) + table.markup();
   }
   return content;
 }
 
-Html analysis_echo(const Story& story) {
-  const Words& say = story.say;
-  const AnalysisSpec& analysis = story.c.analysis;
+Html analysis_echo(const Report& report) {
+  const Words& say = report.say;
+  const AnalysisSpec& analysis = report.c.analysis;
   Rows rows;
-  std::string units = story.c.units.length + ", " + story.c.units.force + ", s";
-  if (story.from_case()) units += "; g = " + quantity(story.c.units.gravity, acceleration_unit(story.c));
+  std::string units = report.c.units.length + ", " + report.c.units.force + ", s";
+  if (report.from_case()) units += "; g = " + quantity(report.c.units.gravity, acceleration_unit(report.c));
   rows.emplace_back(say("analysis.units"), units);
-  rows.emplace_back(say("analysis.duration"), quantity(story.problem.duration, "s"));
+  rows.emplace_back(say("analysis.duration"), quantity(report.problem.duration, "s"));
   std::string solver = say("solver." + std::string(name(analysis.solver)));
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&analysis.solver)) {
     solver += fmt::format(" ({} {})", say("solver.tolerance"), adaptive->tolerance);
@@ -435,33 +436,33 @@ Html analysis_echo(const Story& story) {
     solver += fmt::format(" ({} {})", say("solver.step"), quantity(stepwise->step, "s"));
   }
   rows.emplace_back(say("analysis.solver"), solver);
-  rows.emplace_back(say("analysis.events"), std::to_string(story.response.events));
+  rows.emplace_back(say("analysis.events"), std::to_string(report.response.events));
   return element("h3", say("heading.analysis")) + facts(rows);
 }
 
 /// What result files hold of the buildings.
-Html buildings_of_results(const Story& story) {
-  Html content = element("p", story.say("input.from_results"), "class=\"note\"");
-  for (const Building& building : story.problem.buildings) {
+Html buildings_of_results(const Report& report) {
+  Html content = element("p", report.say("input.from_results"), "class=\"note\"");
+  for (const Building& building : report.problem.buildings) {
     const Eigen::VectorXd periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
     content += element("h3", building.name) +
-               facts({{story.say("input.floors"), list_text(building.model.elevations) + " " + story.c.units.length},
-                      {story.say("input.periods"), list_text(first_modes(periods)) + " s"}});
+               facts({{report.say("input.floors"), list_text(building.model.elevations) + " " + report.c.units.length},
+                      {report.say("input.periods"), list_text(first_modes(periods)) + " s"}});
   }
   return content;
 }
 
 }  // namespace
 
-PageSection input_section(const Story& story) {
-  Html content = motion_echo(story);
-  if (!story.from_case()) content += buildings_of_results(story);
-  for (Eigen::Index b = 0; b < std::ssize(story.c.buildings); ++b) content += building_echo(story, b);
-  for (Eigen::Index gap = 0; gap < std::ssize(story.c.gaps); ++gap) content += gap_echo(story, gap);
-  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(story.c.links);
-  for (std::size_t k = 0; k < links.size(); ++k) content += link_echo(story, story.c.links[k], links[k]);
-  content += initial_echo(story) + analysis_echo(story);
-  return {"input", story.say("heading.input"), content};
+PageSection input_section(const Report& report) {
+  Html content = motion_echo(report);
+  if (!report.from_case()) content += buildings_of_results(report);
+  for (Eigen::Index b = 0; b < std::ssize(report.c.buildings); ++b) content += building_echo(report, b);
+  for (Eigen::Index gap = 0; gap < std::ssize(report.c.gaps); ++gap) content += gap_echo(report, gap);
+  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(report.c.links);
+  for (std::size_t k = 0; k < links.size(); ++k) content += link_echo(report, report.c.links[k], links[k]);
+  content += initial_echo(report) + analysis_echo(report);
+  return {"input", report.say("heading.input"), content};
 }
 
 }  // namespace bentur::html

@@ -25,17 +25,17 @@ std::string rounded(double value) {
 
 std::string prose(double value, const std::string& unit) { return rounded(value) + "\u00A0" + unit; }
 
-bool numbers_buildings(const Story& story) { return story.problem.buildings.size() > 2; }
+bool numbers_buildings(const Report& report) { return report.problem.buildings.size() > 2; }
 
-std::string short_gap_name(const Story& story, Eigen::Index gap) {
-  if (!numbers_buildings(story)) return gap_name(story.problem, gap);
+std::string short_gap_name(const Report& report, Eigen::Index gap) {
+  if (!numbers_buildings(report)) return gap_name(report.problem, gap);
   return fmt::format("{}\u00A0|\u00A0{}", gap + 1, gap + 2);
 }
 
-std::string building_key(const Story& story) {
+std::string building_key(const Report& report) {
   std::string text;
-  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
-    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, story.problem.buildings[b].name);
+  for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
+    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, report.problem.buildings[b].name);
   }
   return text;
 }
@@ -64,61 +64,61 @@ void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
   }
 }
 
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places) {
-  add_columns(table, table_columns(owner, story.run, places, table_language(story.say)));
+void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {
+  add_columns(table, table_columns(owner, report.run, places, table_language(report.say)));
 }
 
 namespace {
 
-Html contact_table(const Story& story, Eigen::Index gap) {
-  const std::vector<Eigen::Index> points = points_of(story.problem, gap);
+Html contact_table(const Report& report, Eigen::Index gap) {
+  const std::vector<Eigen::Index> points = points_of(report.problem, gap);
   std::vector<double> elevations;
-  for (const Eigen::Index i : points) elevations.push_back(story.problem.points[i].elevation);
+  for (const Eigen::Index i : points) elevations.push_back(report.problem.points[i].elevation);
   HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, elevations);
-  add_quantities(table, story, Owner::point, places_of(points));
+  table.add(report.say("column.elevation"), report.c.units.length, elevations);
+  add_quantities(table, report, Owner::point, places_of(points));
   return table.markup();
 }
 
 /// Some quantities of a building's floors, from the top down; empty where there are none.
-Html floors_table(const Story& story, Eigen::Index b, std::vector<TableColumn> columns) {
+Html floors_table(const Report& report, Eigen::Index b, std::vector<TableColumn> columns) {
   if (columns.empty()) return {};
-  const std::vector<double>& levels = story.problem.buildings[b].model.elevations;
+  const std::vector<double>& levels = report.problem.buildings[b].model.elevations;
   HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  table.add(report.say("column.elevation"), report.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
   add_columns(table, std::move(columns));
   return table.markup();
 }
 
 /// The same under a line that says what they are.
-Html floors_table(const Story& story, Eigen::Index b, const char* lead, std::vector<TableColumn> columns) {
-  const Html table = floors_table(story, b, std::move(columns));
-  return table.str().empty() ? table : element("p", Html::text(story.say(lead))) + table;
+Html floors_table(const Report& report, Eigen::Index b, const char* lead, std::vector<TableColumn> columns) {
+  const Html table = floors_table(report, b, std::move(columns));
+  return table.str().empty() ? table : element("p", Html::text(report.say(lead))) + table;
 }
 
 /// What the foundation does; empty without soil.
-Html foundation_text(const Story& story, Eigen::Index b) {
-  const Eigen::VectorXd& peaks = story.response.buildings[b].foundation;
+Html foundation_text(const Report& report, Eigen::Index b) {
+  const Eigen::VectorXd& peaks = report.response.buildings[b].foundation;
   if (peaks.size() < 2) return {};
-  return element("p", Html::text(story.say("peaks.foundation", {{"sway", prose(peaks(0), story.c.units.length)},
-                                                                {"rocking", prose(peaks(1), "rad")}})));
+  return element("p", Html::text(report.say("peaks.foundation", {{"sway", prose(peaks(0), report.c.units.length)},
+                                                                 {"rocking", prose(peaks(1), "rad")}})));
 }
 
 /// Of one [[link]] table, from the top down.
-Html links_table(const Story& story, const std::vector<Eigen::Index>& links) {
+Html links_table(const Report& report, const std::vector<Eigen::Index>& links) {
   std::vector<double> elevations;
-  for (const Eigen::Index i : links) elevations.push_back(story.problem.links[i].elevation);
+  for (const Eigen::Index i : links) elevations.push_back(report.problem.links[i].elevation);
   HtmlTable table;
-  table.add(story.say("column.elevation"), story.c.units.length, elevations);
-  add_quantities(table, story, Owner::link, places_of(links));
+  table.add(report.say("column.elevation"), report.c.units.length, elevations);
+  add_quantities(table, report, Owner::link, places_of(links));
   return table.markup();
 }
 
 /// Restitution asked and obtained, where a law was asked for one or an impact tells one.
-Html restitution_table(const Story& story) {
-  if (!story.from_case()) return {};
-  const Words& say = story.say;
-  const std::vector<PointRestitution>& restitution = story.run.restitutions;
+Html restitution_table(const Report& report) {
+  if (!report.from_case()) return {};
+  const Words& say = report.say;
+  const std::vector<PointRestitution>& restitution = report.run.restitutions;
   const bool any =
       std::any_of(restitution.begin(), restitution.end(), [](const auto& r) { return r.asked.has_value(); });
   if (!any) return {};
@@ -126,20 +126,20 @@ Html restitution_table(const Story& story) {
   std::vector<std::string> gaps, asked, smallest, largest;
   std::vector<double> elevations;
   std::vector<Eigen::Index> order;  // gap by gap, each from the top down
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
-    const std::vector<Eigen::Index> points = points_of(story.problem, gap);
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(report.problem.buildings); ++gap) {
+    const std::vector<Eigen::Index> points = points_of(report.problem, gap);
     order.insert(order.end(), points.begin(), points.end());
   }
   for (const Eigen::Index i : order) {
-    gaps.push_back(short_gap_name(story, story.problem.points[i].left));
-    elevations.push_back(story.problem.points[i].elevation);
+    gaps.push_back(short_gap_name(report, report.problem.points[i].left));
+    elevations.push_back(report.problem.points[i].elevation);
     asked.push_back(text(restitution[i].asked));
     smallest.push_back(text(restitution[i].smallest));
     largest.push_back(text(restitution[i].largest));
   }
   HtmlTable table;
   table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), story.c.units.length, elevations);
+  table.add(say("column.elevation"), report.c.units.length, elevations);
   table.add(say("column.asked"), "", asked);
   table.add(say("column.smallest"), "", smallest);
   table.add(say("column.largest"), "", largest);
@@ -147,90 +147,90 @@ Html restitution_table(const Story& story) {
          element("p", Html::text(say("peaks.restitution_note")), "class=\"note\"");
 }
 
-Html proportions_text(const Story& story, Eigen::Index b) {
-  const Building& building = story.problem.buildings[b];
-  const Proportions found = proportions(building, story.c.units, &story.response.buildings[b]);
+Html proportions_text(const Report& report, Eigen::Index b) {
+  const Building& building = report.problem.buildings[b];
+  const Proportions found = proportions(building, report.c.units, &report.response.buildings[b]);
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const double period = 2 * std::numbers::pi / building.first_omega();
   return element("p",
-                 Html::text(story.say("peaks.proportions", {{"weight", prose(found.weight, story.c.units.force)},
-                                                            {"coefficient", rounded(*found.base_shear_coefficient)},
-                                                            {"period", prose(period, "s")},
-                                                            {"per_storey", prose(found.period_per_storey, "s")}})));
+                 Html::text(report.say("peaks.proportions", {{"weight", prose(found.weight, report.c.units.force)},
+                                                             {"coefficient", rounded(*found.base_shear_coefficient)},
+                                                             {"period", prose(period, "s")},
+                                                             {"per_storey", prose(found.period_per_storey, "s")}})));
 }
 
 }  // namespace
 
-PageSection remarks_section(const Story& story) {
+PageSection remarks_section(const Report& report) {
   Html content;
-  for (const std::string& text : remark_texts(story.remarks, story.say.language())) {
+  for (const std::string& text : remark_texts(report.remarks, report.say.language())) {
     content += element("li", Html::text(text));
   }
-  if (!story.remarks.empty()) content = element("ul", content);
-  content += element("p", Html::text(model_text(story.problem, some_building_yields(story.problem, story.response),
-                                                story.say.language())));
-  return {"remarks", story.say("remarks.heading"), content};
+  if (!report.remarks.empty()) content = element("ul", content);
+  content += element("p", Html::text(model_text(report.problem, some_building_yields(report.problem, report.response),
+                                                report.say.language())));
+  return {"remarks", report.say("remarks.heading"), content};
 }
 
-PageSection peaks_section(const Story& story) {
-  const Words& say = story.say;
+PageSection peaks_section(const Report& report) {
+  const Words& say = report.say;
   Html content;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(story.problem.buildings); ++gap) {
-    if (points_of(story.problem, gap).empty()) continue;
-    const std::string name = gap_name(story.problem, gap);
-    content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(story, gap);
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(report.problem.buildings); ++gap) {
+    if (points_of(report.problem, gap).empty()) continue;
+    const std::string name = gap_name(report.problem, gap);
+    content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(report, gap);
   }
   const std::size_t language = table_language(say);
-  content += restitution_table(story);
-  for (std::vector<Eigen::Index> links : links_by_spec(story.c.links)) {
+  content += restitution_table(report);
+  for (std::vector<Eigen::Index> links : links_by_spec(report.c.links)) {
     if (links.empty()) continue;
     std::reverse(links.begin(), links.end());
-    const std::string name = link_name(story.problem, story.problem.links.at(links.front()));
-    content += element("h3", Html::text(say("heading.links_of", {{"link", name}}))) + links_table(story, links);
+    const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
+    content += element("h3", Html::text(say("heading.links_of", {{"link", name}}))) + links_table(report, links);
   }
-  for (Eigen::Index b = 0; b < std::ssize(story.problem.buildings); ++b) {
-    const std::string name = story.problem.buildings[b].name;
-    const std::vector<QuantityPlace> floors = floors_from_top(story.problem, b);
+  for (Eigen::Index b = 0; b < std::ssize(report.problem.buildings); ++b) {
+    const std::string name = report.problem.buildings[b].name;
+    const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) +
-               floors_table(story, b, table_columns(Owner::floor, story.run, floors, language)) +
-               floors_table(story, b, "peaks.forces", force_columns(story.run, floors, language)) +
-               proportions_text(story, b) + foundation_text(story, b) +
-               floors_table(story, b, "peaks.yielding", yielding_columns(story.run, floors, language));
+               floors_table(report, b, table_columns(Owner::floor, report.run, floors, language)) +
+               floors_table(report, b, "peaks.forces", force_columns(report.run, floors, language)) +
+               proportions_text(report, b) + foundation_text(report, b) +
+               floors_table(report, b, "peaks.yielding", yielding_columns(report.run, floors, language));
   }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
-  if (some_building_yields(story.problem, story.response)) {
+  if (some_building_yields(report.problem, report.response)) {
     content += element("p", Html::text(say("peaks.yielding_note")), "class=\"note\"");
   }
-  if (story.response.energy) {
-    const EnergyAudit& energy = *story.response.energy;
+  if (report.response.energy) {
+    const EnergyAudit& energy = *report.response.energy;
     content += element(
         "p", Html::text(say("peaks.energy",
-                            {{"input", prose(energy.peak_input, story.c.units.force + "·" + story.c.units.length)},
+                            {{"input", prose(energy.peak_input, report.c.units.force + "·" + report.c.units.length)},
                              {"residual", with_power(fmt::format("{:.1e}", energy.relative_residual()))}})));
   }
   return {"peaks", say("heading.peaks"), content};
 }
 
-PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>& listed) {
-  const Words& say = story.say;
-  const std::vector<Impact>& all = story.response.impacts;
+PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
+  const Words& say = report.say;
+  const std::vector<Impact>& all = report.response.impacts;
   if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
   std::vector<std::string> numbers, gaps, struck;
   std::vector<double> elevations;
   for (const Eigen::Index k : listed) {
-    const ContactPoint& point = story.problem.points.at(static_cast<std::size_t>(all[k].point));
+    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(short_gap_name(story, point.left));
+    gaps.push_back(short_gap_name(report, point.left));
     elevations.push_back(point.elevation);
-    struck.push_back(struck_text(story, all[k].point));
+    struck.push_back(struck_text(report, all[k].point));
   }
-  const bool of_columns = !struck_points(story.problem).empty();
+  const bool of_columns = !struck_points(report.problem).empty();
   HtmlTable table;
   table.add("#", "", numbers);
-  if (story.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), story.c.units.length, elevations);
+  if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
+  table.add(say("column.elevation"), report.c.units.length, elevations);
   if (of_columns) table.add(say("columns.struck"), "", struck, false);
-  for (TableColumn& column : table_columns(Owner::impact, story.run, places_of(listed), table_language(say))) {
+  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), table_language(say))) {
     table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
   }
   Html content;
@@ -243,7 +243,7 @@ PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>&
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
   int sorted =
-      2 + (story.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
+      2 + (report.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
   for (const Quantity* quantity : quantities_of(Owner::impact)) {
     if (quantity->key == "peak_force") break;
     sorted += quantity->label[0].empty() ? 0 : 1;

@@ -20,8 +20,7 @@ namespace {
 
 using html::element;
 using html::Html;
-using html::Story;
-using html::Words;
+using html::Report;
 
 /// The hardest impacts, the hardest first.
 std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
@@ -72,8 +71,8 @@ Html speeds() {
 }
 
 /// The buildings in motion; the script draws them.
-html::PageSection motion_section(const Story& story) {
-  const Words& say = story.say;
+html::PageSection motion_section(const Report& report) {
+  const Words& say = report.say;
   const std::string label = Html::text(say("motion.picture")).str();
   Html content = element("noscript", element("p", say("motion.noscript")));
   content += element(
@@ -84,13 +83,13 @@ html::PageSection motion_section(const Story& story) {
                                    element("span", Html(), "id=\"event\"")) +
                       element("div",
                               element("table",
-                                      element("caption", say("motion.opening", {{"unit", story.c.units.length}})) +
+                                      element("caption", say("motion.opening", {{"unit", report.c.units.length}})) +
                                           element("tbody", Html(), "id=\"live\""),
                                       "class=\"live\""),
                               "class=\"wide\""),
                   "class=\"readout\""),
       "class=\"player\"");
-  content += element("p", html::building_key(story), "id=\"building-key\" class=\"note\"");
+  content += element("p", html::building_key(report), "id=\"building-key\" class=\"note\"");
   content += element("p", Html(), "id=\"scale-note\" class=\"note print\"");
   content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
@@ -111,18 +110,18 @@ html::PageSection motion_section(const Story& story) {
 }
 
 /// Case and record by their hashes, so that a report can be told from that of another file of the same name.
-Html identity(const Story& story) {
+Html identity(const Report& report) {
   Html lines;
-  if (story.c.source && !story.c.source->sha256.empty()) {
+  if (report.c.source && !report.c.source->sha256.empty()) {
     lines += element("p",
-                     story.say("report.identity",
-                               {{"file", story.c.source->file}, {"hash", story.c.source->sha256.substr(0, 16) + "…"}}),
+                     report.say("report.identity", {{"file", report.c.source->file},
+                                                    {"hash", report.c.source->sha256.substr(0, 16) + "…"}}),
                      "class=\"note\"");
   }
-  if (const std::optional<RecordEcho>& record = story.c.excitation.record; record && !record->sha256.empty()) {
+  if (const std::optional<RecordEcho>& record = report.c.excitation.record; record && !record->sha256.empty()) {
     lines += element(
         "p",
-        story.say("report.record_identity", {{"file", record->file}, {"hash", record->sha256.substr(0, 16) + "…"}}),
+        report.say("report.record_identity", {{"file", record->file}, {"hash", record->sha256.substr(0, 16) + "…"}}),
         "class=\"note\"");
   }
   return lines;
@@ -154,7 +153,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                            "must have the histories of every building");
   }
   const Words say(options.language);
-  const Story story{
+  const Report report{
       results.view(),
       c,
       problem,
@@ -167,14 +166,14 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
 
   html::PageBody body;
   body.header = element("h1", title) +
-                element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(story);
+                element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(report);
   body.sections = {
-      html::verdict_section(story), html::remarks_section(story),         motion_section(story),
-      html::gap_section(story),     html::peaks_section(story),           html::damage_section(story),
-      html::columns_section(story), html::impacts_section(story, listed), html::figures_section(say, options.figures),
-      html::input_section(story)};
+      html::verdict_section(report), html::remarks_section(report),         motion_section(report),
+      html::gap_section(report),     html::peaks_section(report),           html::damage_section(report),
+      html::columns_section(report), html::impacts_section(report, listed), html::figures_section(say, options.figures),
+      html::input_section(report)};
   body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
-                element("script", html::json_markup(html::animation_json(story, listed)),
+                element("script", html::json_markup(html::animation_json(report, listed)),
                         "type=\"application/json\" id=\"data\"") +
                 Html::markup("\n");
   return html::page(say, title, body, true);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bentur/model/run_results.h"
-#include "bentur/report/html/internal/words.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bentur/report/figures/gnuplot.h"
-#include "bentur/report/html/internal/words.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 
@@ -14,10 +14,10 @@ namespace {
 template <typename Results>
 std::vector<ReportFigure> drawn(const Results& results, const std::string& family, const std::string& language) {
   if (!gnuplot_version()) return {};
-  const html::Words say(language);
+  const Words say(language);
   std::vector<ReportFigure> figures;
   FigureOptions options;
-  options.say = html::figure_words(language);
+  options.say = figure_words(language);
   options.choose = true;
   for (const FigureKind& kind : figure_kinds(results)) {
     if (!kind.tells) continue;

@@ -15,56 +15,55 @@ namespace {
 using html::element;
 using html::Html;
 using html::HtmlTable;
-using html::Story;
-using html::Words;
+using html::Report;
 
-html::PageSection spectral_verdict(const Story& story, const SpectralGaps& spectral) {
+html::PageSection spectral_verdict(const Report& report, const SpectralGaps& spectral) {
   Html blocks;
-  const std::string& length = story.c.units.length;
-  for (const Gap& gap : gaps_of(story.problem)) {
-    const auto worst = governing_level(story.problem, spectral, gap);
+  const std::string& length = report.c.units.length;
+  for (const Gap& gap : gaps_of(report.problem)) {
+    const auto worst = governing_level(report.problem, spectral, gap);
     if (!worst) continue;
     const bool too_small = worst->is_short();
     Html block = element(
-        "p", gap_name(story.problem, gap.left) + ": " + story.say(too_small ? "gap.too_close" : "gap.wide_enough"),
+        "p", gap_name(report.problem, gap.left) + ": " + report.say(too_small ? "gap.too_close" : "gap.wide_enough"),
         "class=\"badge\"");
     block += element("p",
-                     story.say(too_small ? "spectral.short" : "spectral.enough",
-                               {{"needed", html::prose(worst->needed, length)},
-                                {"elevation", html::prose(worst->elevation, length)},
-                                {"width", html::prose(worst->width, length)},
-                                {"difference", html::prose(std::abs(worst->needed - worst->width), length)}}),
+                     report.say(too_small ? "spectral.short" : "spectral.enough",
+                                {{"needed", html::prose(worst->needed, length)},
+                                 {"elevation", html::prose(worst->elevation, length)},
+                                 {"width", html::prose(worst->width, length)},
+                                 {"difference", html::prose(std::abs(worst->needed - worst->width), length)}}),
                      "class=\"lead\"");
     blocks += element("div", block, html::verdict_class(too_small));
   }
-  return {"verdict", story.say("heading.verdict"), blocks};
+  return {"verdict", report.say("heading.verdict"), blocks};
 }
 
-html::PageSection spectral_gap_section(const Story& story, const SpectralGaps& spectral) {
-  const Words& say = story.say;
+html::PageSection spectral_gap_section(const Report& report, const SpectralGaps& spectral) {
+  const Words& say = report.say;
   const std::string difference = say("spectral.difference");
   Html content;
-  for (const Gap& gap : gaps_of(story.problem)) {
-    const std::vector<Eigen::Index> points = html::points_of(story.problem, gap.left);
-    content += element("h3", gap_name(story.problem, gap.left));
-    if (!points.empty()) content += html::points_table(story, points, difference, std::nullopt);
-    content += html::watched_table(story, gap.watched, spectral.watched, difference, std::nullopt);
-    if (!points.empty() && !story.c.code.rules.empty()) content += html::code_table(story, points);
-    content += html::screening_table(story, gap.left);
+  for (const Gap& gap : gaps_of(report.problem)) {
+    const std::vector<Eigen::Index> points = html::points_of(report.problem, gap.left);
+    content += element("h3", gap_name(report.problem, gap.left));
+    if (!points.empty()) content += html::points_table(report, points, difference, std::nullopt);
+    content += html::watched_table(report, gap.watched, spectral.watched, difference, std::nullopt);
+    if (!points.empty() && !report.c.code.rules.empty()) content += html::code_table(report, points);
+    content += html::screening_table(report, gap.left);
   }
   content += element("p", say("spectral.note"), "class=\"note\"");
   content += element("p", say("screening.note"), "class=\"note\"");
-  content += element("p", say(story.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
+  content += element("p", say(report.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
   return {"gaps", say("heading.gaps"), content};
 }
 
 /// Of each building the floors' peaks, and the modes they are made of.
-html::PageSection spectral_peaks_section(const Story& story, const SpectralGaps& spectral) {
-  const Words& say = story.say;
-  const std::string& length = story.c.units.length;
+html::PageSection spectral_peaks_section(const Report& report, const SpectralGaps& spectral) {
+  const Words& say = report.say;
+  const std::string& length = report.c.units.length;
   Html content;
-  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
-    const Building& building = story.problem.buildings[b];
+  for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
+    const Building& building = report.problem.buildings[b];
     if (building.is_rigid()) continue;
     std::vector<double> elevations, srss, cqc, periods, ratios, displacements, fractions;
     for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
@@ -99,7 +98,7 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                                  const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const Story story{{problem, none, c.units}, c, problem, none, say, {}, spectral.points};
+  const Report report{{problem, none, c.units}, c, problem, none, say, {}, spectral.points};
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
   std::vector<std::pair<std::string, std::string>> rows = {
@@ -116,9 +115,9 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   const html::PageBody body{
       .header =
           element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
-      .sections = {spectral_verdict(story, spectral),
-                   spectral_gap_section(story, spectral),
-                   spectral_peaks_section(story, spectral),
+      .sections = {spectral_verdict(report, spectral),
+                   spectral_gap_section(report, spectral),
+                   spectral_peaks_section(report, spectral),
                    {"input", say("heading.input"), input}}};
   return html::page(say, title, body, false);
 }

@@ -22,7 +22,6 @@ namespace {
 
 using html::element;
 using html::Html;
-using html::Words;
 
 /// Values of a quantity, run by run; of its points, floors or gaps the largest or the sum. NaN: the run has none.
 std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, bool sum) {
@@ -347,7 +346,7 @@ std::string study_title(const SweepData& sweep, const Words& say) {
 
 std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& options) {
   const Words say(options.language);
-  const SweepData sweep(results, html::figure_words(options.language));
+  const SweepData sweep(results, figure_words(options.language));
   const std::string given = results.attribute("title");
   const std::string title = study_title(sweep, say);
   html::PageBody body;

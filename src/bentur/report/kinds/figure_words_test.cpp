@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/report/html/internal/words.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 #include "tests/support/column_case.h"
 #include "tests/support/kinds_case.h"
 
@@ -44,7 +44,7 @@ std::vector<std::string> texts_of(const Figure& figure) {
 /// Every text that a figure shows is a word of the catalogue, the name of a building, or symbols and numbers.
 TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
   std::set<std::string> known;
-  for (const auto& [key, text] : html::catalogue().texts) {
+  for (const auto& [key, text] : catalogue().texts) {
     if (key.starts_with("figure.text.")) known.insert(text.at("en"));
   }
   const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ)[^a-zA-Z]*( s|%| \[.*\])?)");

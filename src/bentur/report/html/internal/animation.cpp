@@ -24,16 +24,16 @@ double height_of(const Building& building) {
 
 /// Bays the picture is drawn with: of a building that has no width one of a third of its height, of a wall one of a
 /// twentieth of the highest building.
-std::vector<double> bays(const Story& story, std::size_t b) {
-  const std::vector<Building>& buildings = story.problem.buildings;
+std::vector<double> bays(const Report& report, std::size_t b) {
+  const std::vector<Building>& buildings = report.problem.buildings;
   if (buildings[b].is_rigid()) {
     double highest = 0;
     for (const Building& building : buildings) highest = std::max(highest, height_of(building));
     return {highest > 0 ? highest / 20 : 1};
   }
   const double slender = height_of(buildings[b]) / 3;
-  if (!story.from_case()) return {slender};
-  const BuildingSpec& spec = story.c.buildings.at(b);
+  if (!report.from_case()) return {slender};
+  const BuildingSpec& spec = report.c.buildings.at(b);
   if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return frame->bay_widths;
   return {spec.width.value_or(slender)};
 }
@@ -52,8 +52,8 @@ Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double sc
 }
 
 /// Columns of the course at the start, the peak and the end of each impact shown, by time; none where it was not kept.
-std::vector<Eigen::Index> key_columns(const Story& story, const std::vector<Eigen::Index>& shown) {
-  const std::vector<double>& time = story.response.course.time;
+std::vector<Eigen::Index> key_columns(const Report& report, const std::vector<Eigen::Index>& shown) {
+  const std::vector<double>& time = report.response.course.time;
   std::vector<Eigen::Index> columns;
   if (time.empty()) return columns;
   const auto add = [&](double at) {
@@ -63,7 +63,7 @@ std::vector<Eigen::Index> key_columns(const Story& story, const std::vector<Eige
     columns.push_back(found - time.begin());
   };
   for (const Eigen::Index k : shown) {
-    const Impact& impact = story.response.impacts[k];
+    const Impact& impact = report.response.impacts[k];
     add(impact.start);
     if (impact.peak_force > 0) add(impact.peak_force_time);
     add(impact.end);
@@ -75,12 +75,12 @@ std::vector<Eigen::Index> key_columns(const Story& story, const std::vector<Eige
 }
 
 /// Where columns are struck between floors: behind the floors in the samples, in the outer column that faces the gap.
-Json nodes_json(const Story& story, std::size_t b) {
-  const Building& building = story.problem.buildings[b];
+Json nodes_json(const Report& report, std::size_t b) {
+  const Building& building = report.problem.buildings[b];
   Json nodes = Json::array();
   for (const double elevation : building.model.node_elevations) nodes.push_back({{"elevation", elevation}});
-  for (const ContactPoint& point : story.problem.points) {
-    const std::optional<StruckColumn> struck = struck_column(story.problem, point);
+  for (const ContactPoint& point : report.problem.points) {
+    const std::optional<StruckColumn> struck = struck_column(report.problem, point);
     if (struck && struck->building == static_cast<Eigen::Index>(b)) {
       nodes.at(static_cast<std::size_t>(struck->node))["left"] = point.left != struck->building;
     }
@@ -98,20 +98,20 @@ Eigen::MatrixXd displacements(const Histories& histories, std::size_t b, const C
   return both;
 }
 
-Json building_json(const Story& story, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
-  const Building& building = story.problem.buildings[b];
-  const Eigen::MatrixXd displacement = displacements(story.response.histories, b, Eigen::all);
+Json building_json(const Report& report, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
+  const Building& building = report.problem.buildings[b];
+  const Eigen::MatrixXd displacement = displacements(report.response.histories, b, Eigen::all);
   Eigen::MatrixXd exact;
-  if (!keys.empty()) exact = displacements(story.response.course, b, keys);
+  if (!keys.empty()) exact = displacements(report.response.course, b, keys);
   double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
   return {{"name", building.name},
           {"elevations", building.model.elevations},
           {"base", building.model.elevations.front() - building.model.storey_heights.front()},
-          {"bays", bays(story, b)},
+          {"bays", bays(report, b)},
           {"rigid", building.is_rigid()},
-          {"nodes", nodes_json(story, b)},
+          {"nodes", nodes_json(report, b)},
           {"scale", scale},
           {"samples", samples(displacement, stride, scale)},
           {"keys", samples(exact, 1, scale)}};
@@ -133,20 +133,20 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string animation_json(const Story& story, const std::vector<Eigen::Index>& listed) {
-  const Histories& histories = story.response.histories;
-  const double wanted = report_output_step(story.problem);
-  const double step = histories.time.size() > 1 ? histories.time[1] - histories.time[0] : story.problem.duration;
+std::string animation_json(const Report& report, const std::vector<Eigen::Index>& listed) {
+  const Histories& histories = report.response.histories;
+  const double wanted = report_output_step(report.problem);
+  const double step = histories.time.size() > 1 ? histories.time[1] - histories.time[0] : report.problem.duration;
   const auto stride = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::floor(wanted / step * (1 + 1e-9))));
-  const std::vector<Eigen::Index> keys = key_columns(story, listed);
+  const std::vector<Eigen::Index> keys = key_columns(report, listed);
   Json key_times = Json::array();
-  for (const Eigen::Index column : keys) key_times.push_back(story.response.course.time[column]);
+  for (const Eigen::Index column : keys) key_times.push_back(report.response.course.time[column]);
   Json buildings = Json::array();
-  for (std::size_t b = 0; b < story.problem.buildings.size(); ++b) {
-    buildings.push_back(building_json(story, b, stride, keys));
+  for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
+    buildings.push_back(building_json(report, b, stride, keys));
   }
   Json points = Json::array();
-  for (const ContactPoint& point : story.problem.points) {
+  for (const ContactPoint& point : report.problem.points) {
     points.push_back({{"left", point.left},
                       {"leftFloor", point.left_floor},
                       {"rightFloor", point.right_floor},
@@ -154,37 +154,37 @@ std::string animation_json(const Story& story, const std::vector<Eigen::Index>& 
                       {"width", point.width}});
   }
   std::vector<double> widths;  // of the gaps at rest
-  for (std::size_t gap = 0; gap + 1 < story.problem.buildings.size(); ++gap) {
+  for (std::size_t gap = 0; gap + 1 < report.problem.buildings.size(); ++gap) {
     widths.push_back(std::numeric_limits<double>::max());
     const auto narrow = [&](const auto& one) {
       if (one.left == static_cast<int>(gap)) widths.back() = std::min(widths.back(), one.width);
     };
-    std::for_each(story.problem.points.begin(), story.problem.points.end(), narrow);
-    std::for_each(story.problem.watched.begin(), story.problem.watched.end(), narrow);
+    std::for_each(report.problem.points.begin(), report.problem.points.end(), narrow);
+    std::for_each(report.problem.watched.begin(), report.problem.watched.end(), narrow);
   }
   std::vector<Eigen::Index> by_start = listed;
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
   Response shown;
   for (const std::size_t k : by_start) {
-    const Impact& impact = story.response.impacts[k];
+    const Impact& impact = report.response.impacts[k];
     shown.impacts.push_back(impact);
     impacts.push_back({impact.point, impact.start, impact.end, impact.peak_force, impact.peak_force_time,
                        impact.closing_speed, k + 1});
   }
   Json words;
   for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "scale"}) {
-    words[word] = story.say("script." + std::string(word));
+    words[word] = report.say("script." + std::string(word));
   }
   const Json all = {{"words", words},
-                    {"units", {{"length", story.c.units.length}, {"force", story.c.units.force}}},
-                    {"duration", story.problem.duration},
+                    {"units", {{"length", report.c.units.length}, {"force", report.c.units.force}}},
+                    {"duration", report.problem.duration},
                     {"step", step * static_cast<double>(stride)},
                     {"keys", key_times},
                     {"points", points},
                     {"widths", widths},
                     {"impacts", impacts},
-                    {"csv", impacts_csv({story.problem, shown, story.c.units})},
+                    {"csv", impacts_csv({report.problem, shown, report.c.units})},
                     {"buildings", buildings}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

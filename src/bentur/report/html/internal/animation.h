@@ -10,7 +10,7 @@ namespace bentur::html {
 /// What the script of a report works with, as JSON: units, buildings with their floors' displacements, contact points,
 /// the `listed` impacts (by start) and their CSV. A displacement x [length] is kept as the whole number nearest to
 /// x/scale, scale = max|x|/32767, 16 bits little endian in base64: off by 1.5e-5 of the building's peak at most.
-[[nodiscard]] std::string animation_json(const Story& story, const std::vector<Eigen::Index>& listed);
+[[nodiscard]] std::string animation_json(const Report& report, const std::vector<Eigen::Index>& listed);
 
 /// Standard base64 with padding (RFC 4648).
 [[nodiscard]] std::string base64(const std::string& bytes);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bentur/report/html/internal/markup.h"
-#include "bentur/report/html/internal/words.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/words.h"
 
 namespace bentur::html {
 

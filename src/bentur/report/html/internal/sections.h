@@ -10,13 +10,13 @@
 #include "bentur/model/quantities.h"
 #include "bentur/model/remarks.h"
 #include "bentur/report/html/internal/markup.h"
-#include "bentur/report/html/internal/words.h"
+#include "bentur/report/words.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::html {
 
 /// Everything that the sections of a report are written from.
-struct Story {
+struct Report {
   RunView run;
   const Case& c;
   const Problem& problem;
@@ -35,50 +35,50 @@ constexpr std::size_t most_impacts = 1500;
 constexpr std::size_t rows_in_print = 30;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
-[[nodiscard]] PageSection verdict_section(const Story& story);
+[[nodiscard]] PageSection verdict_section(const Report& report);
 /// Where a floor met something that no contact is modelled with, and what to do. @param floors of a gap, deepest first
-[[nodiscard]] std::string unmodelled_text(const Story& story, const std::vector<Eigen::Index>& floors);
+[[nodiscard]] std::string unmodelled_text(const Report& report, const std::vector<Eigen::Index>& floors);
 
 /// Remarks on unusual numbers, and what the model leaves out.
-[[nodiscard]] PageSection remarks_section(const Story& story);
+[[nodiscard]] PageSection remarks_section(const Report& report);
 
 /// The gap needed at each level, simulated and by every rule.
-[[nodiscard]] PageSection gap_section(const Story& story);
+[[nodiscard]] PageSection gap_section(const Report& report);
 
 /// Contact totals per level and peaks per floor.
-[[nodiscard]] PageSection peaks_section(const Story& story);
+[[nodiscard]] PageSection peaks_section(const Report& report);
 
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
-[[nodiscard]] PageSection damage_section(const Story& story);
+[[nodiscard]] PageSection damage_section(const Report& report);
 
 /// Columns that floors strike, with and without contact, and how that compares with what they bear; nothing where
 /// floors meet at every contact point.
-[[nodiscard]] PageSection columns_section(const Story& story);
+[[nodiscard]] PageSection columns_section(const Report& report);
 
 /// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
-[[nodiscard]] PageSection impacts_section(const Story& story, const std::vector<Eigen::Index>& listed);
+[[nodiscard]] PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed);
 
 /// The input with its units, the ground motion, the modes.
-[[nodiscard]] PageSection input_section(const Story& story);
+[[nodiscard]] PageSection input_section(const Report& report);
 
 // What the sections share.
 
 /// The gap given and needed at contact points, with what rules say.
-/// @param needed_label of Story::separations' `simulated`
+/// @param needed_label of Report::separations' `simulated`
 /// @param governing the level that stands out where it is short; without it each level that is short does
-[[nodiscard]] Html points_table(const Story& story, const std::vector<Eigen::Index>& points,
+[[nodiscard]] Html points_table(const Report& report, const std::vector<Eigen::Index>& points,
                                 const std::string& needed_label, const std::optional<GoverningLevel>& governing);
 /// The same of floors that face their neighbour where no contact is modelled, given bottom to top; nothing without.
 /// @param needed_at [length], for each of Problem::watched
-[[nodiscard]] Html watched_table(const Story& story, const std::vector<Eigen::Index>& floors,
+[[nodiscard]] Html watched_table(const Report& report, const std::vector<Eigen::Index>& floors,
                                  const std::vector<double>& needed_at, const std::string& needed_label,
                                  const std::optional<GoverningLevel>& governing);
 /// The name of the building that a watched floor is of.
-[[nodiscard]] const std::string& floor_owner(const Story& story, const WatchedFloor& floor);
+[[nodiscard]] const std::string& floor_owner(const Report& report, const WatchedFloor& floor);
 /// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
-[[nodiscard]] Html code_table(const Story& story, const std::vector<Eigen::Index>& points);
+[[nodiscard]] Html code_table(const Report& report, const std::vector<Eigen::Index>& points);
 /// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
-[[nodiscard]] Html screening_table(const Story& story, Eigen::Index gap);
+[[nodiscard]] Html screening_table(const Report& report, Eigen::Index gap);
 
 /// The attribute of a verdict's box.
 [[nodiscard]] inline const char* verdict_class(bool pounds) {
@@ -91,11 +91,11 @@ constexpr std::size_t rows_in_print = 30;
 /// The same with its unit.
 [[nodiscard]] std::string prose(double value, const std::string& unit);
 /// Whether buildings are told by their numbers where names would take too much room: in rows.
-[[nodiscard]] bool numbers_buildings(const Story& story);
+[[nodiscard]] bool numbers_buildings(const Report& report);
 /// "Model 1 | Model 2", or of a row "1 | 2".
-[[nodiscard]] std::string short_gap_name(const Story& story, Eigen::Index gap);
+[[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);
 /// "1 Bank, 2 Hotel, 3 Office".
-[[nodiscard]] std::string building_key(const Story& story);
+[[nodiscard]] std::string building_key(const Report& report);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "t", "kgf·s²/cm"
 /// By peak force, then, as where no force is known, by closing speed.
@@ -103,7 +103,7 @@ constexpr std::size_t rows_in_print = 30;
 /// Columns of quantities, behind those that say where they are.
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
 /// Every quantity of an owner that is for tables, at these places.
-void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std::vector<QuantityPlace>& places);
+void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places);
 
 /// The number of the report's language in tables of quantities.
 [[nodiscard]] std::size_t table_language(const Words& say);
@@ -112,6 +112,6 @@ void add_quantities(HtmlTable& table, const Story& story, Owner owner, const std
 /// Contact points where a floor strikes a column, the highest first.
 [[nodiscard]] std::vector<Eigen::Index> struck_points(const Problem& problem);
 /// What is struck at a contact point: "column of B", or "floor".
-[[nodiscard]] std::string struck_text(const Story& story, Eigen::Index point);
+[[nodiscard]] std::string struck_text(const Report& report, Eigen::Index point);
 
 }  // namespace bentur::html

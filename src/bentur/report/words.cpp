@@ -1,4 +1,4 @@
-#include "bentur/report/html/internal/words.h"
+#include "bentur/report/words.h"
 
 #include <fmt/args.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace bentur {
 namespace {
 
 /// A table holds the text of one key in each language, tables of longer keys, or both.
-void collect(const TomlValue& table, const std::string& key, html::Catalogue& into) {
+void collect(const TomlValue& table, const std::string& key, Catalogue& into) {
   for (const TomlMember& member : table.members) {
     if (member.value.kind == TomlValue::Kind::text) into.texts[key][member.key] = member.value.text;
     collect(member.value, key.empty() ? member.key : key + "." + member.key, into);
@@ -22,14 +22,12 @@ void collect(const TomlValue& table, const std::string& key, html::Catalogue& in
 
 }  // namespace
 
-const std::vector<std::string>& report_languages() { return html::catalogue().languages; }
-
-namespace html {
+const std::vector<std::string>& report_languages() { return catalogue().languages; }
 
 const Catalogue& catalogue() {
   static const Catalogue all = [] {
     Diagnostics diagnostics;
-    const TomlValue file = parse_toml(std::string(asset("texts.toml")), "texts.toml", diagnostics).value();
+    const TomlValue file = parse_toml(std::string(html::asset("texts.toml")), "texts.toml", diagnostics).value();
     Catalogue read;
     collect(file, "", read);
     for (const TomlValue& tag : find_value(file, {"languages"})->items) read.languages.push_back(tag.text);
@@ -80,5 +78,4 @@ FigureWords figure_words(const std::string& language) {
   };
 }
 
-}  // namespace html
 }  // namespace bentur

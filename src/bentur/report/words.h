@@ -15,9 +15,7 @@ namespace bentur {
 /// Languages a report can be in, by their tags of BCP 47: "en", "id". The first is the default.
 [[nodiscard]] const std::vector<std::string>& report_languages();
 
-namespace html {
-
-/// Every text a report has: what stands in texts.toml.
+/// Every text for people: what stands in texts.toml.
 struct Catalogue {
   std::vector<std::string> languages;
   std::map<std::string, std::map<std::string, std::string>, std::less<>> texts;  ///< by key and language
@@ -51,5 +49,4 @@ class Words {
 /// is.
 [[nodiscard]] FigureWords figure_words(const std::string& language);
 
-}  // namespace html
 }  // namespace bentur

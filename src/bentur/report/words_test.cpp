@@ -1,4 +1,4 @@
-#include "bentur/report/html/internal/words.h"
+#include "bentur/report/words.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/example_laws.h"
 
-namespace bentur::html {
+namespace bentur {
 namespace {
 
 /// The {names} a text has.
@@ -84,4 +84,4 @@ TEST(Words, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace bentur::html
+}  // namespace bentur
