@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -41,6 +42,26 @@ std::vector<std::string> texts_of(const Figure& figure) {
   return texts;
 }
 
+/// Two sticks in mm, the roof of the lower one at a level of five digits.
+std::string in_mm(double width, double storey) {
+  const std::string heights = fmt::format("storey_heights = [4000, {0}, {0}, {0}]", storey);
+  return fmt::format(R"(
+units = {{ length = "mm", force = "N" }}
+gap = [{{ between = ["A", "B"], width = {}, contact = {{ law = "linear", stiffness = 4e5 }} }}]
+excitation = {{ kind = "harmonic", period = 0.7, displacement_amplitude = 50.0 }}
+analysis = {{ duration = 5.0 }}
+[[building]]
+name = "A"
+damping = 0.05
+stick = {{ {heights}, masses = [100, 100, 100, 90], stiffnesses = [9e4, 8e4, 8e4, 7e4] }}
+[[building]]
+name = "B"
+damping = 0.05
+stick = {{ {heights}, masses = [80, 80, 70, 60], stiffnesses = [1.5e5, 1.4e5, 1.3e5, 1.2e5] }}
+)",
+                     width, fmt::arg("heights", heights));
+}
+
 /// Every text that a figure shows is a word of the catalogue, the name of a building, or symbols and numbers.
 TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
   std::set<std::string> known;
@@ -48,7 +69,8 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
     if (key.starts_with("figure.text.")) known.insert(text.at("en"));
   }
   const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ)[^a-zA-Z]*( s|%| \[.*\])?)");
-  for (const std::string& text : {std::string(test::struck_columns), std::string(test::every_kind)}) {
+  for (const std::string& text :
+       {std::string(test::struck_columns), std::string(test::every_kind), in_mm(5000, 3500)}) {
     const RunResults results = drawn_run(text);
     std::set<std::string> names;
     for (const Building& building : results.problem.buildings) names.insert(building.name);
@@ -64,6 +86,51 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
       }
     }
   }
+}
+
+/// A tower of 154 m as well: the numbers along the height are levels, of which no power of ten goes into the unit.
+TEST(FigureWords, LevelsAreNeverInPowersOfTen) {
+  for (const double storey : {3500.0, 50000.0}) {
+    const RunResults results = drawn_run(in_mm(25, storey));
+    ASSERT_FALSE(results.response.impacts.empty());
+    bool told = false;
+    for (const FigureKind& kind : figure_kinds(results)) {
+      const Figure figure = make_figure(results, kind.name);
+      for (const std::string& shown : texts_of(figure)) {
+        EXPECT_EQ(shown.find("e+"), std::string::npos) << kind.name << ": " << shown;
+        told = told || shown.find(fmt::format("level {:.0f} mm", 4000 + 3 * storey)) != std::string::npos;
+      }
+      for (const Panel& panel : figure.panels) {
+        if (panel.y.label != "Level z [mm]") continue;
+        EXPECT_NE(figure_text(figure, "x").script.find("'Level z [mm]'"), std::string::npos);
+      }
+    }
+    EXPECT_TRUE(told);
+  }
+  FigureOptions elsewhere;
+  elsewhere.elevation = 12345;
+  try {
+    (void)make_figure(drawn_run(in_mm(25, 3500)), "opening", elsewhere);
+    FAIL();
+  } catch (const NoFigure& refused) {
+    EXPECT_EQ(std::string(refused.what()), "no contact point at level 12345 mm: there are 4000, 7500, 11000, 14500");
+  }
+}
+
+/// Without an impact there is one response: nothing of it is called "with contact".
+TEST(FigureWords, AnEnvelopeWithoutImpactSaysWhatItIs) {
+  const auto labels = [](const RunResults& results) {
+    std::set<std::string> found;
+    for (const Panel& panel : make_figure(results, "envelope").panels) {
+      for (const Curve& curve : panel.curves) found.insert(curve.label);
+    }
+    return found;
+  };
+  const RunResults apart = drawn_run(in_mm(5000, 3500));
+  ASSERT_TRUE(apart.response.impacts.empty());
+  EXPECT_EQ(labels(apart), std::set<std::string>{"largest displacement"});
+  EXPECT_EQ(make_figure(apart, "envelope").title.find("contact"), std::string::npos);
+  EXPECT_EQ(labels(drawn_run(in_mm(25, 3500))), (std::set<std::string>{"with contact", "without contact"}));
 }
 
 }  // namespace

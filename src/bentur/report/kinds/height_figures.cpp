@@ -81,7 +81,9 @@ Curve over_height(const Building& building, const Eigen::VectorXd& values, Curve
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown, 2);
-  figure.title = "Largest displacements relative to the bases, with and without contact";
+  const bool has_impacts = !run.response.impacts.empty();  // else the responses with and without contact are one
+  figure.title = "Largest displacements relative to the bases";
+  if (has_impacts) figure.title += ", with and without contact";
   figure.shared_legend = true;
   double largest = 0;
   for (const Eigen::Index b : shown) {
@@ -93,7 +95,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
     Panel& panel = figure.panels[b];
     panel.x = {.label = with_unit(word(options, "max |x|"), run.c.units.length), .from = 0, .to = 1.05 * largest};
     if (!(largest > 0)) panel.x.to = 1;
-    const Curve with{.label = word(options, "with contact"), .mark = Mark::disc};
+    const Curve with{.label = word(options, has_impacts ? "with contact" : "largest displacement"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
                         .tone = Tone::orange,
                         .line = Line::dashed,
@@ -101,9 +103,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
                         .width = 1.2};
     const BuildingPeaks& peaks = run.response.buildings[shown[b]];
     panel.curves = {over_height(building, peaks.displacement, with)};
-    if (!run.response.impacts.empty()) {  // else they are the same
-      panel.curves.push_back(over_height(building, peaks.displacement_no_contact, without));
-    }
+    if (has_impacts) panel.curves.push_back(over_height(building, peaks.displacement_no_contact, without));
   }
   return figure;
 }

@@ -112,7 +112,8 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
     for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
   if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
-  Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least});
+  const bool plain = !axis.places.empty();  // levels are said as they are
+  Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least, plain});
   if (is_upright) put_at(ticks, axis.places, line_height / panel.height);
   return ticks;
 }

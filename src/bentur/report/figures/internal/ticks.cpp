@@ -64,7 +64,7 @@ Ticks linear(const TickRequest& request) {
   ticks.from = request.from || low == 0 ? low : low - air;
   ticks.to = request.to || high == 0 ? high : high + air;
   const double step = round_step((ticks.to - ticks.from) / request.most);
-  ticks.exponent = exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
+  ticks.exponent = request.plain ? 0 : exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
   const double unit = std::pow(10.0, ticks.exponent);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
   const auto last = std::lround(std::floor(ticks.to / step + 1e-6));

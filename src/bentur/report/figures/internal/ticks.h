@@ -27,6 +27,7 @@ struct TickRequest {
   bool logarithmic = false;
   int most = 6;
   std::optional<std::pair<double, double>> least = {};  ///< what is shown at least where no ends are given
+  bool plain = false;                                   ///< no power of ten goes into the unit
 };
 [[nodiscard]] Ticks make_ticks(const TickRequest& request);
 /// Puts the numbers at these places, ascending, unless two of them are nearer than a part `room` of the axis.
