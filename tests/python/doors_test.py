@@ -32,6 +32,16 @@ def test_summary(name, results, program):
     assert doors.count(found) > 50
 
 
+@pytest.mark.parametrize("case", doors.CASES, ids=lambda case: case.stem)
+def test_summary_of_other_cases(case, program):
+    expected = doors.numbers(doors.command_line(program, case))
+    assert sum(point["impacts"] for gap in expected["gaps"] for point in gap["points"]) > 0
+    plain = doors.numbers(json.loads(output(program, "run", case, "--json")))
+    found = doors.numbers(json.loads(bentur.run(case).to_json()))
+    assert list(doors.differences(expected, plain)) == []
+    assert list(doors.differences(expected, found)) == []
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_impacts_and_histories(name, results, program, root, tmp_path):
     xarray = pytest.importorskip("xarray")

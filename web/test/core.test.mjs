@@ -23,10 +23,15 @@ function solved(text, name) {
 // native code adds the terms of long sums two by two.
 const exact = new Set(["free-impact.toml", "m12-el-centro.toml", "m12-runge-kutta.toml"]);
 
-for (const name of examples) {
+// Of tests/doors: cases in which a door once stood alone.
+const files = [...examples.map((name) => `${source}/examples/${name}`),
+  ...readdirSync(`${source}/tests/doors`).filter((name) => name.endsWith(".toml")).map((name) => `${source}/tests/doors/${name}`)];
+
+for (const file of files) {
+  const name = file.slice(file.lastIndexOf("/") + 1);
   test(`${name} gives the command line's numbers`, () => {
-    const mine = solved(read(name), name);
-    const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", `${source}/examples/${name}`]));
+    const mine = solved(readFileSync(file, "utf8"), name);
+    const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", file]));
     // Not compared: how long it took, and the energy that is not accounted for, which is round-off and nothing else.
     const unlike = (path) => /\/wall_time$|\/energy_residual$/.test(path);
     if (exact.has(name)) {

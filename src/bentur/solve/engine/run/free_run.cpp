@@ -17,10 +17,11 @@ FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}) {
   result_.speeds.resize(result_.reaches.size(), 0.0);
 }
 
-/// How far a point reaches in a segment.
+/// How far a point reaches in a segment; a reach that is no number may be any.
 void FreeRun::note(Eigen::Index i, long segment, double reach) {
   auto& reaches = result_.reaches[i];
   if (reach <= reaches.back().reach) return;
+  if (std::isnan(reach)) reach = unbounded;
   if (reaches.back().segment == segment) reaches.pop_back();
   reaches.push_back({segment, reach});
 }
@@ -41,10 +42,12 @@ void FreeRun::note_reaches(const RelationGroup& group, const StepBuffer& buffer)
     const double needed = group.rows.peak(n);
     const auto& reaches = result_.reaches[group.first + n];
     for (Eigen::Index step = 0; step < buffer.size(); ++step) {
-      // What rises in between as a part of the gap needed, which may be none.
-      const double beyond = needed > 0.0 ? group.rows.between(step) * needed : unbounded;
+      // What rises in between as a part of the gap needed. Where that is none, of this point or of another one of the
+      // group, no part of it says anything.
+      double beyond = group.rows.between(step) * needed;
+      if (!std::isfinite(beyond)) beyond = group.rows.rise(n, buffer.rise(step) + group.begin);
       const double reach = group.rows.larger_value(n, step) + beyond;
-      if (reach > reaches.back().reach) note(group.first + n, buffer.step(step).segment, reach);
+      if (!(reach <= reaches.back().reach)) note(group.first + n, buffer.step(step).segment, reach);
     }
   }
 }
@@ -74,7 +77,8 @@ long first_contact(const FreeResult& free, const std::vector<double>& widths) {
     const auto& reaches = free.reaches[i];
     const auto found = std::lower_bound(reaches.begin(), reaches.end(), widths[i],
                                         [](const FreeResult::Reach& at, double width) { return at.reach < width; });
-    if (found != reaches.end()) first = std::min(first, found->segment);
+    // What is needed, and no bound has reached: by round-off, and nobody knows when.
+    first = std::min(first, found != reaches.end() ? found->segment : 0);
   }
   return first;
 }

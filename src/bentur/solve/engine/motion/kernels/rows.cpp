@@ -38,13 +38,13 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const dou
     const Four before = load(peak + r);
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
-    if (!any(so_far > before)) continue;
+    if (every(so_far <= before)) continue;
     const Ends at = ends_of_rows(rows.columns(), rows.from(r), load(offset + r), start, end, rise);
     const Four most = max(measure<of>(at.start), measure<of>(at.end));
     const Four high = max(before, most);
     store(peak + r, high);
     store(reach + r, most + at.beyond);
-    beyond_peak |= most + at.beyond > high;
+    beyond_peak |= ~(most + at.beyond <= high);
   }
   return !any(beyond_peak);
 }
@@ -145,7 +145,7 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
     const Four before = load(peak + r);
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
-    if (!any(so_far > before)) continue;
+    if (every(so_far <= before)) continue;
     const double* weights = rows.from(r);
     Four most = all(0.0);
     Four beyond = all(0.0);
@@ -170,7 +170,7 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
     const Four high = max(before, most);
     store(peak + r, high);
     store(reach + r, most + beyond);
-    beyond_peak |= most + beyond > high;
+    beyond_peak |= ~(most + beyond <= high);
   }
   return !any(beyond_peak);
 }
@@ -208,7 +208,7 @@ void sums(Index count, const double* x, Index stride, Index n, const double* wei
 BENTUR_FOR_ALL_PROCESSORS
 Index count_above(Index n, const double* x, const double* y) {
   Bits count{};
-  for (Index r = 0; r < n; r += four) count -= load(x + r) > load(y + r);  // true is −1
+  for (Index r = 0; r < n; r += four) count -= ~(load(x + r) <= load(y + r));  // true is −1
   return (count[0] + count[1]) + (count[2] + count[3]);
 }
 

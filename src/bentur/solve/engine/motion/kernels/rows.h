@@ -54,6 +54,8 @@ class PackedRows {
 /// Peaks are of sizes |Σ_j w_rj x_j + offset_r|, or of the sums themselves.
 enum class Peaks { of_abs, of_values };
 
+// A reach, rise or peak that is not a number is below nothing.
+
 /// How far each row can come between two vectors when entry j rises at most `rise` above its chord; raises
 /// `peak` by the ends. Four rows whose reaches were not above their peaks `before` are left alone. Returns whether no
 /// reach exceeds its peak.
@@ -78,7 +80,7 @@ void largest_shares(Index n, Index count, const double* values, const double* in
 /// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `stride` apart.
 void sums(Index count, const double* x, Index stride, Index n, const double* weights, double* result);
 
-/// How many of n numbers x, a multiple of four, are larger than y.
+/// How many of n numbers x, a multiple of four, are not at most y.
 [[nodiscard]] Index count_above(Index n, const double* x, const double* y);
 
 /// Where |x|, |y| ≤ rest · peak for four numbers each, `before` becomes 0, elsewhere infinite; n is a multiple of four.

@@ -150,6 +150,22 @@ TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
   }
 }
 
+TEST(Kernels, WhatIsNoNumberIsBelowNothing) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const PackedRows packed(Eigen::MatrixXd::Zero(4, 4), 4);
+  const Numbers none(4, 0.0), rise(4, infinity), unknown(4, infinity);  // a rise of 0 times infinity
+  Numbers peak(4, 1.0), reach(4, 0.0);
+  EXPECT_FALSE(reach_of_rows(Peaks::of_values, packed, none.data(), none.data(), none.data(), rise.data(), peak.data(),
+                             unknown.data(), reach.data()));
+  EXPECT_EQ(count_above(4, reach.data(), peak.data()), 4);
+  // What was unknown before is looked at again.
+  EXPECT_TRUE(reach_of_rows(Peaks::of_values, packed, none.data(), none.data(), none.data(), none.data(), peak.data(),
+                            reach.data(), reach.data()));
+  EXPECT_EQ(reach, none);
+  reach.assign(4, 0.0);
+  EXPECT_FALSE(reach_of_samples(packed, 1, none.data(), rise.data(), peak.data(), unknown.data(), reach.data()));
+}
+
 TEST(Kernels, LumpIsTheLargestPartOfALimit) {
   Eigen::MatrixXd matrix(5, 3);
   matrix << 1, -2, 0, 0.5, 4, 0, -3, 1, 0, 0, 0, 0, 2, 2, 0;

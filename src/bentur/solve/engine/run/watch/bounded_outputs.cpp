@@ -1,5 +1,7 @@
 #include "bentur/solve/engine/run/watch/bounded_outputs.h"
 
+#include <cmath>
+
 #include "bentur/solve/engine/motion/step_buffer.h"
 
 namespace bentur::engine {
@@ -43,6 +45,12 @@ void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
 void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {
   kernels::largest_shares(size(), ends_, values_.data(), inverse_.data(), shares_.data());
   kernels::sums(steps, rise, stride, weights_.columns(), lumped_.data(), betweens_.data());
+}
+
+double BoundedOutputs::rise(Index quantity, const double* rise) const {
+  double sum = 0.0;
+  for (Index j = 0; j < weights_.columns(); ++j) sum += std::abs(weights_(quantity, j)) * rise[j];
+  return sum;
 }
 
 void BoundedOutputs::mark_unsettled(Index step, double* before) const {

@@ -25,7 +25,7 @@ class BoundedOutputs {
   void limit(const Eigen::VectorXd& limits);
 
   [[nodiscard]] Eigen::Index steps() const { return ends_ - 1; }
-  // Of these:
+  // Of these; not finite where a quantity that moves has a limit of zero, as one that has not moved yet:
   /// No quantity goes further than by this part of its limit beyond its values at the ends.
   [[nodiscard]] double between(Eigen::Index step) const { return betweens_(step); }
   /// No quantity goes further than to this part of its limit (T-4).
@@ -34,6 +34,8 @@ class BoundedOutputs {
   }
   /// Whether that does not prove that no limit is exceeded.
   [[nodiscard]] bool unsettled(Eigen::Index step) const { return !(share(step) <= 1.0); }
+  /// How far a quantity leaves its chord where coordinates leave theirs by `rise`: what between() says of all of them.
+  [[nodiscard]] double rise(Eigen::Index quantity, const double* rise) const;
   /// `before` becomes zero for the fours that stay below their peaks, infinite for others.
   void mark_unsettled(Eigen::Index step, double* before) const;
   /// The larger of both values of a quantity (of their sizes).

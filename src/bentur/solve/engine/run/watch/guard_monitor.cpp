@@ -82,7 +82,9 @@ void GuardMonitor::limit(std::size_t g) {
   changed_[g] = 0;
   RelationGroup& group = groups_[g];
   group_limits_.setZero(group.rows.size());
-  for (Index n = 0; n < group.count; ++n) group_limits_(n) = limits_[group.first + n];
+  // Shares of a limit say nothing where that is not above zero; infinite parts of zero leave it to look().
+  for (Index n = 0; n < group.count; ++n)
+    group_limits_(n) = limits_[group.first + n] > 0.0 ? limits_[group.first + n] : 0.0;
   group.rows.limit(group_limits_);
 }
 

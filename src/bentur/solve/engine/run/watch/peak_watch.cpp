@@ -108,14 +108,14 @@ void PeakWatch::scan(std::size_t b, const Curves& step, const double* reach) {
   };
   BoundedOutputs& positions = positions_[b];
   for (Index r = 0; r < positions.size(); ++r) {
-    if (!(reach[r] > positions.peak(r))) continue;
+    if (reach[r] <= positions.peak(r)) continue;
     combine(positions, r);
     raise_to_largest(row, step.end, positions.peak(r));
   }
   BoundedOutputs& accelerations = accelerations_[b];
   const double rate = 1.0 / (step.h * step.h);
   for (Index f = 0; f < accelerations.size(); ++f) {
-    if (!(reach[positions.size() + f] > accelerations.peak(f))) continue;
+    if (reach[positions.size() + f] <= accelerations.peak(f)) continue;
     combine(accelerations, f);
     raise_to_largest(second_derivative(row, rate), step.end, accelerations.peak(f));
   }

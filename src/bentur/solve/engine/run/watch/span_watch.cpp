@@ -108,7 +108,7 @@ void SpanWatch::take(const Expansion& motion, double end, const State& from, con
 /// The interval last looked at, which began at `time`, for the relations whose reach it leaves unsettled.
 void SpanWatch::search(RelationGroup& group, const Curves& left, const Curves& right, double time) {
   for (Index n = 0; n < group.count; ++n) {
-    if (!(group.reach(n) > group.rows.peak(n))) continue;
+    if (group.reach(n) <= group.rows.peak(n)) continue;
     const ModalSystem::Relation& relation = relations_[group.first + n];
     Polynomial delta;
     delta.degree = left.degree;
@@ -133,7 +133,7 @@ bool SpanWatch::may_go_further(const State& from, const State& to, const Eigen::
 bool SpanWatch::settled(const Unsettled& flight) const {
   const RelationGroup& group = groups_[flight.group];
   for (Index n = 0; n < group.count; ++n) {
-    if (flight.reach(n) > group.rows.peak(n)) return false;
+    if (!(flight.reach(n) <= group.rows.peak(n))) return false;
   }
   return true;
 }
