@@ -301,6 +301,36 @@ class Solvers(CommandLine):
         self.assertIn("solver exact, energy audit", self.done("check", self.written("kelvin-voigt-pair")).stdout)
 
 
+class StillNeighbour(CommandLine):
+    """Nothing that is asked for beside the answer changes it, where a building stands exactly still."""
+
+    def test_run_files_audit_adaptive_and_sweep_find_the_same_impact(self):
+        case = self.folder / "case.toml"
+        case.write_text((SOURCE / "tests/doors/still-neighbour.toml").read_text())
+        plain = json.loads(self.done("run", case, "--json").stdout)
+        point, = (p for p in plain["gaps"][0]["points"] if p["impacts"])
+        self.assertEqual(point["impacts"], 1)
+        self.assertAlmostEqual(point["peak_force"], 383519, delta=1)
+        self.done("run", case, "-q", "-o", self.folder / "out")
+        audited = self.folder / "audited.toml"
+        audited.write_text(case.read_text() + "energy_audit = true\n")
+        for other in json.loads((self.folder / "out/summary.json").read_text()), \
+                json.loads(self.done("run", audited, "--json").stdout):
+            self.assertEqual(other["gaps"], plain["gaps"])
+            for one, same in zip(other["buildings"], plain["buildings"]):
+                self.assertEqual(one, same)
+        adaptive = self.folder / "adaptive.toml"
+        adaptive.write_text(case.read_text() + 'solver = "adaptive"\ntolerance = 1e-11\n')
+        force = max(p["peak_force"] for p in json.loads(self.done("run", adaptive, "--json").stdout)["gaps"][0]["points"])
+        self.assertAlmostEqual(force / point["peak_force"], 1, delta=1e-7)
+        study = self.folder / "study.toml"
+        study.write_text('case = "case.toml"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.0005, 0.001, 0.1]\n')
+        self.done("sweep", study, "-o", self.folder / "r.nc")
+        self.done("report", self.folder / "r.nc", "-o", self.folder / "r.html")
+        self.assertIn("The buildings collide in 2 of 3 runs.",
+                      html.unescape((self.folder / "r.html").read_text()).replace("\u00a0", " "))
+
+
 class Help(CommandLine):
     def test_version(self):
         self.assertRegex(self.done("--version").stdout, r"^bentur \d+\.\d+\.\d+\n$")

@@ -55,23 +55,35 @@ class SweepDrawing {
     });
     for (const SweepVariable& one : found) {
       Panel panel = this->panel(one.name);
+      if (is_empty(panel)) continue;  // ratios of a building that stands still unless it is struck
       if (found.size() > 1) panel.title = building_name(sweep_.results(), one.building, options_.say);
       const std::string fixed = chosen_text();
-      if (!fixed.empty() && &one == &found.front())
+      if (!fixed.empty() && figure.panels.empty()) {
         panel.title = panel.title.empty() ? fixed : panel.title + ", " + fixed;
-      if (&one != &found.back()) {
-        panel.x.label = "";
-        panel.x.numbers = panel.x.names.empty();  // names stand below the last panel alone
       }
       figure.panels.push_back(std::move(panel));
     }
+    if (figure.panels.empty()) throw NoFigure("no run has a value of this kind");
+    for (Panel& panel : figure.panels) {
+      if (&panel == &figure.panels.back()) break;
+      panel.x.label = "";
+      panel.x.numbers = panel.x.names.empty();  // names stand below the last panel alone
+    }
     if (takes_a_page(figure)) figure.width *= page_over_column;
-    figure.shared_legend = found.size() > 1 && same_legends(figure);
+    figure.shared_legend = figure.panels.size() > 1 && same_legends(figure);
     share_range(figure);
     return figure;
   }
 
  private:
+  static bool is_empty(const Panel& panel) {
+    const auto nothing = [](const std::vector<double>& values) {
+      return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    };
+    return (!panel.map || nothing(panel.map->values)) &&
+           std::all_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& one) { return nothing(one.y); });
+  }
+
   static bool same_legends(const Figure& figure) {
     const auto& first = figure.panels.front().curves;
     return std::all_of(figure.panels.begin(), figure.panels.end(), [&](const Panel& panel) {
