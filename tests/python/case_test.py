@@ -6,12 +6,15 @@ import pickle
 import signal
 import threading
 import time
+from pathlib import Path
 
 import doors
 import numpy as np
 import pytest
 
 import bentur
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def pair(**more):
@@ -73,6 +76,21 @@ def test_errors_of_a_case_made_in_python_have_its_keys():
     assert {'building["A"].stick.masses', 'building["A"].stick.stiffnesses[1]', 'building["B"].dampin'} <= keys
     assert all(one.line == 0 for one in caught.value.errors)
     assert isinstance(pickle.loads(pickle.dumps(caught.value)).errors[0], bentur.Finding)
+
+
+def test_errors_have_the_keys_that_the_program_tells():
+    folder = ROOT / "tests/bad_input"
+    keys = []
+    for file in sorted(folder.glob("*.toml")):
+        with pytest.raises(bentur.CaseError) as caught:
+            bentur.Case.from_file(file)
+        for one in caught.value.errors:
+            keys.append(f"{file.name}: {one.key}".rstrip())
+            value = "" if not one.value else f" is {one.value}," if one.value.startswith("a ") else f" = {one.value},"
+            assert one.message.startswith(one.key + value), one
+            told = one.suggestion if one.suggestion and one.value else one.rule
+            assert told in one.message and one.suggestion in one.message, one
+    assert keys == (folder / "keys.txt").read_text().splitlines()
 
 
 def test_a_message_without_a_key_has_none(tmp_path):

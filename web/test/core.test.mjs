@@ -145,6 +145,7 @@ test("every mistake is told with line, column and key", () => {
 
 test("every refused case of tests/bad_input is refused in the same words", () => {
   const folder = `${source}/tests/bad_input`;
+  const keys = readFileSync(`${folder}/keys.txt`, "utf8").trim().split("\n");
   let compared = 0;
   for (const name of readdirSync(folder).filter((file) => file.endsWith(".toml"))) {
     const text = readFileSync(`${folder}/${name}`);
@@ -161,6 +162,8 @@ test("every refused case of tests/bad_input is refused in the same words", () =>
       const parts = line.replace(/^.*?error: /, "").split("...");
       assert.ok(parts.every((part) => told.includes(part)), `${name}\n${told}\nis without\n${line}`);
     }
+    const keysOf = keys.filter((line) => line.startsWith(`${name}:`)).map((line) => line.slice(name.length + 2));
+    assert.deepEqual(errors.map((e) => e.key), keysOf, name);
     ++compared;
   }
   assert.ok(compared > 100, `${compared}`);

@@ -50,17 +50,9 @@ constexpr std::size_t most_buildings = 100;
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// "gap[0].contact.restitution" of "gap[0].contact.restitution = 1.4, must be in (0, 1]"; empty where there is no key.
-std::string key_of(const std::string& message) {
-  const std::string key = message.substr(0, message.find_first_of(" :,"));
-  const bool is_key = key.find_first_of(".[") != std::string::npos || message.find(key + " = ") == 0;
-  return is_key ? key : "";
-}
-
-Json failure(const std::string& message, int line = 0, int column = 0) {
-  return {
-      {"ok", false},
-      {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key_of(message)}, {"message", message}}}}};
+Json failure(const std::string& message, int line = 0, int column = 0, const std::string& key = "") {
+  return {{"ok", false},
+          {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key}, {"message", message}}}}};
 }
 
 /// The unit of every number of a case that has one, by the JSON of its path.
@@ -91,8 +83,8 @@ Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
     list.push_back({{"file", here ? "" : fs::path(one.position.file).filename().string()},
                     {"line", one.position.line},
                     {"column", one.position.column},
-                    {"key", key_of(one.message)},
-                    {"message", one.message}});
+                    {"key", one.key},
+                    {"message", one.message()}});
     if (list.size() == 200) break;
   }
   return list;
@@ -171,6 +163,8 @@ std::string guarded(const Work& work) {
     return text_of(work());
   } catch (const std::bad_alloc&) {
     return text_of(failure("there is not enough memory for this case in a browser; bentur run has more"));
+  } catch (const InvalidParameter& error) {
+    return text_of(failure(error.what(), 0, 0, error.parameter()));
   } catch (const std::exception& error) {
     return text_of(failure(error.what()));
   }

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
-_KEY = re.compile(r'^[A-Za-z_][\w-]*(?:\.[\w-]+|\["(?:[^"\\]|\\.)*"\]|\[\d+\])*')
-# A word without "." and "[" is a key where it is one of a case's, or where this stands behind it; else a sentence begins.
-_TABLES = {"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code", "screening"}
-_AFTER_KEY = (" = ", " is missing", " is not a known key")
+_Told = tuple[str, int, int, str, str, str, str, str]  # the fields of a Finding
 
 
 @dataclass(frozen=True)
@@ -18,22 +14,18 @@ class Finding:
 
     `line` and `column` count from 1; they are 0 where the value stands in no file, as that of a case
     made in Python. `key` is the way to it, as in ``building["A"].stick.masses``; it is empty where
-    the message is of no key.
+    the message is of no key. `value` is what stands there, as the message shows it, `rule` what it
+    breaks, and `suggestion` the word that may have been meant; each is empty where there is none.
     """
 
     file: str
     line: int
     column: int
     message: str
-
-    @property
-    def key(self) -> str:
-        found = _KEY.match(self.message)
-        if found is None:
-            return ""
-        key = found[0]
-        is_key = "." in key or "[" in key or key in _TABLES or self.message.startswith(_AFTER_KEY, found.end())
-        return key if is_key else ""
+    key: str = ""
+    value: str = ""
+    rule: str = ""
+    suggestion: str = ""
 
     def __str__(self) -> str:
         place = self.file
@@ -47,12 +39,12 @@ class CaseError(ValueError):
 
     errors: list[Finding]
 
-    def __init__(self, errors: Iterable[tuple[str, int, int, str]]) -> None:
+    def __init__(self, errors: Iterable[_Told]) -> None:
         self.errors = [Finding(*one) for one in errors]
         super().__init__("\n".join(str(one) for one in self.errors))
 
-    def __reduce__(self) -> tuple[type[CaseError], tuple[list[tuple[str, int, int, str]]]]:
-        return type(self), ([(e.file, e.line, e.column, e.message) for e in self.errors],)
+    def __reduce__(self) -> tuple[type[CaseError], tuple[list[_Told]]]:
+        return type(self), ([astuple(one) for one in self.errors],)
 
 
 class SolveError(RuntimeError):

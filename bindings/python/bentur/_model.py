@@ -282,7 +282,7 @@ class Building:
 
     Keys:
 
-    - ``name``: text, not empty, different from the others
+    - ``name``: text of one line, not empty, different from the others
     - ``damping``: see Damping
     - ``damping_stiffness``: ``"initial"`` or ``"tangent"``, where storeys yield: see Damping; default ``"initial"``
     - ``frame``, ``stick``, ``matrices``, ``modal``, ``generic``: exactly one

@@ -62,7 +62,8 @@ std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values)
     const auto path = parse_path(text, error);
     const auto place = path ? resolved(root, *path, error) : std::nullopt;
     if (!place) {
-      found.error({"", 0, 0}, text + ": " + error);
+      Diagnostic& one = found.error(SourcePosition(), error);
+      one.key = text;
       continue;
     }
     put_value(root, *place, toml_of(value, text));

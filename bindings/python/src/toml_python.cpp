@@ -73,7 +73,8 @@ py::object python_of(const TomlValue& value) {
 void raise_case_error(const Diagnostics& diagnostics) {
   py::list errors;
   for (const Diagnostic& one : diagnostics.errors()) {
-    errors.append(py::make_tuple(one.position.file, one.position.line, one.position.column, one.message));
+    errors.append(py::make_tuple(one.position.file, one.position.line, one.position.column, one.message(), one.key,
+                                 one.value, one.rule, one.suggestion));
   }
   const py::object type = py::module_::import("bentur._errors").attr("CaseError");
   PyErr_SetObject(type.ptr(), type(errors).ptr());

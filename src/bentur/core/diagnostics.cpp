@@ -29,17 +29,32 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string Diagnostic::message() const {
+  std::string text = key;
+  if (!value.empty()) {
+    const bool is_kind = value.starts_with("a ");
+    text += fmt::format(" {} {},", is_kind ? "is" : "=", value);
+  }
+  if (value.empty() || suggestion.empty()) text += (text.empty() ? "" : " ") + rule;
+  if (!suggestion.empty()) text += fmt::format("{} did you mean \"{}\"?", value.empty() ? "," : "", suggestion);
+  return text;
+}
+
 std::string Diagnostic::text() const {
   std::string place = position.file;
   if (position.line > 0) {
     place += fmt::format(":{}", position.line);
     if (position.column > 0) place += fmt::format(":{}", position.column);
   }
-  return place.empty() ? fmt::format("error: {}", message) : fmt::format("{}: error: {}", place, message);
+  return place.empty() ? fmt::format("error: {}", message()) : fmt::format("{}: error: {}", place, message());
 }
 
-void Diagnostics::error(SourcePosition position, std::string message) {
-  errors_.push_back({std::move(position), std::move(message)});
+Diagnostic& Diagnostics::error(SourcePosition position, std::string message) {
+  return errors_.emplace_back(Diagnostic{.position = std::move(position), .rule = std::move(message)});
+}
+
+void Diagnostics::add(const Diagnostics& other) {
+  errors_.insert(errors_.end(), other.errors_.begin(), other.errors_.end());
 }
 
 std::vector<Diagnostic> Diagnostics::errors() const {

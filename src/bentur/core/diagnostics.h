@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bentur {
@@ -13,11 +14,18 @@ struct SourcePosition {
   int origin = 0;  ///< 0: the file; else what stands there was put in by whoever gave this number, to know it by
 };
 
-/// One finding about a user's input, as the user reads it.
+/// One finding about a user's input.
 struct Diagnostic {
   SourcePosition position;
-  std::string message;  ///< "gap[0].contact.restitution = 1.4, must be in (0, 1]"
+  std::string key = {};    ///< the way to it, `gap[0].contact.restitution`; empty: of the file as a whole
+  std::string value = {};  ///< as a message shows it, `1.4`, `"hertzz"`, `a list`; empty: what is wrong is no value
+  std::string rule = {};   ///< "must be in (0, 1]", or a sentence whose subject is the key
+  std::string suggestion = {};  ///< the word that may have been meant; empty: none is near
+  bool unknown_key = false;     ///< there is no such key
 
+  /// As the user reads it: "gap[0].contact.restitution = 1.4, must be in (0, 1]". A word that may have been meant is
+  /// told in place of the rule on values.
+  [[nodiscard]] std::string message() const;
   /// "case.toml:14:9: error: MESSAGE"; line and column are left out where they are 0.
   [[nodiscard]] std::string text() const;
 };
@@ -25,7 +33,11 @@ struct Diagnostic {
 /// Collects every error of one input, so that the user sees all of them in one run.
 class Diagnostics {
  public:
-  void error(SourcePosition position, std::string message);
+  void add(Diagnostic one) { errors_.push_back(std::move(one)); }
+  /// All that `other` has found.
+  void add(const Diagnostics& other);
+  /// Of no key.
+  Diagnostic& error(SourcePosition position, std::string message);
 
   [[nodiscard]] bool ok() const noexcept { return errors_.empty(); }
   /// Sorted by file, line, origin, column; what stands at the same place keeps the order it was found in.

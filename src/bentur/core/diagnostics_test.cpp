@@ -8,7 +8,9 @@ namespace {
 std::string text(const SourcePosition& position) {
   Diagnostic diagnostic;
   diagnostic.position = position;
-  diagnostic.message = "width = -1, must be >= 0";
+  diagnostic.key = "width";
+  diagnostic.value = "-1";
+  diagnostic.rule = "must be >= 0";
   return diagnostic.text();
 }
 
@@ -18,6 +20,19 @@ TEST(Diagnostic, Text) {
   EXPECT_EQ(text({"case.toml", 0, 0}), "case.toml: error: width = -1, must be >= 0");
   EXPECT_EQ(text({"case.toml", 0, 9}), "case.toml: error: width = -1, must be >= 0");
   EXPECT_EQ(text({}), "error: width = -1, must be >= 0");
+}
+
+TEST(Diagnostic, MessageIsMadeOfItsParts) {
+  const auto message = [](const Diagnostic& one) { return one.message(); };
+  EXPECT_EQ(message({.rule = "holds no numbers"}), "holds no numbers");
+  EXPECT_EQ(message({.key = "gap", .rule = "is missing"}), "gap is missing");
+  EXPECT_EQ(message({.key = "width", .value = "-1", .rule = "must be >= 0"}), "width = -1, must be >= 0");
+  EXPECT_EQ(message({.key = "width", .value = "a list", .rule = "must be a number"}),
+            "width is a list, must be a number");
+  EXPECT_EQ(message({.key = "law", .value = "\"herz\"", .rule = "must be one of a, b", .suggestion = "hertz"}),
+            "law = \"herz\", did you mean \"hertz\"?");
+  EXPECT_EQ(message({.key = "widht", .rule = "is not a known key", .suggestion = "width", .unknown_key = true}),
+            "widht is not a known key, did you mean \"width\"?");
 }
 
 TEST(Diagnostics, SortedByPlaceAndStable) {
@@ -32,7 +47,7 @@ TEST(Diagnostics, SortedByPlaceAndStable) {
   found.error({"a.toml", 0, 0}, "the file as a whole");
   EXPECT_FALSE(found.ok());
   std::vector<std::string> messages;
-  for (const Diagnostic& each : found.errors()) messages.push_back(each.message);
+  for (const Diagnostic& each : found.errors()) messages.push_back(each.message());
   EXPECT_EQ(messages, (std::vector<std::string>{"the file as a whole", "third column", "first found here",
                                                 "and then this", "tenth line", "b"}));
 }
@@ -44,8 +59,8 @@ TEST(Diagnostics, OrderIsKeptAtOnePlace) {
   const std::vector<Diagnostic> sorted = found.errors();
   ASSERT_EQ(sorted.size(), 100U);
   for (int i = 0; i < 50; ++i) {
-    EXPECT_EQ(sorted[static_cast<std::size_t>(i)].message, std::to_string(2 * i));
-    EXPECT_EQ(sorted[static_cast<std::size_t>(50 + i)].message, std::to_string(2 * i + 1));
+    EXPECT_EQ(sorted[static_cast<std::size_t>(i)].message(), std::to_string(2 * i));
+    EXPECT_EQ(sorted[static_cast<std::size_t>(50 + i)].message(), std::to_string(2 * i + 1));
   }
 }
 

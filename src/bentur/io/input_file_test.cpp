@@ -82,7 +82,7 @@ TEST_F(InputFile, SaysWhyTheSystemRefuses) {
     ASSERT_EQ(::seteuid(0), 0);
   }
   EXPECT_EQ(problem, "cannot be read: Permission denied");
-  EXPECT_EQ(of_case.errors().at(0).message, "cannot be read: Permission denied");
+  EXPECT_EQ(of_case.errors().at(0).message(), "cannot be read: Permission denied");
 }
 
 }  // namespace

@@ -438,7 +438,12 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
 
 bool refuse_spectrum(const Case& c, Diagnostics& diagnostics) {
   const auto& spectrum = c.excitation.spectrum;
-  if (spectrum) diagnostics.error(spectrum->position, "excitation.kind = \"spectrum\": " + spectrum_is_no_motion);
+  if (spectrum) {
+    diagnostics.add({.position = spectrum->position,
+                     .key = "excitation.kind",
+                     .value = "\"spectrum\"",
+                     .rule = spectrum_is_no_motion});
+  }
   return spectrum.has_value();
 }
 

@@ -95,7 +95,7 @@ class MadeUp : public testing::Test {
   static std::string error_of(const fs::path& file, const FragilityRequest& request) {
     Diagnostics diagnostics;
     auto results = read_ida_results(file, request.event, diagnostics);
-    if (!results) return diagnostics.errors().front().message;
+    if (!results) return diagnostics.errors().front().message();
     std::string error;
     EXPECT_FALSE(fragility_report(std::move(*results), request, error).has_value());
     return error;

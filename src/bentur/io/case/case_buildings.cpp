@@ -36,15 +36,16 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
     entry.error_value("must be a table");
     return building;
   }
-  if (const auto name = entry.text("name")) {
+  const auto given = entry.get("name");
+  if (const auto name = given ? given->as_line() : std::nullopt) {
     building.spec.name = *name;
     if (name->empty()) {
-      entry.find("name")->error("is empty");
+      given->error("is empty");
     } else {
       building.path = fmt::format("building[{}]", in_quotes(*name));
       const auto same = [&](const ReadBuilding& other) { return other.spec.name == *name; };
       if (std::any_of(before.begin(), before.end(), same)) {
-        entry.find("name")->error_value("another building has this name already");
+        given->error_value("another building has this name already");
         building.path = entry.path();
       }
     }

@@ -274,9 +274,9 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
   const auto given_sides = read_between(gap, buildings, "the neighbours, left and right");
   if (given_sides && (&buildings[given_sides->first] != &left || &buildings[given_sides->second] != &right)) {
     const auto name = [&](std::size_t b) { return in_quotes(buildings[b].spec.name); };
-    gap.find("between")->error(fmt::format("= [{}, {}], must be [{}, {}] (gaps and neighbours from left to right)",
-                                           name(given_sides->first), name(given_sides->second),
-                                           in_quotes(left.spec.name), in_quotes(right.spec.name)));
+    gap.find("between")->error_shown(fmt::format("[{}, {}]", name(given_sides->first), name(given_sides->second)),
+                                     fmt::format("must be [{}, {}] (gaps and neighbours from left to right)",
+                                                 in_quotes(left.spec.name), in_quotes(right.spec.name)));
   }
   spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
   read_strikes_columns(gap, spec);

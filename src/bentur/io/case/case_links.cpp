@@ -54,11 +54,12 @@ std::optional<std::pair<std::size_t, std::size_t>> read_sides(const TomlView& li
   const auto name = [&](std::size_t b) { return in_quotes(buildings[b].spec.name); };
   const TomlView between = *link.find("between");
   if (sides->first == sides->second) {
-    return between.error(fmt::format("= [{0}, {0}], must be two different buildings", name(sides->first)));
+    return between.error_shown(fmt::format("[{0}, {0}]", name(sides->first)), "must be two different buildings");
   }
   if (sides->first > sides->second) {
-    return between.error(fmt::format("= [{0}, {1}], must be [{1}, {0}] (buildings from left to right)",
-                                     name(sides->first), name(sides->second)));
+    const std::string left = name(sides->second), right = name(sides->first);
+    return between.error_shown(fmt::format("[{}, {}]", right, left),
+                               fmt::format("must be [{}, {}] (buildings from left to right)", left, right));
   }
   return sides;
 }

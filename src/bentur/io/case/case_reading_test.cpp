@@ -448,7 +448,7 @@ TEST(CaseReading, AxialStiffnessCountsWhereValuesMustGoTogether) {
             "\"axial\", second_stiffness = " +
             second + ", yield_penetration = 0.001 }\n" + harmonic + analysis,
         "x", diagnostics);
-    return diagnostics.ok() ? std::string() : diagnostics.errors().front().message;
+    return diagnostics.ok() ? std::string() : diagnostics.errors().front().message();
   };
   EXPECT_EQ(with_second("9.99"), "");
   EXPECT_EQ(with_second("10.01").substr(0, 48), "gap[0].contact.second_stiffness = 10.01, must be");

@@ -222,7 +222,8 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   Case& c = read.c;
   (void)root.is_table_of(
       {"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code", "screening"});
-  c.title = root.text("title", Need::optional).value_or("");
+  const auto title = root.find("title");
+  c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
   buildings = read_buildings(root, c.units, {folder, diagnostics}, memo);
@@ -273,7 +274,7 @@ std::optional<Case> read_parsed(const std::string& text, const std::filesystem::
   const std::string name = file.string();
   std::optional<Case> c;
   if (auto root = parse_toml(text, name, found)) c = read(*root, name, found);
-  for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
+  diagnostics.add(found);
   if (!found.ok()) return std::nullopt;
   c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
   return c;

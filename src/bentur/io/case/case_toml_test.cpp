@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -65,6 +66,26 @@ TEST(CaseToml, EachBadInputGivesItsMessages) {
     }
   }
   EXPECT_GE(cases, 50);
+}
+
+TEST(CaseToml, EachMessageOfBadInputHasItsKey) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(bad_input)) {
+    if (entry.path().extension() == ".toml") files.insert(entry.path().filename().string());
+  }
+  std::vector<std::string> keys;
+  for (const std::string& file : files) {
+#ifdef __EMSCRIPTEN__
+    if (file == "harmonic-period-tiny.toml") continue;
+#endif
+    Diagnostics diagnostics;
+    (void)read_case(bad_input / file, diagnostics);
+    for (const Diagnostic& one : diagnostics.errors()) {
+      keys.push_back(file + ":" + (one.key.empty() ? "" : " " + one.key));
+      EXPECT_TRUE(one.message().starts_with(one.key)) << one.text();
+    }
+  }
+  EXPECT_EQ(keys, lines(content(bad_input / "keys.txt")));
 }
 
 TEST(CaseToml, EachExpectedFileHasItsCase) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/io/toml/toml_view.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
@@ -285,8 +286,7 @@ std::optional<std::string> stated_unit(const TomlValue& root, const std::string&
   const TomlValue* value = units == nullptr ? nullptr : units->find(key);
   if (value == nullptr) return otherwise;
   if (std::find(known.begin(), known.end(), value->text) != known.end()) return value->text;
-  diagnostics.error(value->position(file), fmt::format("units.{}, must be one of {}", key, fmt::join(known, ", ")));
-  return std::nullopt;
+  return TomlView(*value, key_path("units", key), file, diagnostics).as_word(known);
 }
 
 }  // namespace

@@ -386,7 +386,7 @@ TEST_F(RecordFormats, OnlyRegularFilesAreOpened) {
   const auto refused = [&](const std::filesystem::path& file) {
     found = Diagnostics();
     EXPECT_FALSE(read_record(file, {}, found).has_value());
-    return found.ok() ? "" : found.errors().front().message;
+    return found.ok() ? "" : found.errors().front().message();
   };
   EXPECT_EQ(refused(folder_.path()), "is a folder, not a record");
   EXPECT_EQ(refused(folder_.path() / "none"), "there is no such file");

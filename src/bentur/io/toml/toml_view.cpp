@@ -37,6 +37,27 @@ std::string broken(Rule rule, double x) {
   return "";
 }
 
+/// Bytes of the character that a text begins with where that is none to be seen, but changes how others are shown:
+/// controls, ends of lines, marks of direction; else 0.
+std::size_t unseen(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+  if (byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) <= 0x9F) return 2;  // U+0080 to U+009F
+  if (byte(0) == 0xD8 && byte(1) == 0x9C) return 2;                     // U+061C
+  if (byte(0) != 0xE2) return 0;
+  const bool of_general =
+      byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F || (byte(2) >= 0xA8 && byte(2) <= 0xAE));
+  const bool isolates = byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9;
+  return of_general || isolates ? 3 : 0;  // U+200E, 200F, 2028 to 202E, 2066 to 2069
+}
+
+/// The code point of a character of two or three bytes.
+unsigned code_of(std::string_view character) {
+  unsigned code = static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 0x1FU : 0x0FU);
+  for (const char c : character.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+  return code;
+}
+
 }  // namespace
 
 std::string key_path(const std::string& path, const std::string& key) {
@@ -48,11 +69,15 @@ std::string key_path(const std::string& path, const std::string& key) {
 std::string in_quotes(const std::string& text) {
   std::string shown = "\"";
   std::size_t characters = 0;
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
     if ((byte & 0xC0) != 0x80 && ++characters > 60) return shown + "...\"";
-    if (byte < 0x20 || byte == 0x7F) {
+    if (const std::size_t hidden = unseen(std::string_view(text).substr(i)); hidden == 1) {
       shown += fmt::format("\\x{:02x}", byte);
+    } else if (hidden > 1) {
+      shown += fmt::format("\\u{:04x}", code_of(std::string_view(text).substr(i, hidden)));
+      i += hidden - 1;
     } else {
       if (c == '"' || c == '\\') shown += '\\';
       shown += c;
@@ -61,7 +86,7 @@ std::string in_quotes(const std::string& text) {
   return shown + "\"";
 }
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& known, const std::string& otherwise) {
+std::string likely(const std::string& word, const std::vector<std::string>& known) {
   const auto same_letters = [&](const std::string& other) {
     return std::equal(word.begin(), word.end(), other.begin(), other.end(),
                       [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
@@ -72,45 +97,57 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   for (const std::string& one : known) {  // "inch" for "in"; single letters begin too much
     if (near.empty() && one.size() > 1 && word.starts_with(one) && 2 * one.size() >= word.size()) near = one;
   }
+  return near;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known, const std::string& otherwise) {
+  const std::string near = likely(word, known);
   return near.empty() ? fmt::format("{} {}", otherwise, fmt::join(known, ", "))
                       : fmt::format("did you mean \"{}\"?", near);
 }
 
 std::nullopt_t TomlView::error(const std::string& message) const {
-  diagnostics_->error(position(), path_.empty() ? message : path_ + " " + message);
+  diagnostics_->add({.position = position(), .key = path_, .rule = message});
   return std::nullopt;
 }
 
-std::nullopt_t TomlView::error_value(const std::string& rule) const {
+std::nullopt_t TomlView::error_shown(const std::string& value, const std::string& rule) const {
+  diagnostics_->add({.position = position(), .key = path_, .value = value, .rule = rule});
+  return std::nullopt;
+}
+
+std::nullopt_t TomlView::error_value(const std::string& rule, const std::string& suggestion) const {
   std::string shown;
   switch (value_->kind) {
     case TomlValue::Kind::text:
-      shown = "= " + in_quotes(value_->text);
+      shown = in_quotes(value_->text);
       break;
     case TomlValue::Kind::integer:
-      shown = fmt::format("= {}", value_->integer);
+      shown = fmt::format("{}", value_->integer);
       break;
     case TomlValue::Kind::real:
-      shown = fmt::format("= {}", value_->real);
+      shown = fmt::format("{}", value_->real);
       break;
     case TomlValue::Kind::boolean:
-      shown = fmt::format("= {}", value_->boolean);
+      shown = fmt::format("{}", value_->boolean);
       break;
     case TomlValue::Kind::table:
-      shown = "is a table";
+      shown = "a table";
       break;
     case TomlValue::Kind::list:
-      shown = "is a list";
+      shown = "a list";
       break;
     case TomlValue::Kind::date:
-      shown = "is a date";
+      shown = "a date";
       break;
   }
-  return error(shown + ", " + rule);
+  diagnostics_->add({.position = position(), .key = path_, .value = shown, .rule = rule, .suggestion = suggestion});
+  return std::nullopt;
 }
 
 std::nullopt_t TomlView::error_missing(const std::string& key, const std::string& reason) const {
-  diagnostics_->error(position(), key_path(path_, key) + " is missing" + (reason.empty() ? "" : " (" + reason + ")"));
+  const std::string rule = "is missing" + (reason.empty() ? "" : " (" + reason + ")");
+  diagnostics_->add({.position = position(), .key = key_path(path_, key), .rule = rule});
   return std::nullopt;
 }
 
@@ -121,9 +158,13 @@ bool TomlView::is_table_of(const std::vector<std::string>& known) const {
   }
   for (const TomlMember& member : value_->members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
-    diagnostics_->error({*file_, member.line, member.column, member.value.origin},
-                        fmt::format("{} is not a known key, {}", key_path(path_, member.key),
-                                    suggestion(member.key, known, "the known ones are")));
+    const std::string near = likely(member.key, known);
+    const std::string others = near.empty() ? fmt::format(", the known ones are {}", fmt::join(known, ", ")) : "";
+    diagnostics_->add({.position = {*file_, member.line, member.column, member.value.origin},
+                       .key = key_path(path_, member.key),
+                       .rule = "is not a known key" + others,
+                       .suggestion = near,
+                       .unknown_key = true});
   }
   return true;
 }
@@ -270,10 +311,20 @@ std::optional<std::string> TomlView::as_text() const {
   return error_value("must be a text in quotes");
 }
 
+std::optional<std::string> TomlView::as_line() const {
+  auto text = as_text();
+  for (std::size_t i = 0; text && i < text->size(); ++i) {
+    if (unseen(std::string_view(*text).substr(i)) > 0) {
+      return error_value("must be one line without control characters and marks of direction");
+    }
+  }
+  return text;
+}
+
 std::optional<std::string> TomlView::as_word(const std::vector<std::string>& known) const {
   const auto word = as_text();
   if (!word || std::find(known.begin(), known.end(), *word) != known.end()) return word;
-  return error_value(suggestion(*word, known));
+  return error_value(fmt::format("must be one of {}", fmt::join(known, ", ")), likely(*word, known));
 }
 
 std::optional<bool> TomlView::as_flag() const {

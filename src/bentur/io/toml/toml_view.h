@@ -43,8 +43,10 @@ class TomlView {
   [[nodiscard]] TomlView renamed(std::string path) const { return {*value_, std::move(path), *file_, *diagnostics_}; }
 
   // Errors about this value. Each returns nothing, for a reader to return in turn.
-  std::nullopt_t error(const std::string& message) const;     ///< "PATH MESSAGE"
-  std::nullopt_t error_value(const std::string& rule) const;  ///< "PATH = VALUE, RULE", or "PATH is a list, RULE"
+  std::nullopt_t error(const std::string& message) const;  ///< "PATH MESSAGE"
+  /// "PATH = VALUE, RULE", or "PATH is a list, RULE".
+  std::nullopt_t error_value(const std::string& rule, const std::string& suggestion = {}) const;
+  std::nullopt_t error_shown(const std::string& value, const std::string& rule) const;  ///< the same, so shown
   std::nullopt_t error_missing(const std::string& key,
                                const std::string& reason = {}) const;  ///< "PATH.KEY is missing (REASON)"
 
@@ -92,6 +94,9 @@ class TomlView {
   [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most,
                                                      const std::string& rule = {}) const;
   [[nodiscard]] std::optional<std::string> as_text() const;
+  /// One line without control characters, and without those that turn the direction of a text: what is printed of it
+  /// cannot pass for something else.
+  [[nodiscard]] std::optional<std::string> as_line() const;
   [[nodiscard]] std::optional<std::string> as_word(const std::vector<std::string>& known) const;
   [[nodiscard]] std::optional<bool> as_flag() const;
 
@@ -111,6 +116,9 @@ inline constexpr std::string_view bare_key_characters =
 
 /// "text" in quotes as a message shows it: control characters escaped, long ones cut.
 [[nodiscard]] std::string in_quotes(const std::string& text);
+
+/// The one of `known` that may have been meant; empty where none is near.
+[[nodiscard]] std::string likely(const std::string& word, const std::vector<std::string>& known);
 
 /// The end of a message about an unknown word: `did you mean "hertz"?`, or `must be one of a, b, c`.
 [[nodiscard]] std::string suggestion(const std::string& word, const std::vector<std::string>& known,

@@ -47,7 +47,7 @@ class RecordSet : public ::testing::Test {
 
   std::string messages() {
     std::string all;
-    for (const Diagnostic& one : diagnostics_.errors()) all += one.message + "\n";
+    for (const Diagnostic& one : diagnostics_.errors()) all += one.message() + "\n";
     return all;
   }
 

@@ -39,7 +39,7 @@ class Trial {
       if (one.position.origin > 0) {
         report(one, choices);
       } else {
-        diagnostics_.error(one.position, one.message);
+        diagnostics_.add(one);
       }
     }
     if (!found.ok()) return false;
@@ -151,7 +151,7 @@ class Trial {
       if (error.position.origin > 0) {
         report(error, choices);
       } else {
-        because_of(axis, choices, error.message + place_text(error.position));
+        because_of(axis, choices, error.message() + place_text(error.position));
       }
       ++errors_;
     }
@@ -176,16 +176,16 @@ class Trial {
   /// An error about a value that the study has put in.
   void report(const Diagnostic& error, const std::vector<Choice>& choices) {
     const Vary& vary = study_.varies[static_cast<std::size_t>(error.position.origin - 1)];
-    std::string message = error.message;
+    Diagnostic told = error;
     if (vary.distribution) {
-      message += choices[vary.axis].low_or_high ? " (the distribution can give that: cut it off with low, high)"
-                                                : " (the median of the distribution)";
+      told.rule += choices[vary.axis].low_or_high ? " (the distribution can give that: cut it off with low, high)"
+                                                  : " (the median of the distribution)";
     } else if (vary.factor) {
-      message += fmt::format(" (factor {})", chosen_text(vary, choices[vary.axis]));
+      told.rule += fmt::format(" (factor {})", chosen_text(vary, choices[vary.axis]));
     }
     // An unknown key is the parameter's fault, not the value's.
-    const bool key = message.find("is not a known key") != std::string::npos;
-    diagnostics_.error(key ? vary.parameter_position : place_of(vary, choices), message);
+    told.position = error.unknown_key ? vary.parameter_position : place_of(vary, choices);
+    diagnostics_.add(std::move(told));
   }
 
   /// An error elsewhere, in the case or a record, that a choice along `axis` brings about.
@@ -265,7 +265,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   // Several values can lead to one message.
   std::set<std::string> said;
   for (const Diagnostic& one : found.errors()) {
-    if (said.insert(one.text()).second) diagnostics.error(one.position, one.message);
+    if (said.insert(one.text()).second) diagnostics.add(one);
   }
   return found.ok() ? std::optional(trial.take()) : std::nullopt;
 }
@@ -286,7 +286,7 @@ std::vector<SweepAxis> plan_axes(const Study& study) {
 
 std::string first_message(const Diagnostics& diagnostics) {
   const std::vector<Diagnostic> errors = diagnostics.errors();
-  return errors.empty() ? "" : errors.front().message;
+  return errors.empty() ? "" : errors.front().message();
 }
 
 }  // namespace bentur

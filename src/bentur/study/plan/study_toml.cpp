@@ -258,7 +258,7 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
       study.axes.emplace_back("intensity");
     }
   }
-  for (const Diagnostic& one : found.errors()) diagnostics.error(one.position, one.message);
+  diagnostics.add(found);
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
 }
 

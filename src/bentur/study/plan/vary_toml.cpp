@@ -34,7 +34,7 @@ void label_values(const TomlView& view, const TomlView& values, Vary& vary) {
       std::all_of(vary.values.begin(), vary.values.end(), [](const TomlValue& value) { return value.is_number(); });
   if (const auto given = view.find("labels")) {
     if (!given->is_list_of("texts", {vary.values.size(), "one per value"})) return;
-    for (const TomlView& label : given->items()) vary.labels.push_back(label.as_text().value_or(""));
+    for (const TomlView& label : given->items()) vary.labels.push_back(label.as_line().value_or(""));
   } else if (!numbers) {
     for (const TomlView& value : values.items()) {
       if (value.is(Kind::text)) {

@@ -57,7 +57,7 @@ TEST(YieldingStudy, WhichBuildingsCanYieldIsTheSameInAllRuns) {
   Diagnostics refused;
   EXPECT_FALSE(check_study(*elastic, memo, refused));
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.errors().front().message.find("which buildings can yield"), std::string::npos);
+  EXPECT_NE(refused.errors().front().message().find("which buildings can yield"), std::string::npos);
 }
 
 }  // namespace
