@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bentur/io/toml/toml_value.h"
+#include "tests/support/mutated_text.h"
 
 namespace bentur {
 namespace {
@@ -140,27 +141,11 @@ TEST(CaseToml, ErrorsOfTheCallerDoNotSpoilACase) {
   EXPECT_EQ(diagnostics.errors().size(), 1U);
 }
 
-std::string utf8(unsigned c) {
-  std::string bytes;
-  const auto put = [&](unsigned byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (c < 0x80) {
-    put(c);
-  } else if (c < 0x800) {
-    put(0xC0 | (c >> 6));
-    put(0x80 | (c & 63));
-  } else {
-    put(0xE0 | (c >> 12));
-    put(0x80 | ((c >> 6) & 63));
-    put(0x80 | (c & 63));
-  }
-  return bytes;
-}
-
 // The library that parses TOML has unreachable code on some of these characters, and assertions on some malformed
 // texts: every character is either refused or read as it is, and nothing ends the program.
 TEST(CaseToml, EveryCharacterBeyondAsciiIsReadInAStringAndRefusedOutside) {
   for (unsigned c = 0x80; c < 0x10000; ++c) {
-    const std::string bytes = utf8(c);
+    const std::string bytes = test::utf8(c);
     Diagnostics in_string;
     const auto value = parse_toml("x = \"" + bytes + "\" # " + bytes + "\n", "x", in_string);
     const bool surrogate = c >= 0xD800 && c <= 0xDFFF;
@@ -198,70 +183,12 @@ TEST(CaseToml, StringsMayHoldWhatOtherPlacesMayNot) {
   EXPECT_EQ(root->members.at(3).value.text, "é\\ü");
 }
 
-// Seeded, so that a failure can be repeated. A crash fails the test by ending it; a text must be read or refused with a
-// message.
+// A crash fails the test by ending it; a text must be read or refused with a message.
 TEST(CaseToml, MutatedCasesAreReadOrRefusedButNeverSilent) {
-  const std::vector<std::string> bits = {"[",
-                                         "]",
-                                         "{",
-                                         "}",
-                                         "#",
-                                         "\"",
-                                         "'",
-                                         "\"\"\"",
-                                         "'''",
-                                         "\\",
-                                         "\n",
-                                         "\r",
-                                         ",",
-                                         ".",
-                                         "=",
-                                         "[[",
-                                         "]]",
-                                         "[#",
-                                         "nan",
-                                         "inf",
-                                         "-",
-                                         "1e999",
-                                         "0x",
-                                         "1979-05-27",
-                                         "_",
-                                         "\xEF\xBB\xBF",
-                                         "\xC3\xA9",
-                                         "\xEF\xBB\xAF",
-                                         "\xEF\xBB\xB7",
-                                         "\xFF",
-                                         "true",
-                                         "9223372036854775808",
-                                         "\\ud800",
-                                         "\t",
-                                         "\v",
-                                         "\x7F",
-                                         std::string(1, '\0')};
   std::mt19937 random(20190531);
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
   int read = 0;
   for (int round = 0; round < 20000; ++round) {
-    std::string text = plain_case;
-    for (std::size_t change = 0, changes = 1 + below(4); change < changes && !text.empty(); ++change) {
-      const std::size_t at = below(text.size());
-      switch (below(5)) {
-        case 0:
-          text[at] = static_cast<char>(random() & 0xFF);
-          break;
-        case 1:
-          text.insert(at, bits[below(bits.size())]);
-          break;
-        case 2:
-          text.erase(at, 1 + below(12));
-          break;
-        case 3:
-          text.insert(at, text.substr(below(text.size()), below(60)));
-          break;
-        default:
-          text.insert(at, utf8(static_cast<unsigned>(0x80 + below(0xFF80))));
-      }
-    }
+    const std::string text = test::mutated(plain_case, random);
     Diagnostics diagnostics;
     const bool good = read_case_text(text, "mutated.toml", diagnostics).has_value();
     ASSERT_EQ(good, diagnostics.ok()) << text;

@@ -251,7 +251,7 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
     if (read_case_of(root, study, found)) {
       read_varies(root, study);
       if (study.ida) add_polarity(root, study);
-      settle_normalisation(root, study);
+      if (found.ok()) settle_normalisation(root, study);
     }
     if (study.ida) {
       study.ida->axis = study.axes.size();

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/plan/study.h"
+#include "tests/support/mutated_text.h"
 
 namespace bentur {
 namespace {
@@ -111,6 +113,71 @@ values = [0.5, 0.65]
   EXPECT_LT(*chosen_number(study.varies[1], {.u = 1 - 1e-15}), 0.2);
   EXPECT_GT(*chosen_number(study.varies[1], {.u = 0.9}), 0.05);
   EXPECT_EQ(chosen_text(study.varies[2], {.level = 1}), "0.65");
+}
+
+// What is settled at the end, such as normalisation by PGV, looks at all that was read: a mistake elsewhere must not
+// leave it with half of a study.
+TEST(StudyToml, AMistakeBesideANormalisationIsAMistakeAlone) {
+  const TemporaryFolder folder;
+  const std::string begin = "case = '" + (bad_study / "plain-case.toml").string() + "'\n";
+  const std::string files = "[[vary]]\nparameter = 'excitation.file'\nfiles = '" +
+                            (bad_study / "../bad_input/good.AT2").string() + "'\nnormalisation = 'pgv'\n";
+  for (const std::string wrong :
+       {"[[vary]]\ncount = 3\n", "[[vary]]\nparameter = 'gap[0].width'\nvaleus = [0.1, 0.2]\n",
+        "[[vary]]\nparameter = 'gap[0].width'\nvalues = []\n",
+        "[[vary]]\nparameter = 'gap[0].width'\nfrom = 0.1\nto = 0.2\n"}) {
+    std::ofstream(folder.path() / "study.toml") << begin << wrong << files;
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_study(folder.path() / "study.toml", diagnostics).has_value());
+    EXPECT_FALSE(diagnostics.ok()) << wrong;
+  }
+}
+
+// A crash fails the test by ending it; a text must be read or refused with a message.
+TEST(StudyToml, MutatedStudiesAreReadOrRefusedButNeverSilent) {
+  const TemporaryFolder folder;
+  const std::string plain = "case = '" + (bad_study / "plain-case.toml").string() + R"('
+[[vary]]
+parameter = "excitation.file"
+files = ["good-t*.txt", { file = "good.AT2", unit = "g" }]
+unit = "g"
+normalisation = "pgv"
+[[vary]]
+parameter = "gap[0].width"
+from = 0.01
+to = 0.1
+count = 3
+together = "pair"
+[[vary]]
+parameter = 'building["West"].damping'
+values = [0.02, 0.03, 0.05]
+together = "pair"
+name = "damping"
+[[vary]]
+parameter = "gap[0].contact.stiffness"
+factor = [0.5, 2.0]
+[ida]
+intensity = "pga"
+unit = "g"
+levels = [0.1, 0.2]
+polarity = "both"
+)";
+  for (const char* const file : {"good-two-column.txt", "good-three-columns.txt", "good.AT2"}) {
+    fs::copy_file(bad_study / "../bad_input" / file, folder.path() / file);
+  }
+  std::mt19937 random(20190531);
+  int read = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const std::string text = round == 0 ? plain : test::mutated(plain, random);
+    const fs::path file = folder.path() / "study.toml";
+    std::ofstream(file, std::ios::binary) << text;
+    Diagnostics diagnostics;
+    const bool good = read_study(file, diagnostics).has_value();
+    ASSERT_EQ(good, diagnostics.ok()) << text;
+    ASSERT_TRUE(good || round > 0) << diagnostics.errors().at(0).text();
+    read += good ? 1 : 0;
+  }
+  EXPECT_GT(read, 3);
 }
 
 }  // namespace
