@@ -131,6 +131,18 @@ TEST(StruckColumns, TheSummaryTellsDemandOverCapacity) {
     EXPECT_EQ(column.at("moment_demand_capacity"), peaks.moment / 350);
     EXPECT_EQ(column.at("demand_capacity"), std::max(peaks.shear / capacities[i], peaks.moment / 350));
   }
+  for (const bool of_shear : {true, false}) {  // of one the demand over it alone
+    Case one = the_case();
+    (of_shear ? one.gaps[0].column_capacity->moment : one.gaps[0].column_capacity->shear).clear();
+    const Json column =
+        Json::parse(summary_json(simulated(std::move(one)), "1")).at("gaps").at(0).at("points").at(0).at("column");
+    const ColumnPeaks& peaks = the_run().response.points[0].column.value();
+    EXPECT_EQ(column.contains("shear_demand_capacity"), of_shear);
+    EXPECT_EQ(column.contains("moment_demand_capacity"), !of_shear);
+    EXPECT_EQ(column.at("demand_capacity"), of_shear ? peaks.shear / 400 : peaks.moment / 350);
+    EXPECT_EQ(column.at("demand_capacity_no_contact"),
+              of_shear ? peaks.shear_no_contact / 400 : peaks.moment_no_contact / 350);
+  }
   EXPECT_FALSE(points.at(3).contains("column"));
   EXPECT_FALSE(points.at(3).contains("struck"));
   Case c = the_case();

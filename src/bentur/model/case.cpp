@@ -124,8 +124,9 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
     point.right_floor = floors.right_floor;
     const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
     if (spec.column_capacity) {
-      point.column_shear_capacity = spec.column_capacity->shear.at(i);
-      point.column_moment_capacity = spec.column_capacity->moment.at(i);
+      const auto& [shears, moments] = *spec.column_capacity;
+      if (!shears.empty()) point.column_shear_capacity = shears.at(i);
+      if (!moments.empty()) point.column_moment_capacity = moments.at(i);
     }
     point.elevation = at_level ? spec.elevations[i] : floors.elevation;
     point.width = spec.widths[i];

@@ -98,10 +98,10 @@ struct GapSpec {
   ContactSpec contact;
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
   bool strikes_columns = false;                          ///< floors may strike columns between floors
-  /// What the column that is struck at each contact point bears; one value per point.
+  /// What the column that is struck at each contact point bears; one value per point, or none: not given.
   struct ColumnCapacity {
-    std::vector<double> shear;   ///< [force]
-    std::vector<double> moment;  ///< [force·length]
+    std::vector<double> shear = {};   ///< [force]
+    std::vector<double> moment = {};  ///< [force·length]
   };
   std::optional<ColumnCapacity> column_capacity = std::nullopt;
 };
@@ -119,10 +119,11 @@ struct RecordEcho {
   double mean_removed = 0;   ///< taken off all values, in the file's unit
   double time_step = 0;      ///< [s]
   long count = 0;
-  double duration = 0;    ///< (count − 1) · step [s]
-  double pga_read = 0;    ///< largest |a| in the file's unit
-  bool reversed = false;  ///< applied the other way round, every value times −1
-  double pga = 0;         ///< largest |a| as applied, after scaling [length/s²]
+  double duration = 0;                          ///< (count − 1) · step [s]
+  double pga_read = 0;                          ///< largest |a| in the file's unit
+  bool reversed = false;                        ///< applied the other way round, every value times −1
+  double pga = 0;                               ///< largest |a| as applied, after scaling [length/s²]
+  std::optional<double> pga_without_unit = {};  ///< what it was scaled to, where that was a plain number [length/s²]
 };
 
 /// A design spectrum in place of a motion: for gaps alone (model/gap/spectral_gap.h).

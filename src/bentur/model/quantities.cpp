@@ -87,7 +87,7 @@ double impact_duration(const RunView& r, const QuantityPlace& at) {
   return r.response.impacts[at.item].end - r.response.impacts[at.item].start;
 }
 
-// Demand over capacity of a column; NaN where its capacity is not given.
+// Demand over capacity of a column; NaN where its capacity is not given, which std::fmax passes over.
 double over(double demand, double capacity) { return capacity > 0 ? demand / capacity : none; }
 double shear_ratio(const ColumnPeaks& column, const ContactPoint& point) {
   return over(column.shear, point.column_shear_capacity);
@@ -96,11 +96,11 @@ double moment_ratio(const ColumnPeaks& column, const ContactPoint& point) {
   return over(column.moment, point.column_moment_capacity);
 }
 double column_ratio(const ColumnPeaks& column, const ContactPoint& point) {
-  return std::max(shear_ratio(column, point), moment_ratio(column, point));
+  return std::fmax(shear_ratio(column, point), moment_ratio(column, point));
 }
 double column_ratio_no_contact(const ColumnPeaks& column, const ContactPoint& point) {
-  return std::max(over(column.shear_no_contact, point.column_shear_capacity),
-                  over(column.moment_no_contact, point.column_moment_capacity));
+  return std::fmax(over(column.shear_no_contact, point.column_shear_capacity),
+                   over(column.moment_no_contact, point.column_moment_capacity));
 }
 
 constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,

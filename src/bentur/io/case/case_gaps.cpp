@@ -257,8 +257,9 @@ void read_strikes_columns(const TomlView& gap, GapSpec& spec) {
 void read_column_capacity(const TomlView& gap, const GapSides& sides, GapSpec& spec) {
   const auto capacity = spec.strikes_columns ? gap.find("column_capacity") : std::nullopt;
   if (!capacity || !capacity->is_table_of({"shear", "moment"})) return;
+  if (!capacity->has("shear") && !capacity->has("moment")) capacity->error("needs shear, moment or both");
   const auto of_points = [&](const char* key) {
-    const auto given = capacity->get(key);
+    const auto given = capacity->find(key);
     return given ? given->as_number_for_each(Rule::positive, sides.points()) : std::vector<double>();
   };
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
@@ -278,7 +279,7 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
                                      fmt::format("must be [{}, {}] (gaps and neighbours from left to right)",
                                                  in_quotes(left.spec.name), in_quotes(right.spec.name)));
   }
-  spec.level_tolerance = gap.number("level_tolerance", Rule::not_negative, Need::optional);
+  spec.level_tolerance = gap.number("level_tolerance", Rule::distance, Need::optional);
   read_strikes_columns(gap, spec);
   spec.elevations = read_elevations(gap, left, right, spec.level_tolerance, spec.strikes_columns);
   const std::size_t points = spec.elevations.size();
@@ -287,9 +288,9 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
   const GapSides sides{left, right, spec.elevations};
   if (const auto width = gap.get("width")) {
     if (no_contact) {
-      if (const auto number = width->as_number(Rule::not_negative)) spec.widths = {*number};
+      if (const auto number = width->as_number(Rule::distance)) spec.widths = {*number};
     } else {
-      spec.widths = width->as_number_or_numbers(Rule::not_negative, sides.points());
+      spec.widths = width->as_number_or_numbers(Rule::distance, sides.points());
     }
     if (spec.widths.size() == 1 && points > 1) spec.widths.resize(points, double{spec.widths.front()});
   }
