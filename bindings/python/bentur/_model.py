@@ -593,9 +593,9 @@ class Gap:
       a tenth of the smallest storey height at those floors
     - ``strikes_columns``: ``true``: ``elevations`` may name a floor that faces a column of the other building, a
       frame; default ``false``
-    - ``column_capacity``: ``{ shear, moment }``, each a number or a list with one per contact point, > 0 [force,
-      force·length]: what the columns bear that are struck, for demand over capacity; with ``strikes_columns``.
-      Where floors meet the number counts for nothing; default none
+    - ``column_capacity``: ``{ shear, moment }``, one or both, each a number or a list with one per contact point, >
+      0 [force, force·length]: what the columns bear that are struck, for demand over capacity; with
+      ``strikes_columns``. Where floors meet the number counts for nothing; default none
     - ``contact``: table, see below; may be left out with ``elevations = []``
     """
 
@@ -690,14 +690,14 @@ class Excitation:
     - ``skip_lines``: whole number ≥ 0: how many lines at the beginning are skipped; default 0; headings are found
     - ``polarity``: ``"as-recorded"``, or ``"reversed"``: every acceleration times −1, as if the pair of buildings
       stood mirrored; default ``"as-recorded"``
-    - ``pga``: > 0 [length/s²]: scale to this peak; default not scaled
+    - ``pga``: > 0 [length/s²], or a text with its unit, ``"0.35 g"``: scale to this peak; default not scaled
     - ``scale``: not 0: multiply by this; not together with ``pga``; default 1
 
     Of ``kind = "harmonic"``:
 
     - ``period``: > 0 [s]
     - ``displacement_amplitude``: A > 0 [length]; or
-    - ``acceleration_amplitude``: Aω² > 0 [length/s²]; exactly one of the two
+    - ``acceleration_amplitude``: Aω² > 0 [length/s²], or a text with its unit, ``"0.2 g"``; exactly one of the two
     - ``phase``: ``"sine"`` or ``"cosine"``, of the displacement; default ``"sine"``
 
     Of ``kind = "spectrum"``:
@@ -733,11 +733,11 @@ class Excitation:
     channel: int | None = None
     skip_lines: int | None = None
     polarity: Literal["as-recorded", "reversed"] | None = None
-    pga: float | None = None
+    pga: float | str | None = None
     scale: float | None = None
     period: float | None = None
     displacement_amplitude: float | None = None
-    acceleration_amplitude: float | None = None
+    acceleration_amplitude: float | str | None = None
     phase: Literal["sine", "cosine"] | None = None
     delays: Numbers | None = None
     wave_velocity: float | None = None

@@ -61,7 +61,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
       return key == "name" || key == "rigid" || key == "elevations" || key == "base_elevation";
     });
     view.refuse(keys, "is not for a rigid building, which moves with the ground");
-    building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
+    building.spec.base_elevation = view.number("base_elevation", Rule::level, Need::optional).value_or(0);
     read_rigid(view, building);
     for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
     make(building);
@@ -71,7 +71,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
       {"elevations"},
       "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
   building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
-  building.spec.base_elevation = view.number("base_elevation", Rule::finite, Need::optional).value_or(0);
+  building.spec.base_elevation = view.number("base_elevation", Rule::level, Need::optional).value_or(0);
   read_structure(view, units, files, building);
   if (view.has("modal")) {
     view.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
@@ -85,7 +85,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
     if (building.is_frame) {
       width->error("is not for a frame, whose width is the sum of its bay_widths");
     } else {
-      building.spec.width = width->as_number(Rule::positive);
+      building.spec.width = width->as_number(Rule::size);
     }
   }
   for (double& elevation : building.elevations) elevation += building.spec.base_elevation;

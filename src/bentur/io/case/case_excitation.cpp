@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
@@ -66,25 +67,61 @@ std::optional<std::string> settle_unit(const TomlView& view, const StrongMotionR
   return record.unit;
 }
 
+/// An acceleration > 0 [length/s²]: a number in the case's own unit, or a text with its unit, "0.35 g".
+std::optional<double> read_acceleration(const TomlView& value, const Units& units) {
+  if (!value.is(TomlValue::Kind::text)) return value.as_number(Rule::positive);
+  const std::string& text = value.value().text;
+  const auto not_blank = [&](std::size_t from) { return std::min(text.find_first_not_of(" \t", from), text.size()); };
+  const std::size_t begin = not_blank(0);
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = from_chars(text.data() + begin, end, number);
+  const std::string known = fmt::format("{}, gal", fmt::join(acceleration_units(), ", "));
+  if (read.ec != std::errc()) {
+    return value.error_value(fmt::format("must be a number, or one with its unit as \"0.35 g\"; units are {}", known));
+  }
+  std::string unit = text.substr(not_blank(static_cast<std::size_t>(read.ptr - text.data())));
+  unit.erase(unit.find_last_not_of(" \t") + 1);
+  if (unit.empty()) return value.error_value("has no unit; one of " + known + ", or without quotes length/s²");
+  const bool gal = unit == "gal" || unit == "Gal";
+  const std::vector<std::string>& all = acceleration_units();
+  if (!gal && std::find(all.begin(), all.end(), unit) == all.end()) {
+    return value.error_value(
+        fmt::format("{} is no unit of acceleration, the known ones are {}", in_quotes(unit), known));
+  }
+  const double acceleration = number * acceleration_factor(gal ? "cm/s2" : unit, units);
+  if (!std::isfinite(acceleration)) return value.error_value("must be finite");
+  if (!(acceleration > 0)) return value.error_value("must be > 0");
+  return acceleration;
+}
+
+/// The peak that the record is scaled to, or the amplitude of a harmonic motion [length/s²].
+std::optional<double> read_acceleration(const TomlView& view, const char* key, const Units& units) {
+  const auto value = view.find(key);
+  return value ? read_acceleration(*value, units) : std::nullopt;
+}
+
 /// Scales to the case's length/s² and, where asked for, to a peak or by a factor.
-void apply_scale(const TomlView& view, double unit_factor, SampledMotion& motion, RecordEcho& echo) {
+void apply_scale(const TomlView& view, double unit_factor, const Units& units, SampledMotion& motion,
+                 RecordEcho& echo) {
   const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
   double factor = unit_factor;
   if (key == "scale") {
     factor *= view.number("scale", Rule::not_zero).value_or(1);
   } else if (key == "pga") {
-    const auto pga = view.number("pga", Rule::positive);
+    const auto pga = read_acceleration(view, "pga", units);
     if (!(echo.pga_read > 0)) {
       view.find("pga")->error("cannot be reached: the record is zero throughout");
     } else if (pga) {
       factor = *pga / echo.pga_read;
+      if (view.find("pga")->is_number()) echo.pga_without_unit = *pga;
     }
   }
   echo.reversed = view.word("polarity", polarities(), Need::optional) == "reversed";
   if (echo.reversed) factor = -factor;
   for (double& value : motion.acceleration) value *= factor;
   echo.pga = echo.pga_read * std::abs(factor);
-  if (!std::isfinite(echo.pga)) view.error("scales the record beyond what can be computed with");
+  if (!std::isfinite(echo.pga / units.gravity)) view.error("scales the record beyond what can be computed with");
 }
 
 std::optional<SampledMotion> read_record_motion(const TomlView& view, const Units& units,
@@ -114,7 +151,8 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
     (void)view.word("unit", acceleration_units(), Need::optional);
     (void)view.word("polarity", polarities(), Need::optional);
     const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
-    if (key) (void)view.number(*key, *key == "pga" ? Rule::positive : Rule::not_zero);
+    if (key == "pga") (void)read_acceleration(view, "pga", units);
+    if (key == "scale") (void)view.number("scale", Rule::not_zero);
     return std::nullopt;
   }
   // A step that rounding explains is let pass; the file's own is used.
@@ -130,18 +168,21 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
     echo.sha256 = std::move(identity.sha256);
   }
   SampledMotion motion{record->time_step, std::move(record->values)};
-  apply_scale(view, unit ? acceleration_factor(*unit, units) : 1.0, motion, echo);
+  apply_scale(view, unit ? acceleration_factor(*unit, units) : 1.0, units, motion, echo);
   return motion;
 }
 
-HarmonicMotion read_harmonic(const TomlView& view) {
+HarmonicMotion read_harmonic(const TomlView& view, const Units& units) {
   HarmonicMotion motion;
   motion.period = view.number("period", Rule::positive).value_or(1);
   const auto key = view.exactly_one({"displacement_amplitude", "acceleration_amplitude"});
   if (key) {
-    const double amplitude = view.number(*key, Rule::positive).value_or(1);
+    const bool of_displacement = *key == "displacement_amplitude";
+    const auto given = of_displacement ? view.number("displacement_amplitude", Rule::positive)
+                                       : read_acceleration(view, "acceleration_amplitude", units);
+    const double amplitude = given.value_or(1);
     const double omega = 2 * std::numbers::pi / motion.period;  // [rad/s]
-    motion.displacement_amplitude = *key == "displacement_amplitude" ? amplitude : amplitude / (omega * omega);
+    motion.displacement_amplitude = of_displacement ? amplitude : amplitude / (omega * omega);
   }
   if (view.word("phase", {"sine", "cosine"}, Need::optional) == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
   return motion;
@@ -214,7 +255,7 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
       spec.record = std::move(echo);
     }
   } else if (kind == "harmonic") {
-    spec.motion = read_harmonic(*view);
+    spec.motion = read_harmonic(*view, units);
   }
   spec.delays = read_delays(*view, buildings, gaps);
   if (view->word("kinematics", {"relative", "absolute"}, Need::optional) == "absolute") {

@@ -117,8 +117,8 @@ void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
   }
   PlaneFrame frame;
   frame.elastic_modulus = view.number("elastic_modulus", Rule::positive).value_or(0);
-  frame.storey_heights = view.numbers("storey_heights", Rule::positive);
-  frame.bay_widths = view.numbers("bay_widths", Rule::positive);
+  frame.storey_heights = view.numbers("storey_heights", Rule::size);
+  frame.bay_widths = view.numbers("bay_widths", Rule::size);
 
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);

@@ -14,9 +14,9 @@ namespace {
 constexpr std::int64_t most_storeys = 1000;
 
 /// One number for all storeys, or one each.
-std::vector<double> per_storey(const TomlView& view, const std::string& key, std::size_t storeys) {
+std::vector<double> per_storey(const TomlView& view, const std::string& key, Rule rule, std::size_t storeys) {
   const auto value = view.get(key);
-  return value ? value->as_number_for_each(Rule::positive, {storeys, "one per storey"}) : std::vector<double>();
+  return value ? value->as_number_for_each(rule, {storeys, "one per storey"}) : std::vector<double>();
 }
 
 /// α of a word, as [MirandaTaghavi2005] tells of such systems.
@@ -77,7 +77,7 @@ void read_modal(const TomlView& view, const CaseFiles& files, ReadBuilding& buil
   if (!view.is_table_of({"elevations", "masses", "periods", "shapes", "shapes_file"})) return;
   ModalBuilding modal;
   const auto elevations = view.get("elevations");
-  if (elevations) modal.elevations = elevations->as_numbers(Rule::positive);
+  if (elevations) modal.elevations = elevations->as_numbers(Rule::size);
   const std::size_t floors = modal.elevations.size();
   const bool ascends = std::adjacent_find(modal.elevations.begin(), modal.elevations.end(), std::greater_equal<>()) ==
                        modal.elevations.end();
@@ -113,8 +113,8 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
   GenericBuilding generic;
   const auto storeys = static_cast<std::size_t>(view.whole("storeys", 1, most_storeys).value_or(0));
   if (storeys > 0) {
-    generic.storey_heights = per_storey(view, "storey_height", storeys);
-    generic.floor_masses = per_storey(view, "floor_mass", storeys);
+    generic.storey_heights = per_storey(view, "storey_height", Rule::size, storeys);
+    generic.floor_masses = per_storey(view, "floor_mass", Rule::positive, storeys);
   }
   if (const auto kind = view.exactly_one({"period", "period_formula"})) {
     if (*kind == "period") {
@@ -144,7 +144,7 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
 void read_rigid(const TomlView& view, ReadBuilding& building) {
   RigidSpec rigid;
   const auto elevations = view.get("elevations");
-  if (elevations) rigid.elevations = elevations->as_numbers(Rule::finite);
+  if (elevations) rigid.elevations = elevations->as_numbers(Rule::level);
   if (std::adjacent_find(rigid.elevations.begin(), rigid.elevations.end(), std::greater_equal<>()) !=
       rigid.elevations.end()) {
     elevations->error("must ascend");

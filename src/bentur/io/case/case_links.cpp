@@ -109,7 +109,7 @@ LinkSpec read_link(const TomlView& link, const std::vector<ReadBuilding>& buildi
     return spec;
   }
   const LinkLaw* const law = read_link_law(link);
-  spec.level_tolerance = link.number("level_tolerance", Rule::not_negative, Need::optional);
+  spec.level_tolerance = link.number("level_tolerance", Rule::distance, Need::optional);
   const auto sides = read_sides(link, buildings);
   if (!link.has("elevations")) link.error_missing("elevations");
   if (sides) {

@@ -64,7 +64,7 @@ void read_matrices(const TomlView& view, ReadBuilding& building) {
   if (!view.is_table_of({"elevations", "mass", "stiffness", "damping"})) return;
   MatricesSpec spec;
   const auto list = view.get("elevations");
-  if (list) spec.elevations = list->as_numbers(Rule::positive);
+  if (list) spec.elevations = list->as_numbers(Rule::size);
   const std::vector<double>& floors = spec.elevations;
   if (std::adjacent_find(floors.begin(), floors.end(), std::greater_equal<>()) != floors.end()) {
     list->error("must ascend");

@@ -347,6 +347,25 @@ TEST(CaseReading, RecordScaledToAPeakOrByAFactor) {
   EXPECT_EQ(std::get<SampledMotion>(column.excitation.motion).acceleration, (std::vector<double>{0.02, 0.01, 0.0}));
 }
 
+TEST(CaseReading, AccelerationsWithTheirUnit) {
+  const auto pga_of = [](const std::string& units, const std::string& value) {
+    return read(record_case(units, "file = \"good.AT2\"\npga = " + value + "\n")).excitation.record.value();
+  };
+  const std::string cm = "[units]\nlength = \"cm\"\n";
+  EXPECT_DOUBLE_EQ(pga_of(units_m, "\"0.35 g\"").pga, 0.35 * 9.80665);
+  EXPECT_DOUBLE_EQ(pga_of(cm, "\" 3.5e-1g \"").pga, 0.35 * 980.665);
+  EXPECT_DOUBLE_EQ(pga_of(cm + "gravity = 1000\n", "\"0.35 g\"").pga, 350);  // the case's own, as of records
+  EXPECT_DOUBLE_EQ(pga_of(cm, "\"3.4 m/s2\"").pga, 340);
+  EXPECT_DOUBLE_EQ(pga_of(units_m, "\"340 gal\"").pga, 3.4);
+  EXPECT_DOUBLE_EQ(pga_of(units_m, "\"340 Gal\"").pga, 3.4);
+  EXPECT_DOUBLE_EQ(pga_of(units_m, "\"100 in/s2\"").pga, 2.54);
+  EXPECT_FALSE(pga_of(units_m, "\"0.35 g\"").pga_without_unit.has_value());
+  EXPECT_EQ(pga_of(units_m, "0.35").pga_without_unit, 0.35);
+  const Case c = read(stick_a + stick_b + gap + "[excitation]\nkind = \"harmonic\"\nperiod = 0.4\n" +
+                      "acceleration_amplitude = \"0.2 g\"\n" + analysis);
+  EXPECT_NEAR(peak_acceleration(c.excitation.motion), 0.2 * c.units.gravity, 1e-14);
+}
+
 TEST(CaseReading, EveryReferenceCaseIsRead) {
   const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference";
   if (!fs::exists(folder)) GTEST_SKIP() << "the folder shared/reference is not beside the sources";

@@ -37,7 +37,7 @@ void read_stick(const TomlView& view, ReadBuilding& building) {
   Stick stick;
   const auto heights = view.get("storey_heights");
   const Length per_storey = {heights ? heights->size() : 0, "one per storey"};
-  if (heights) stick.storey_heights = heights->as_numbers(Rule::positive);
+  if (heights) stick.storey_heights = heights->as_numbers(Rule::size);
   stick.masses = view.numbers("masses", Rule::positive, per_storey);
   stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey);
   read_yielding(view, per_storey, stick);

@@ -13,6 +13,7 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/parameter_path.h"
+#include "bentur/model/remarks.h"
 
 namespace bentur {
 namespace {
@@ -23,7 +24,7 @@ constexpr double most_steps = 1e15;      // that a limit can be raised to [-]
 constexpr double most_memory = 1e9;      // the same [MB]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
-std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key,
+std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key, Rule rule,
                                                     const std::vector<ReadBuilding>& buildings, bool& moves) {
   const auto table = initial.find(key);
   if (!table) return {};
@@ -43,7 +44,7 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
       continue;
     }
     const auto b = static_cast<std::size_t>(found - names.begin());
-    const auto values = given.as_numbers(Rule::finite, {lists[b].size(), "one per floor"});
+    const auto values = given.as_numbers(rule, {lists[b].size(), "one per floor"});
     if (values.empty()) continue;
     lists[b] = values;
     moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
@@ -56,8 +57,8 @@ InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& 
   InitialSpec initial;
   const auto view = root.find("initial");
   if (!view || !view->is_table_of({"displacements", "velocities"})) return initial;
-  initial.displacements = read_initial_table(*view, "displacements", buildings, moves);
-  initial.velocities = read_initial_table(*view, "velocities", buildings, moves);
+  initial.displacements = read_initial_table(*view, "displacements", Rule::level, buildings, moves);
+  initial.velocities = read_initial_table(*view, "velocities", Rule::finite, buildings, moves);
   return initial;
 }
 
@@ -113,7 +114,7 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     return analysis;
   }
   if (const auto duration = view->find("duration")) {
-    analysis.duration = duration->as_number(Rule::positive).value_or(0);
+    analysis.duration = duration->as_number(Rule::size).value_or(0);
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }
@@ -132,7 +133,7 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
 }
 
 /// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
-void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuilding>& buildings) {
+void check_assembled(const std::vector<TomlView>& views, const Units& units, std::vector<ReadBuilding>& buildings) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     if (buildings[b].made) continue;
     try {
@@ -140,6 +141,9 @@ void check_assembled(const std::vector<TomlView>& views, std::vector<ReadBuildin
       const bool whole = buildings[b].model && !spec.isolation;
       buildings[b].made =
           std::make_shared<const Building>(whole ? make_building(spec, *buildings[b].model) : make_building(spec));
+      if (!std::isfinite(proportions(*buildings[b].made, units, nullptr).weight)) {
+        views[b].error("weighs more than can be computed with: are masses in the units of the case?");
+      }
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }
@@ -195,7 +199,7 @@ void check_times(const TomlView& root, const std::vector<TomlView>& views, const
   if (harmonic->period < shortest) {
     excitation.find("period")->error_value(
         fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
-  } else if (!std::isfinite(peak_acceleration(c.excitation.motion))) {
+  } else if (!std::isfinite(peak_acceleration(c.excitation.motion) / c.units.gravity)) {
     excitation.error("asks for a ground acceleration beyond what can be computed with");
   }
 }
@@ -244,7 +248,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   }
   std::vector<TomlView> views = root.find("building")->items();
   for (std::size_t b = 0; b < views.size(); ++b) views[b] = views[b].renamed(buildings[b].path);
-  check_assembled(views, buildings);
+  check_assembled(views, c.units, buildings);
   if (diagnostics.ok()) {
     check_overlaps(root, read);
     check_times(root, views, read);
@@ -260,7 +264,7 @@ Units read_units(const TomlView& root) {
   if (!view || !view->is_table_of({"length", "force", "gravity"})) return units;
   units.length = view->word("length", length_units(), Need::optional).value_or(units.length);
   units.force = view->word("force", force_units(), Need::optional).value_or(units.force);
-  units.gravity = view->number("gravity", Rule::positive, Need::optional).value_or(standard_gravity(units.length));
+  units.gravity = view->number("gravity", Rule::size, Need::optional).value_or(standard_gravity(units.length));
   return units;
 }
 

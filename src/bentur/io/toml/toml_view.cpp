@@ -30,6 +30,12 @@ std::string broken(Rule rule, double x) {
       return x > 0 && x <= 1 ? "" : "must be in (0, 1]";
     case Rule::share:
       return x >= 0 && x <= 1 ? "" : "must be in [0, 1]";
+    case Rule::size:
+      return !(x > 0) ? "must be > 0" : x >= 1e-9 && x <= 1e9 ? "" : "must be in [1e-9, 1e9]";
+    case Rule::distance:
+      return !(x >= 0) ? "must be >= 0" : x <= 1e9 ? "" : "must be in [0, 1e9]";
+    case Rule::level:
+      return std::abs(x) <= 1e9 ? "" : "must be in [-1e9, 1e9]";
     case Rule::positive_or_infinite:
     case Rule::finite:
       break;

@@ -13,8 +13,22 @@
 namespace bentur {
 
 /// The values a number may take; a message states the rule.
-/// ratio: [0, 1), restitution: (0, 1], share: [0, 1]; all but positive_or_infinite are finite.
-enum class Rule { finite, positive, positive_or_infinite, not_negative, not_zero, ratio, restitution, share };
+/// ratio: [0, 1), restitution: (0, 1], share: [0, 1]; all but positive_or_infinite are finite. size: [1e-9, 1e9], of
+/// lengths, gravity and durations, so that what is divided by them is finite; distance: [0, 1e9]; level: an elevation
+/// or a displacement, within ±1e9.
+enum class Rule {
+  finite,
+  positive,
+  positive_or_infinite,
+  not_negative,
+  not_zero,
+  ratio,
+  restitution,
+  share,
+  size,
+  distance,
+  level
+};
 
 enum class Need { required, optional };
 
