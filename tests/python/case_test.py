@@ -164,6 +164,24 @@ def test_a_record_given_as_an_array_leaves_the_folder_to_other_files(tmp_path):
     assert float(varied.peak_force.sel(width=0.02).squeeze()) == result.summary["gaps"][0]["points"][0]["peak_force"]
 
 
+def test_files_that_vary_are_relative_to_the_case(tmp_path, monkeypatch):
+    pytest.importorskip("xarray")
+    (tmp_path / "records").mkdir()
+    times = np.arange(500) / 100
+    for name, scale in (("weak.txt", 1.0), ("strong.txt", 2.0)):
+        np.savetxt(tmp_path / "records" / name, np.column_stack([times, scale * np.sin(times / 0.08)]))
+    tables = pair().to_dict()
+    tables["excitation"] = {"kind": "record", "unit": "m/s2", "file": "records/weak.txt"}
+    case = bentur.Case.from_dict(tables, folder=tmp_path)
+    monkeypatch.chdir(tmp_path.parent)
+    found = bentur.vary(case, {"excitation.file": ["records/weak.txt", "records/strong.txt"]})
+    assert found.file.values.tolist() == ["records/weak.txt", "records/strong.txt"]
+    assert found.peak_ground_acceleration.values.tolist() == pytest.approx([1.0, 2.0], rel=1e-3)
+    both = [{"kind": "record", "unit": "m/s2", "file": tmp_path / "records" / n} for n in ("weak.txt", "strong.txt")]
+    whole = bentur.vary(case, {"excitation": both}, labels={"excitation": ["a", "b"]})
+    assert whole.peak_force.values.tolist() == found.peak_force.values.tolist()
+
+
 def test_arrays_are_views_that_cannot_be_written_and_outlive_the_result():
     result = bentur.run(pair())
     moved = result.histories["displacement"][0]

@@ -153,29 +153,40 @@ def vary(
 
     ``bentur.vary(case, {"gap[0].width": [0.0, 0.01, 0.02], "excitation.pga": [2.0, 4.0]})``
 
-    :param labels: what the results call values that are no numbers, by the same keys.
+    Files are relative to the folder of the case, as in the case itself.
+
+    :param labels: what the results call values that are no numbers, by the same keys; default texts themselves.
     :returns: as :func:`sweep`.
     """
     if case._laws:
         raise ValueError("a case with a law of Python's own cannot be varied: run it value by value")
     with tempfile.TemporaryDirectory(prefix="bentur-") as folder:
         tables = case.to_dict()
-        excitation = tables.get("excitation", {})
-        if "file" in excitation:
-            excitation["file"] = str((case.folder / excitation["file"]).resolve())
-        for building in tables["building"]:
-            if "shapes_file" in building.get("modal", {}):
-                building["modal"]["shapes_file"] = str((case.folder / building["modal"]["shapes_file"]).resolve())
+        tables = _placed("", tables, case.folder)
         (Path(folder) / "case.toml").write_text(_toml(tables), encoding="utf-8")
         study: dict[str, Any] = {"case": "case.toml", "vary": []}
         for key, given in values.items():
-            one: dict[str, Any] = {"parameter": key, "values": np.asarray(given).tolist() if not isinstance(given, list) else given}
+            levels = np.asarray(given).tolist() if not isinstance(given, list) else given
+            one: dict[str, Any] = {"parameter": key, "values": [_placed(key, level, case.folder) for level in levels]}
             if labels and key in labels:
                 one["labels"] = list(labels[key])
+            elif levels and all(isinstance(level, str | PathLike) for level in levels):
+                one["labels"] = [os.fspath(level) for level in levels]
             study["vary"].append(one)
         file = Path(folder) / "study.toml"
         file.write_text(_toml(study), encoding="utf-8")
         return sweep(file, threads=threads, progress=progress)
+
+
+def _placed(key: str, value: Any, folder: Path) -> Any:
+    """What stands at a key of the case, with the whole way to every file that it names."""
+    if isinstance(value, Mapping):
+        return {name: _placed(str(name), inner, folder) for name, inner in value.items()}
+    if isinstance(value, list | tuple):
+        return [_placed(key, inner, folder) for inner in value]
+    if isinstance(value, PathLike) or (isinstance(value, str) and key.rpartition(".")[2] in ("file", "shapes_file")):
+        return str((folder / value).resolve())
+    return value
 
 
 def _toml(table: Mapping[str, Any]) -> str:
