@@ -331,6 +331,30 @@ std::optional<std::pair<std::size_t, std::size_t>> read_between(const TomlView& 
   return std::pair(given[0], given[1]);
 }
 
+namespace {
+
+int nearest_floor_to(const FloorLevels& building, double elevation) {
+  const auto nearest =
+      std::min_element(building.elevations.begin(), building.elevations.end(),
+                       [&](double a, double b) { return std::abs(a - elevation) < std::abs(b - elevation); });
+  return static_cast<int>(nearest - building.elevations.begin());
+}
+
+/// The end of a message about an elevation in `list` where two floors would meet with a larger tolerance, or nothing.
+std::string nearly_met(const TomlView& list, double elevation, const std::vector<LevelPair>& pairs,
+                       const FloorLevels& left, const FloorLevels& right) {
+  const int a = nearest_floor_to(left, elevation), b = nearest_floor_to(right, elevation);
+  const auto meet = [&](const LevelPair& pair) { return pair.left_floor == a && pair.right_floor == b; };
+  if (std::any_of(pairs.begin(), pairs.end(), meet)) return "";
+  const double apart =
+      std::abs(left.elevations[static_cast<std::size_t>(a)] - right.elevations[static_cast<std::size_t>(b)]);
+  const std::string table = list.path().substr(0, list.path().rfind('.'));
+  return fmt::format("; floors that nearly meet do so with {}.level_tolerance, here the nearest two are {} apart",
+                     table, number(apart));
+}
+
+}  // namespace
+
 std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,
                                      const std::vector<LevelPair>& pairs, const FloorLevels& left,
                                      const FloorLevels& right) {
@@ -341,10 +365,9 @@ std::vector<double> named_elevations(const TomlView& list, const std::vector<dou
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
     if (pair == nullptr) {
-      list.item(i).error_value(
-          common.empty()
-              ? "the buildings do not both have a floor there"
-              : fmt::format("the buildings do not both have a floor there, they have at {}", fmt::join(common, ", ")));
+      list.item(i).error_value(fmt::format("the buildings do not both have a floor there{}{}{}",
+                                           common.empty() ? "" : ", they have at ", fmt::join(common, ", "),
+                                           nearly_met(list, wanted[i], pairs, left, right)));
     } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
       list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",
                                            before - taken.begin(),
