@@ -157,18 +157,6 @@ def ratios(cases):
                   ratio_rows(cases)) + "\n")
 
 
-def reference_check(cases, reference):
-    lines = []
-    for name, case in cases.items():
-        path = reference / f"{name}.expected.json"
-        if path.exists():
-            points = [p for gap in json.loads(path.read_text())["gaps"] for p in gap["points"]]
-            peak = max(point["peak_force"] for point in points)
-            error = abs(float(case["exact"][0]["peak_force"]) / peak - 1)
-            lines.append(f"`exact` and the reference result of {name} differ by {error:.0e} in peak force.")
-    return "\n".join(lines) + "\n\n" if lines else ""
-
-
 def cost_model(growth, rates):
     if not growth:
         return ""
@@ -277,7 +265,6 @@ def main():
         text += "OpenSees was not run: `./dev bench --peers` installs it.\n\n"
     if not any("cvode" in case for case in cases.values()):
         text += "SUNDIALS was not installed (Debian: libsundials-dev).\n\n"
-    text += reference_check(cases, root / "../shared/reference")
     sweep = folder / "sweep.txt"
     if sweep.exists():
         text += "Gap sweep on two threads: " + sweep.read_text().split(": ")[0].strip() + ".\n\n"

@@ -23,6 +23,8 @@ OUTSIDE = {
     r"netcdf.*": {"files"},
     r"tbb/.*|thread|mpi\.h": {"runner"},
 }
+# What stands outside the modules, and which of them it does without.
+DOORS = {"apps": set(), "bindings": {"runner"}, "web/wasm": {"files", "runner"}}
 # Libraries that one source alone includes, tests among them: what uses them, does so through that one.
 ONE_SOURCE = ("toml++", "netcdf")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -64,6 +66,17 @@ def includes(root):
             for library in ONE_SOURCE:
                 if name.startswith(library):
                     sources_of[library].add(str(path))
+    for door, without in DOORS.items():
+        for path in sources(root, door):
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                match = INCLUDE.match(line)
+                parts = match[1].split("/") if match else [""]
+                if parts[0] != "bentur":
+                    continue
+                if {"engine", "internal"} & set(parts):
+                    yield f"{path}:{number}: {match[1]} is private to its module"
+                if parts[1] in without:
+                    yield f"{path}:{number}: {door} must not include {match[1]}"
     for library, found in sources_of.items():
         if len(found) > 1:
             yield f"more than one source includes {library}: " + ", ".join(sorted(found))
@@ -137,7 +150,21 @@ def prose(root):
             yield f"{path}: lines of prose over {wrap.WIDTH} characters; ./dev format wraps them"
 
 
-RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose)}
+def alone(root):
+    """What is cloned works by itself: only tests name files beside the repository, and they are skipped without them."""
+    beside = re.compile(r"\.\./shared\b")
+    left_out = {"build", "node_modules", ".venv", ".venv-peers", ".git", "tests", "records", "__pycache__"}
+    for path in sorted(root.rglob("*")):
+        if left_out & set(path.relative_to(root).parts) or not path.is_file() or "_test." in path.name:
+            continue
+        if path.suffix not in (".md", ".py", ".sh", ".toml", ".txt", ".cmake", ".cpp", ".h", ".mjs", ".ts", ".tsx", ".slurm", ""):
+            continue
+        for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+            if beside.search(line):
+                yield f"{path}:{number}: names a file beside the repository"
+
+
+RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone)}
 
 
 def main():

@@ -24,8 +24,7 @@
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/model/quantities.h"
-#include "bentur/report/html/internal/animation.h"
-#include "bentur/report/html/internal/sections.h"
+#include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/remark_text.h"
 #include "bentur/solve/effort.h"
@@ -196,7 +195,7 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-Json gap_overview(const html::Report& report, const RunResults& run, Eigen::Index gap,
+Json gap_overview(const RunResults& run, Eigen::Index gap, const std::string& language,
                   const std::vector<PointSeparation>& separations) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
   Json one = {{"name", gap_name(run.problem, gap)},
@@ -211,7 +210,7 @@ Json gap_overview(const html::Report& report, const RunResults& run, Eigen::Inde
     const PointSummary& worst = run.response.points[*found.hardest];
     one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
   }
-  if (!found.unmodelled.empty()) one["unmodelled"] = html::unmodelled_text(report, found.unmodelled);
+  if (!found.unmodelled.empty()) one["unmodelled"] = unmodelled_text(run, gap, language);
   if (!separations.empty()) {
     const PointSeparation largest = largest_of(separations, found.gap.points);
     one["rules"] = {{"abs", largest.abs}, {"srss", largest.srss}, {"ddc", largest.ddc}};
@@ -325,14 +324,7 @@ std::string Studio::gaps() const {
 
 std::string Studio::modes() const { return run_ ? modes_json(run_->problem.buildings, run_->c.units) : ""; }
 
-std::string Studio::motion(const std::string& language) const {
-  if (!run_) return "";
-  const Words say(language);
-  const html::Report report{run_->view(), run_->c, run_->problem, run_->response, say, {}, {}};
-  std::vector<Eigen::Index> listed(std::min(run_->response.impacts.size(), html::most_impacts));
-  for (std::size_t k = 0; k < listed.size(); ++k) listed[k] = static_cast<Eigen::Index>(k);
-  return html::animation_json(report, listed);
-}
+std::string Studio::motion(const std::string& language) const { return run_ ? motion_json(*run_, language) : ""; }
 
 std::string Studio::report(const std::string& language) const {
   return run_ ? report_html(*run_, {.language = language, .version = BENTUR_VERSION}) : "";
@@ -342,11 +334,9 @@ std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
-    const Words say(language);
-    const html::Report report{run.view(), run.c, run.problem, run.response, say, {}, {}};
     const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
     Json gaps = Json::array();
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(report, run, gap.left, rules));
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left, language, rules));
     Json buildings = Json::array();
     for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
       const Building& building = run.problem.buildings[b];
@@ -362,7 +352,7 @@ std::string Studio::overview(const std::string& language) const {
     }
     Json impacts = Json::array();
     for (const Impact& one : run.response.impacts) {
-      if (impacts.size() == html::most_impacts) break;
+      if (impacts.size() == most_impacts) break;
       const ContactPoint& point = run.problem.points[one.point];
       const std::optional<double> e = one.restitution();
       impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,

@@ -28,7 +28,7 @@ std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return html::is_harder(impacts[a], impacts[b]); });
-  order.resize(std::min(order.size(), html::most_impacts));
+  order.resize(std::min(order.size(), most_impacts));
   return order;
 }
 

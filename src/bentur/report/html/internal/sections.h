@@ -10,6 +10,7 @@
 #include "bentur/model/quantities.h"
 #include "bentur/model/remarks.h"
 #include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/page_parts.h"
 #include "bentur/report/words.h"
 #include "bentur/solve/response.h"
 
@@ -29,8 +30,6 @@ struct Report {
   [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }
 };
 
-/// Impacts a report lists, hardest first; where there are more, it says so.
-constexpr std::size_t most_impacts = 1500;
 /// Of a long list; report.css hides the others there.
 constexpr std::size_t rows_in_print = 30;
 
