@@ -42,12 +42,12 @@ laws["two slopes (branches)"] = bentur.BranchLaw(
     branches=[
         bentur.Branch(
             stiffness=stiffness,
-            guards=[bentur.Guard(penetration=1.0, then=0), bentur.Guard(constant=0.002, penetration=-1.0, then=2)],
+            guards=[bentur.Guard(deformation=1.0, then=0), bentur.Guard(constant=0.002, deformation=-1.0, then=2)],
         ),
         bentur.Branch(
             base=0.001 * stiffness,
             stiffness=stiffness / 2,
-            guards=[bentur.Guard(constant=-0.002, penetration=1.0, then=1)],
+            guards=[bentur.Guard(constant=-0.002, deformation=1.0, then=1)],
         ),
     ],
 )

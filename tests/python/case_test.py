@@ -270,11 +270,11 @@ def test_branches_are_exact():
     touching = bentur.Branch(
         stiffness=1e8,
         damping=damping,
-        guards=[bentur.Guard(penetration=1e8, speed=damping, then=2)],
+        guards=[bentur.Guard(deformation=1e8, speed=damping, then=2)],
     )
     # the force is zero until the surfaces are apart, or until it would push again
     free = bentur.Branch(
-        guards=[bentur.Guard(penetration=1.0, then=0), bentur.Guard(penetration=-1e8, speed=-damping, then=1)],
+        guards=[bentur.Guard(deformation=1.0, then=0), bentur.Guard(deformation=-1e8, speed=-damping, then=1)],
         unloading_stiffness=1e8,
     )
     own = bentur.BranchLaw(branches=[touching, free])

@@ -541,11 +541,11 @@ class ForceLaw:
 
 @dataclass(kw_only=True)
 class Guard:
-    """A branch lasts while ``constant + penetration·δ + speed·δ̇ ≥ 0``; then branch `then` follows (0: apart)."""
+    """A branch lasts while ``constant + deformation·δ + speed·δ̇ ≥ 0``; then branch `then` follows (0: apart)."""
 
     then: int
     constant: float = 0.0
-    penetration: float = 0.0
+    deformation: float = 0.0
     speed: float = 0.0
 
 

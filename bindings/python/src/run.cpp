@@ -293,7 +293,7 @@ void bind_laws(py::module_& module) {
                branch.unloading_stiffness = one.attr("unloading_stiffness").cast<double>();
                for (const py::handle guard : one.attr("guards")) {
                  branch.guards.push_back({.constant = guard.attr("constant").cast<double>(),
-                                          .deformation = guard.attr("penetration").cast<double>(),
+                                          .deformation = guard.attr("deformation").cast<double>(),
                                           .speed = guard.attr("speed").cast<double>()});
                  branch.then.push_back(guard.attr("then").cast<int>());
                }
