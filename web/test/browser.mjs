@@ -2,6 +2,8 @@
 import { chromium } from "playwright-core";
 import { execFileSync } from "node:child_process";
 
+const PATIENCE = 300000; // [ms] after which something hangs; no test is about how long anything takes
+
 export const program = () => execFileSync("sh", ["-c", "command -v chromium || command -v chromium-browser"], { encoding: "utf8" }).trim();
 
 export const launch = () => chromium.launch({
@@ -9,9 +11,27 @@ export const launch = () => chromium.launch({
   args: ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-dev-shm-usage"],
 });
 
-export async function open(browser, address, options = {}) {
+/** In the page before it begins: while window.held is set the worker's answers wait, as those of work that takes long do. */
+function holdWork() {
+  const Real = window.Worker, kept = [];
+  window.held = false;
+  window.kept = kept;
+  window.Worker = class extends Real {
+    set onmessage(hear) {
+      super.onmessage = (event) => { if (window.held) kept.push(() => hear.call(this, event)); else hear.call(this, event); };
+    }
+  };
+}
+
+/** @param options of Playwright's context; `slow`: answers of the solver can be held back, and the page's clock is the test's */
+export async function open(browser, address, { slow = false, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-GB", acceptDownloads: true, ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  if (slow) {
+    await page.clock.install();
+    await page.addInitScript(holdWork);
+  }
   const complaints = [], requests = [];
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
   page.on("pageerror", (error) => complaints.push(String(error)));
@@ -20,5 +40,8 @@ export async function open(browser, address, options = {}) {
   return { page, complaints, requests, close: () => context.close() };
 }
 
-/** Until the case that stands there is solved, finely, or has errors. */
-export const solved = (page, state = "fine") => page.waitForSelector(`main[data-solved="${state}"]`, { timeout: 60000 });
+/** Until the case that stands there, what is being typed included, is solved, finely, or has errors. */
+export const solved = (page, state = "fine") => page.waitForSelector(`main[data-solved="${state}"]`);
+
+/** Until the curve over gaps is whole, so that no worker has anything to do. */
+export const curveDone = (page) => page.waitForFunction(() => document.querySelector("#curve figcaption")?.textContent.includes("amplification"));

@@ -1,7 +1,7 @@
 // Pictures of every view, to be looked at: look.mjs PAGE FOLDER
 import { mkdirSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import { launch, open, solved } from "./browser.mjs";
+import { curveDone, launch, open, solved } from "./browser.mjs";
 
 const [file, folder] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
@@ -14,10 +14,8 @@ for (const width of [1280, 390]) {
       const { page, complaints, close } = await open(browser, pathToFileURL(file).href, { viewport: { width, height: 900 }, colorScheme: theme });
       await solved(page);
       await page.click(`[data-case="${name}"]`);
-      await page.waitForTimeout(300);
       await solved(page);
-      await page.waitForFunction(() => document.querySelector("#curve") !== null, null, { timeout: 60000 });
-      await page.waitForTimeout(1500);
+      await curveDone(page);
       if (name === "monograph") {
         await page.click("#compare button");
         await page.evaluate(() => document.querySelectorAll("details")[1].setAttribute("open", ""));

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, width } from "./state";
+import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, typing, width } from "./state";
 import { recordName } from "./cases";
 import { keyName, number, say } from "./texts";
 import { decimal, type Leaf, leaf, type Outline, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
@@ -10,7 +10,7 @@ export function Errors({ goTo }: { goTo: (line: number, column: number) => void 
     <div class="errors" role="alert">
       {problem.value && <p class="error">{problem.value()}</p>}
       {list.length > 0 && <>
-        <h3>{say("errors")}: {list.length}</h3>
+        <h2>{say("errors")}: {list.length}</h2>
         <ul>{list.slice(0, 30).map((one, i) => (
           <li key={i}>{one.line > 0 && one.file === "" ? <button type="button" onClick={() => goTo(one.line, one.column)}>{say("errors.at", { line: one.line, column: one.column })}</button>
             : one.file !== "" && <strong>{one.file}{one.line > 0 && `:${one.line}:${one.column}`}</strong>} {told(one)}</li>))}</ul>
@@ -42,7 +42,11 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
           const base = text.value; // what has come in its place by then stays
           show(value);
           clearTimeout(later.current);
-          later.current = window.setTimeout(() => { if (text.value === base) change(value); }, 150);
+          typing.value = true;
+          later.current = window.setTimeout(() => {
+            typing.value = false;
+            if (text.value === base) change(value);
+          }, 150);
         }} />
     </div>
   );
@@ -123,8 +127,14 @@ export function Units() {
   </>;
 }
 
-/** Another ground motion; when it comes to which building stays. */
-const excite = (lines: string[]) => change(withTable(text.value, "excitation", lines, ["delays", "wave_velocity", "kinematics"]));
+const ofEveryMotion = ["delays", "wave_velocity", "kinematics"], ofRecords = ["pga", "scale", "polarity"];
+
+/** Another ground motion; when it comes to which building stays, and of records how strong it is made and which way round. */
+function excite(kind: "record" | "harmonic", lines: string[]) {
+  const was = leaf(found.value, ["excitation", "kind"])?.value;
+  const kept = kind === "record" && was === "record" ? [...ofEveryMotion, ...ofRecords] : ofEveryMotion;
+  change(withTable(text.value, "excitation", [`kind = "${kind}"`, ...lines], kept));
+}
 
 /** A neighbour of which four numbers are known, to the right of the last building. */
 function withNeighbour(now: string, scale: number, mass: number): string {
@@ -158,8 +168,8 @@ export function Form() {
       {now.tables.filter((one) => one.path.length === 2 && one.path[0] === "link").slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.link", { n: i + 1 })} without={["between"]} />)}
       <Group path={["excitation"]} title={say("form.excitation")} />
       <p class="controls">
-        <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite(['kind = "harmonic"', "period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
-        <button type="button" aria-pressed={kind === "record" && leaf(now, ["excitation", "file"])?.value === recordName} onClick={() => excite(['kind = "record"', `file = "${recordName}"`, 'unit = "g"'])}>{say("form.elcentro")}</button>
+        <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite("harmonic", ["period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
+        <button type="button" aria-pressed={kind === "record" && leaf(now, ["excitation", "file"])?.value === recordName} onClick={() => excite("record", [`file = "${recordName}"`, 'unit = "g"'])}>{say("form.elcentro")}</button>
         <FilePicker label={say("form.record")} />
         {kind === "record" && <Choice name={say("form.unit")} options={["–", ...accelerations]} value={String(leaf(now, ["excitation", "unit"])?.value ?? "–")} set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
       </p>
@@ -187,11 +197,11 @@ export async function openFile(file: File) {
   }
   const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80);
   addFile(name, bytes);
-  const lines = ['kind = "record"', `file = ${JSON.stringify(name)}`];
+  const lines = [`file = ${JSON.stringify(name)}`];
   const unit = leaf(found.value, ["excitation", "unit"]);
   // Formats that say their unit refuse another one; a plain column does not say it.
   if (!/\.(at2|v1|v2|v2c|smc|ew|ns|ud|ew1|ns1|ud1|ew2|ns2|ud2|asc)$/i.test(name)) lines.push(`unit = ${unit ? unit.text : '"g"'}`);
-  excite(lines);
+  excite("record", lines);
 }
 
 export function FilePicker({ label: shown }: { label: string }) {
@@ -210,14 +220,14 @@ export function GapSlider() {
   if (!overview || !one) return null;
   const key = `${gap.value}|${loads.value}|${overview.title}|${overview.units.length}`;
   const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
-  if (most.current.key !== key || width.value > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
+  if (most.current.key !== key || Math.max(width.value, one.needed) > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
   const span = most.current.value;
   return (
-    <div class="gap-slider">
+    <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
       {overview.gaps.length > 1 && <label>{say("gap")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
       <label class="slide"><span>{overview.gaps.length > 1 ? say("width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} /></label>
-      <div class="needed" style={{ "--at": `${Math.min(100, (100 * one.needed) / span)}%` }}><span>▲ {say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+      <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
     </div>
   );
 }

@@ -5,12 +5,11 @@ import { cases } from "./cases";
 import { Editor, Errors, Form, GapSlider, goTo, openFile, Units } from "./edit";
 import { fromFragment } from "./link";
 import { MotionView } from "./motion";
-import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict } from "./results";
-import type { Result } from "./solver";
-import { begin, chosen, errors, load, pinned, problem, result } from "./state";
+import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict, widthsOf } from "./results";
+import { begin, chosen, load, pinned, problem, result, stale, standing } from "./state";
 import "./style.css";
 import { Take } from "./take";
-import { language, languages, number, say, type Word } from "./texts";
+import { language, languages, say, type Word } from "./texts";
 import { choice } from "./theme";
 
 function Head() {
@@ -31,8 +30,6 @@ function Head() {
   );
 }
 
-const widthsOf = ({ overview }: Result) => `${say("gap")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${overview.units.length}`;
-
 function App() {
   const area = useRef<HTMLTextAreaElement>(null);
   const dropping = useSignal(false);
@@ -50,7 +47,7 @@ function App() {
       }}>
       <Head />
       {dropping.value && <div class="drop">{say("drop")}</div>}
-      <main id="results" tabIndex={-1} data-solved={now ? (errors.value.length > 0 ? "errors" : now.fine ? "fine" : "rough") : errors.value.length > 0 ? "errors" : ""} data-ms={now?.milliseconds.toFixed(1)}>
+      <main id="results" class={stale.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <div class="lives">
           <div class="seen">
             <GapSlider />
@@ -58,9 +55,9 @@ function App() {
             <Verdict />
             {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
               <div class={pinned.value ? "motions" : ""}>
-                <div>{pinned.value && <h3>{say("now")}: {widthsOf(now)}</h3>}
+                <div>{pinned.value && <h3>{say("now")}: {now.overview.title}, {widthsOf(now.overview)}</h3>}
                   <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
-                {pinned.value && <div><h3>{say("pinned")}: {widthsOf(pinned.value)}</h3>
+                {pinned.value && <div><h3>{say("pinned")}: {pinned.value.overview.title}, {widthsOf(pinned.value.overview)}</h3>
                   <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
               </div></section>}
             {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: {now.overview.remarks.join(" ")}</>}</p>}

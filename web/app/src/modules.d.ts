@@ -30,7 +30,7 @@ declare module "*/report/html/motion.js" {
   export interface Motion {
     readonly impacts: { number: number; start: number; end: number }[];
     number(value: number): string;
-    show(time: number): void;
+    show(time: number, since?: number, fading?: number): void;
     showImpact(impact: unknown): void;
     start(): void;
     pause(): void;

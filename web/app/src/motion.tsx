@@ -1,5 +1,4 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion.js";
-import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Overview } from "./solver";
 import { time } from "./state";
@@ -9,6 +8,9 @@ const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 �
 
 /** The one that the charts and the impact list move. */
 export let main: Motion | null = null;
+
+/** What is shown beside the main one, of the same instants. */
+const followers = new Set<Motion>();
 
 /** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
@@ -23,22 +25,25 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
     }
     const parts: Record<string, unknown> = {};
     for (const one of root.current!.querySelectorAll<HTMLElement>("[data-part]")) parts[one.dataset.part!] = one;
-    if (primary) parts.shown = (now: number) => { time.value = now; };
+    if (primary) parts.shown = (now: number, since?: number, fading?: number) => {
+      for (const one of followers) one.show(now, since, fading);
+      time.value = now;
+    };
     const made = benturMotion(parts, read);
     motion.current = made;
     if (primary) main = made;
-    else made.show(time.value);
+    else {
+      followers.add(made);
+      made.show(time.value);
+    }
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
       (parts.speed as HTMLSelectElement).value = "1";
       made.start();
     }
   }, [data]);
-  useSignalEffect(() => {
-    const now = time.value;
-    if (!primary) motion.current?.show(now);
-  });
   useEffect(() => () => {
     motion.current?.pause();
+    if (motion.current) followers.delete(motion.current);
     if (primary) main = null;
   }, []);
   void language.value;

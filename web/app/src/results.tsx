@@ -2,13 +2,16 @@ import { useState } from "preact/hooks";
 import { buildingColour, buildingVariable, Chart, type Curve, curvesSvg } from "./charts";
 import { main } from "./motion";
 import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
-import { cancel, curve, curveDone, gap, pinned, progress, result, slow, time, width } from "./state";
+import { cancel, curve, curveDone, gap, pinned, progress, result, slow, stale, time, width } from "./state";
 import { language, number, say } from "./texts";
 import { theme } from "./theme";
 
 const unitOf = (overview: Overview) => overview.units.length;
 const colour = (index: number) => `var(${buildingVariable(index)})`; // in styles, where a theme is followed
 const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
+
+/** "Gap 0.05 | 0.04 m". */
+export const widthsOf = (overview: Overview) => `${say("gap")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${unitOf(overview)}`;
 
 function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
   const length = unitOf(overview);
@@ -31,6 +34,7 @@ export function Verdict() {
   return (
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
       {slow.value && <p class="busy">{say("solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
+      {stale.value && <p class="stale-note">{say("stale")}</p>}
       {now?.overview.collapse && <p class="verdict pounds lead">{say("verdict.collapse", { name: now.overview.collapse.building, time: with_(now.overview.collapse.time, "s") })}</p>}
       {now?.overview.gaps.map((one) => <GapVerdict key={one.name} one={one} overview={now.overview} />)}
     </div>
@@ -194,13 +198,13 @@ export function Comparison({ now }: { now: Result }) {
     <section id="compare">
       <h2>{say("compare")}</h2>
       <p class="controls">
-        <button type="button" onClick={() => { pinned.value = now; }}>{say("pin")}</button>
+        <button type="button" disabled={stale.value} onClick={() => { pinned.value = now; }}>{say("pin")}</button>
         {other && <button type="button" onClick={() => { pinned.value = null; }}>{say("unpin")}</button>}
       </p>
       {other && <>
         <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead><tbody>
-          <tr><th scope="row" class="t">{say("now")}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
-          <tr><th scope="row" class="t">{say("pinned")}</th>{rows(other).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
+          <tr><th scope="row" class="t">{say("now")}: {now.overview.title}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
+          <tr><th scope="row" class="t">{say("pinned")}: {other.overview.title}</th>{rows(other).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
         </tbody></table></div>
       </>}
     </section>

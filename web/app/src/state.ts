@@ -22,6 +22,23 @@ export const problem = signal<(() => string) | null>(null);
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
 export const ownRecord = signal(false);
+/** How many files were added: the same text with another file is another case. */
+const added = signal(0);
+const solvedWith = signal(0);
+
+/** Whether the results that are shown are of another case than the one that stands there, which is wrong or takes its time. */
+export const stale = computed(() => result.value !== null && (errors.value.length > 0 || slow.value) &&
+  (text.value !== solvedText.value || added.value !== solvedWith.value));
+
+/** Whether a text is being typed, and which run was asked for and answered last. */
+export const typing = signal(false);
+const asked = signal(0), answered = signal(0);
+
+/** What has become of the case that stands there. */
+export const standing = computed(() => {
+  if (typing.value || asked.value !== answered.value) return "pending";
+  return errors.value.length > 0 ? "errors" : result.value === null ? "" : result.value.fine ? "fine" : "rough";
+});
 
 const OWN = new Set(["cancelled", "limit", "worker"]);
 
@@ -45,19 +62,22 @@ let settle = 0, curveText = "";
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
-  const wanted = text.value;
+  const wanted = text.value, files = added.value;
   clearTimeout(settle);
   const duration = result.value?.overview.duration ?? 20;
+  const number = asked.value += 1;
   live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002) }, (answer) => {
     if (answer.kind === "progress") progress.value = answer.done;
-    if (answer.kind === "refused") errors.value = answer.errors;
+    if (answer.kind === "refused") batch(() => { errors.value = answer.errors; answered.value = number; });
     if (answer.kind === "result") {
       batch(() => {
+        answered.value = number;
         errors.value = [];
         result.value = answer;
         solvedText.value = wanted;
+        solvedWith.value = files;
       });
-      if (text.value === wanted) {
+      if (text.value === wanted && added.value === files) {
         if (!fine) settle = window.setTimeout(() => run(true), 250);
         else drawCurve(wanted);
       }
@@ -69,7 +89,7 @@ function run(fine: boolean) {
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
   if (!overview || widths(outline(wanted), gap.value).length === 0) return;
-  const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
+  const key = `${gap.value}|${added.value}|${withWidth(wanted, gap.value, 0)}`;
   if (key === curveText) return;
   curveText = key;
   const needed = overview.gaps[gap.value]?.needed ?? 0;
@@ -136,6 +156,7 @@ export function inUnits(length: string, force: string) {
 export function addFile(name: string, bytes: Uint8Array) {
   for (const solver of [live, behind]) solver.files = [...solver.files, [name, bytes]];
   ownRecord.value = true;
+  added.value += 1;
 }
 
 export function take(what: Take): Promise<string> {
@@ -151,6 +172,7 @@ export function take(what: Take): Promise<string> {
 export function begin() {
   effect(() => {
     void text.value;
+    void added.value;
     void language.value;
     untracked(() => run(false));
   });

@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
 import { FilePicker } from "./edit";
 import { toFragment } from "./link";
-import { historiesSvg } from "./results";
+import { historiesSvg, widthsOf } from "./results";
 import type { Result } from "./solver";
-import { ownRecord, result, take, text } from "./state";
+import { ownRecord, result, stale, take, text } from "./state";
 import { say } from "./texts";
 
 function save(name: string, content: BlobPart, type: string) {
@@ -33,8 +33,26 @@ function historiesCsv(now: Result): string {
   return `${lines.join("\n")}\n`;
 }
 
-/** The picture as it stands, with the styles it has on the page. */
-function stageSvg(): string {
+/** What a picture by itself does not say: whose it is, when, how much magnified, and what flashes. */
+function caption({ overview }: Result): string[] {
+  const shown = (part: string) => document.querySelector(`#motion [data-part="${part}"]`)?.textContent ?? "";
+  return [`${overview.title || "–"}, ${widthsOf(overview)}`, `${shown("clock")}, ${say("motion.magnify").toLowerCase()} ${shown("magnified")}`,
+    ...shown("event").split("; ").filter((one) => one !== "")];
+}
+
+/** Lines of at most so many characters. */
+function wrapped(line: string, most: number): string[] {
+  const lines = [""];
+  for (const word of line.split(" ")) {
+    const last = lines[lines.length - 1];
+    if (last !== "" && last.length + 1 + word.length > most) lines.push(word);
+    else lines[lines.length - 1] = last === "" ? word : `${last} ${word}`;
+  }
+  return lines;
+}
+
+/** The picture as it stands, with the styles it has on the page, and its caption below. */
+function stageSvg(now: Result): string {
   const stage = document.querySelector<SVGSVGElement>("#motion .stage")!;
   const copy = stage.cloneNode(true) as SVGSVGElement;
   const mine = [...stage.querySelectorAll<SVGElement>("*")], theirs = [...copy.querySelectorAll<SVGElement>("*")];
@@ -43,9 +61,19 @@ function stageSvg(): string {
     for (const property of ["fill", "stroke", "stroke-width", "stroke-dasharray", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
   });
   const box = stage.viewBox.baseVal;
+  const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);
+  const lines = caption(now).flatMap((line) => wrapped(line, Math.max(20, Math.floor(box.width / (0.6 * size)))));
+  lines.forEach((line, k) => {
+    const text = document.createElementNS(copy.namespaceURI, "text");
+    for (const [name, value] of Object.entries({ x: box.x + 0.6 * size, y: box.y + box.height + (1.4 * k + 1) * size, "font-size": size, fill: color })) text.setAttribute(name, String(value));
+    text.textContent = line;
+    copy.append(text);
+  });
+  const height = box.height + (1.4 * lines.length + 0.6) * size;
+  copy.setAttribute("viewBox", `${box.x} ${box.y} ${box.width} ${height}`);
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   copy.setAttribute("width", String(Math.round(box.width)));
-  copy.setAttribute("height", String(Math.round(box.height)));
+  copy.setAttribute("height", String(Math.round(height)));
   copy.setAttribute("font-family", "DejaVu Sans, sans-serif");
   copy.style.background = getComputedStyle(stage).backgroundColor;
   for (const name of ["class", "role", "data-part"]) copy.removeAttribute(name);
@@ -84,16 +112,16 @@ export function Take() {
         <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("take.case")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
         {now && <>
-          <button type="button" data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
-          <button type="button" data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
-          <button type="button" data-take="histories" onClick={() => save("histories.csv", historiesCsv(now), "text/csv")}>{say("take.histories")}</button>
-          <button type="button" data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
-          <button type="button" data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
-          <button type="button" data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
-          <button type="button" data-take="svg" onClick={() => save("buildings.svg", stageSvg(), "image/svg+xml")}>{say("take.svg")}</button>
-          <button type="button" data-take="png" onClick={() => void png(stageSvg()).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
-          <button type="button" data-take="history-svg" onClick={() => save("histories.svg", historiesSvg(now), "image/svg+xml")}>{say("take.history.svg")}</button>
-          <button type="button" data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
+          <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
+          <button type="button" disabled={stale.value} data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
+          <button type="button" disabled={stale.value} data-take="histories" onClick={() => save("histories.csv", historiesCsv(now), "text/csv")}>{say("take.histories")}</button>
+          <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
+          <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
+          <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
+          <button type="button" disabled={stale.value} data-take="svg" onClick={() => save("buildings.svg", stageSvg(now), "image/svg+xml")}>{say("take.svg")}</button>
+          <button type="button" disabled={stale.value} data-take="png" onClick={() => void png(stageSvg(now)).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
+          <button type="button" disabled={stale.value} data-take="history-svg" onClick={() => save("histories.svg", historiesSvg(now), "image/svg+xml")}>{say("take.history.svg")}</button>
+          <button type="button" disabled={stale.value} data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
         </>}
       </p>
       <p role="status">{said}</p>

@@ -5,7 +5,7 @@ import { parseTOML, type AST } from "toml-eslint-parser";
 export type Path = (string | number)[];
 export interface Leaf { path: Path; value: unknown; range: [number, number]; text: string }
 export interface Table { path: Path; range: [number, number] }
-export interface Outline { leaves: Leaf[]; tables: Table[]; lists: Table[] }
+export interface Outline { leaves: Leaf[]; tables: Table[]; lists: Table[]; pairs: Table[] }
 
 const LONGEST = 200000; // characters that a form is made of
 
@@ -20,7 +20,7 @@ export function outline(text: string): Outline | null {
 function outlineOf(text: string): Outline | null {
   if (text.length > LONGEST) return null;
   try {
-    const found: Outline = { leaves: [], tables: [], lists: [] };
+    const found: Outline = { leaves: [], tables: [], lists: [], pairs: [] };
     const value = (node: AST.TOMLContentNode, path: Path): void => {
       if (path.length > 12) return;
       if (node.type === "TOMLValue") found.leaves.push({ path, value: node.value, range: node.range, text: text.slice(...node.range) });
@@ -29,8 +29,11 @@ function outlineOf(text: string): Outline | null {
         node.elements.forEach((one, i) => value(one, [...path, i]));
       } else node.body.forEach((one) => pair(one, path));
     };
-    const pair = (node: AST.TOMLKeyValue, path: Path): void =>
-      value(node.value, [...path, ...node.key.keys.map((key) => (key.type === "TOMLBare" ? key.name : key.value))]);
+    const pair = (node: AST.TOMLKeyValue, parent: Path): void => {
+      const path = [...parent, ...node.key.keys.map((key) => (key.type === "TOMLBare" ? key.name : key.value))];
+      found.pairs.push({ path, range: node.range });
+      value(node.value, path);
+    };
     for (const node of parseTOML(text).body[0].body) {
       if (node.type === "TOMLKeyValue") pair(node, []);
       else {
@@ -84,11 +87,15 @@ export function withWidth(text: string, gap: number, width: number): string {
 /** The text with these keys in a table, in place of what it had but `kept`; the table is added where there is none. */
 export function withTable(text: string, name: string, lines: string[], kept: string[] = []): string {
   const found = outline(text);
+  const lineEnd = (at: number) => { const end = text.indexOf("\n", at); return end < 0 ? text.length : end; };
   const table = found?.tables.find((one) => same(one.path, [name]));
-  if (!found || !table) return `${text.trimEnd()}\n\n[${name}]\n${lines.join("\n")}\n`;
-  const old = text.slice(...table.range).split("\n").slice(1)
-    .filter((line) => kept.some((key) => new RegExp(`^\\s*${key}\\s*=`).test(line)));
-  return `${text.slice(0, table.range[0])}[${name}]\n${[...lines, ...old].join("\n")}\n${text.slice(table.range[1])}`;
+  const inline = found?.pairs.find((one) => same(one.path, [name]));
+  const old = (found?.pairs ?? []).filter((one) => kept.some((key) => same(one.path, [name, key])))
+    .map(({ range }) => text.slice(range[0], table ? lineEnd(range[1]) : range[1])); // what is said of it behind it stays too
+  const made = `[${name}]\n${[...lines, ...old].join("\n")}`;
+  if (table) return text.slice(0, table.range[0]) + made + (text.slice(lineEnd(table.range[1])) || "\n");
+  const rest = inline ? text.slice(0, inline.range[0]) + text.slice(lineEnd(inline.range[1]) + 1) : text;
+  return `${rest.trimEnd()}\n\n${made}\n`;
 }
 
 /** One key of a table of the first level. */

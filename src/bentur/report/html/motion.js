@@ -5,9 +5,9 @@
  * @param parts elements: stage and timeline (SVG), scrub, clock, event, live (tbody), play, previous, next, hardest, speed,
  *   slow, magnify, magnified; where there are such, timeAxis (the times below the time line), buildingKey (shown where the
  *   drawing has numbers for names) and scaleNote (is told the magnification); `shown`, where there is one, is told of every
- *   time that is shown [s].
+ *   time that is shown [s], as show() is.
  * @param data what animation_json() gives
- * @returns {impacts, html(name, text, parent), number, update(data), show(time), showImpact(impact), start(), pause(), isPlaying()}
+ * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying()}
  */
 function benturMotion(parts, data) {
   "use strict";
@@ -387,9 +387,10 @@ function benturMotion(parts, data) {
   const { scrub, clock, event: event_, live } = parts;
   let now = 0;
 
-  /** Shows time t; contacts that were under way since `since` flash. */
-  function show(t, since) {
+  /** Shows time t; contacts that were under way since `since` flash, and what is left of flashes before fades to this part. */
+  function show(t, since, fading = 1) {
     now = Math.min(Math.max(t, 0), duration);
+    glow = glow.map((value) => value * fading);
     buildings.forEach((building, b) => {
       const x = Array.from({ length: building.rows }, (_, floor) => displacement(building, floor, now));
       const shape = outline(building, b, x);
@@ -420,7 +421,7 @@ function benturMotion(parts, data) {
     current.sort((a, b) => b.force - a.force);
     const more = current.length > 3 ? `; + ${current.length - 3}` : "";
     event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
-    if (parts.shown) parts.shown(now);
+    if (parts.shown) parts.shown(now, since, fading);
   }
 
   /** What the two floors push one another with, as long as the impact's peak force is beside the largest of all. */
@@ -501,8 +502,7 @@ function benturMotion(parts, data) {
     const passed = Math.min((time - wall) / 1000, 0.1); // a page that was out of sight goes on where it was
     wall = time;
     const before = now;
-    glow = glow.map((value) => value * Math.exp(-passed / 0.15));
-    show(Math.min(now + passed * pace(), nextSlow(), until), before);
+    show(Math.min(now + passed * pace(), nextSlow(), until), before, Math.exp(-passed / 0.15));
     if (now >= duration || now >= until) {
       pause();
       return;
