@@ -309,8 +309,8 @@ def ctrl_c():
 
 
 def test_ctrl_c_stops_a_run(ctrl_c):
-    ctrl_c.start()
     with pytest.raises(KeyboardInterrupt):  # to its end it would take minutes
+        ctrl_c.start()
         bentur.run(long_case(), histories=False)
 
 

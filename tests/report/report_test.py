@@ -96,6 +96,13 @@ class Reports(unittest.TestCase):
         return self.js("Array.from(document.querySelectorAll('#stage .hit')).filter(m => m.dataset.contact === '1')"
                        ".map(m => Number(m.dataset.point))")
 
+    def until(self, holds):
+        """Waits for it, however long it takes; what hangs ends here."""
+        deadline = time.monotonic() + 300
+        while not holds():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
+
     def shown_time(self):
         return self.js("Number(document.getElementById('stage').dataset.time)")
 
@@ -241,7 +248,7 @@ levels = [0.1, 0.3, 0.6]
             with self.subTest(name):
                 case = self.folder / "hostile.toml"
                 quoted = json.dumps(name)
-                case.write_text(text.replace('"Model 1"', quoted).replace('"Monograph M1-2, El Centro, gap 0.2 cm"', quoted))
+                case.write_text(text.replace('"Model 1"', quoted).replace('"Monograph M1-2, El Centro"', quoted))
                 page = self.report(case)
                 self.opened(page)
                 self.click("#hardest")
@@ -319,21 +326,19 @@ class Motion(Reports):
     def test_plays_in_real_time_pauses_and_goes_on(self):
         self.opened(self.example("m12-el-centro"))
         moved = self.js("document.querySelector('#stage .column').getAttribute('d')")
+        begun, begin = 0, time.monotonic()  # it begins at the start
         self.click("#play")
-        begin = time.monotonic()
-        time.sleep(1.5)
         # Frames without a window come as the machine can; time never runs ahead of the clock.
+        self.until(lambda: self.shown_time() > begun + 0.2)
         shown, passed = self.shown_time(), time.monotonic() - begin
-        self.assertGreater(shown, 0.2)
-        self.assertLess(shown, passed + 0.3)
+        self.assertLess(shown - begun, passed)
         self.click("#play")
         stopped = self.shown_time()
         time.sleep(0.3)
         self.assertEqual(self.shown_time(), stopped)
         self.assertNotEqual(self.js("document.querySelector('#stage .column').getAttribute('d')"), moved)
         self.click("#play")
-        time.sleep(0.5)
-        self.assertGreater(self.shown_time(), stopped)
+        self.until(lambda: self.shown_time() > stopped)
 
     def test_every_impact_that_is_played_over_flashes(self):
         """However few frames there are, no impact of 2 ms falls between two of them."""
@@ -361,26 +366,24 @@ class Motion(Reports):
         first = self.js("JSON.parse(document.getElementById('data').textContent).impacts[0]")
         self.scrub(first[1] - 0.05)
         self.click("#slow")
+        # Each time that is shown, and when by the page's clock.
+        self.js("""(() => { window.frames_ = []; new MutationObserver(() => window.frames_.push(
+            [Number(document.getElementById('stage').dataset.time), performance.now() / 1000]))
+            .observe(document.getElementById('stage'), {attributeFilter: ['data-time']}); })()""")
         self.click("#play")
-        deadline = time.monotonic() + 30
-        while self.shown_time() < first[1] and time.monotonic() < deadline:
-            time.sleep(0.02)
-        entered = time.monotonic()
-        while self.shown_time() <= first[2] and time.monotonic() < deadline:
-            time.sleep(0.02)
+        self.until(lambda: self.shown_time() > first[2])
         self.click("#play")
-        # 2.4 ms at a hundredth of the speed
-        self.assertGreater(time.monotonic() - entered, 0.5 * 100 * (first[2] - first[1]))
+        within = [frame for frame in self.js("window.frames_") if first[1] <= frame[0] <= first[2]]
+        self.assertGreater(len(within), 1)  # 2.4 ms at a hundredth of the speed; a frame is 0.1 s of the clock at most
+        # Frames are told of a little after the time that they are for.
+        self.assertGreater(within[-1][1] - within[0][1] + 0.05, 100 * (within[-1][0] - within[0][0]))
 
     def test_hardest_impact_slowly(self):
         self.opened(self.example("m12-el-centro"))
         hardest = max(self.js("JSON.parse(document.getElementById('data').textContent).impacts"), key=lambda i: i[3])
         self.click("#hardest")
         self.assertLess(self.shown_time(), hardest[1])
-        deadline = time.monotonic() + 30
-        while self.js("document.getElementById('play').getAttribute('aria-pressed')") == "true":
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.1)
+        self.until(lambda: self.js("document.getElementById('play').getAttribute('aria-pressed')") == "false")
         self.assertGreater(self.shown_time(), hardest[2])
         self.assertLess(self.shown_time(), hardest[2] + 2 * (hardest[2] - hardest[1]))
 
@@ -441,10 +444,7 @@ class List(Reports):
         self.click("#download")
         saved = self.folder / "impacts.csv"
         self.browser.wait_for("Browser.downloadWillBegin")
-        deadline = time.monotonic() + 20
-        while not (saved.exists() and saved.stat().st_size == len(expected)):
-            self.assertLess(time.monotonic(), deadline, "no download")
-            time.sleep(0.1)
+        self.until(lambda: saved.exists() and saved.stat().st_size == len(expected))
         self.assertEqual(saved.read_bytes(), expected)
         self.assertEqual(self.browser.complaints(), [])
 
