@@ -1,4 +1,5 @@
 // Files of columns, and of any number of values in a line.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -246,6 +247,20 @@ TEST_F(RecordColumns, ADecimalCommaInOneColumn) {
   EXPECT_FALSE(read("1,5\n3,2\n4,7\n", with_step(0.01, "csv")).has_value());
   EXPECT_FALSE(read("0 5\n1 2\n2 7\n", with_step(1, "csv")).has_value());
   EXPECT_NE(messages().find("as a csv file has"), std::string::npos) << messages();
+}
+
+// A step of 0.00488 s printed with four decimals: no time is off by more than half of the last.
+TEST_F(RecordColumns, TimesMayBeRoundedToTheirLastDigit) {
+  std::string rounded, uneven;
+  for (int i = 0; i < 200; ++i) {
+    rounded += fmt::format("{:.4f} {}\n", 0.00488 * i, i % 7);
+    uneven += fmt::format("{:.4f} {}\n", 0.00488 * i + (i == 100 ? 0.0002 : 0), i % 7);
+  }
+  const auto record = read(rounded);
+  ASSERT_TRUE(record.has_value()) << messages();
+  EXPECT_NEAR(record->time_step, 0.00488, 0.0001 / 199);
+  EXPECT_FALSE(read(uneven).has_value());
+  EXPECT_FALSE(read("0.00 1\n0.01 2\n0.01 3\n0.02 4\n0.02 5\n0.03 6\n").has_value());  // too few digits for its step
 }
 
 TEST_F(RecordColumns, ColumnsWithTimeAreNotTakenForValues) {

@@ -229,6 +229,26 @@ bool goes_up(const std::vector<double>& values) {
   return back * 10 <= values.size();
 }
 
+namespace {
+
+constexpr double coarsest_digit = 0.1;  // of the step: rounder times say nothing of it [-]
+
+/// Whether times that are rounded to their last digit go up evenly: half a unit off, as may be the first and the last.
+bool even_but_rounded(const std::vector<double>& times, double step) {
+  double unit = 1;
+  const auto is_multiple = [&](double time) {
+    return std::abs(time / unit - std::round(time / unit)) <= 1e-14 * (1 + std::abs(time / unit)) + 1e-9;
+  };
+  while (unit > 1e-9 && !std::all_of(times.begin(), times.end(), is_multiple)) unit /= 10;
+  if (unit > coarsest_digit * step) return false;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (std::abs(times[i] - (times.front() + static_cast<double>(i) * step)) > 1.001 * unit) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::optional<double> even_step(const std::vector<double>& times, std::size_t& bad) {
   bad = 0;
   if (times.size() < 2) return std::nullopt;
@@ -238,6 +258,7 @@ std::optional<double> even_step(const std::vector<double>& times, std::size_t& b
   const double slack = 1e-14 * std::max(std::abs(times.front()), std::abs(times.back()));
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (std::abs(times[i] - times[i - 1] - step) <= step_tolerance * step + slack) continue;
+    if (even_but_rounded(times, step)) return step;
     bad = i;
     return std::nullopt;
   }

@@ -30,8 +30,9 @@ struct ColumnRows {
 /// Whether a column can be one of times: it rises from row to row, with at most one exception in ten rows.
 [[nodiscard]] bool goes_up(const std::vector<double>& values);
 
-/// (t_n − t_0)/(n − 1) [s] when no step differs from it by more than one per cent; else nothing, and in `bad` the index
-/// of the first time that is too far from the one before, 0 where time does not go forward as a whole.
+/// (t_n − t_0)/(n − 1) [s] when no step differs from it by more than one per cent, or no time from an even course by
+/// more than its last digit's rounding; else nothing, and in `bad` the index of the first time that is too far from the
+/// one before, 0 where time does not go forward as a whole.
 [[nodiscard]] std::optional<double> even_step(const std::vector<double>& times, std::size_t& bad);
 
 }  // namespace bentur::records
