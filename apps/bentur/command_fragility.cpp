@@ -65,6 +65,20 @@ std::string case_name(const IdaResults& results, std::size_t c) {
   return text;
 }
 
+/// Where a single level has runs with the event and without: "no event below 0.2 g, in 3 of 10 runs at it, in all
+/// above".
+std::string one_level(const CaseFragility& fragility, const std::string& level) {
+  std::string at;
+  bool below = false, above = false;
+  for (const IntensityCount& count : fragility.counts) {
+    below = below || (count.runs > 0 && count.intensity < fragility.fit.lower);
+    above = above || (count.runs > 0 && count.intensity > fragility.fit.lower);
+    if (count.intensity == fragility.fit.lower) at = fmt::format("in {} of {} runs at", count.events, count.runs);
+  }
+  return fmt::format("{}{} {}, {}", below ? "no event below " + level + ", " : "", at, below ? "it" : level,
+                     above ? "in all above" : "the largest level");
+}
+
 /// Why a case has no θ and β.
 std::string reason(const CaseFragility& fragility, const std::string& unit) {
   const auto with_unit = [&](double x) { return unit.empty() ? number(x) : number(x) + " " + unit; };
@@ -76,7 +90,7 @@ std::string reason(const CaseFragility& fragility, const std::string& unit) {
       return fit.lower < fit.upper
                  ? fmt::format("no event up to {} and nothing else from {} on: θ is between, β cannot be found",
                                with_unit(fit.lower), with_unit(fit.upper))
-                 : fmt::format("no event below {} and nothing else above: β cannot be found", with_unit(fit.lower));
+                 : one_level(fragility, with_unit(fit.lower)) + ": β cannot be found";
     case Fragility::Kind::no_event:
       return fmt::format("no run has the event: θ cannot be found, it is above {}", with_unit(fit.lower));
     case Fragility::Kind::all_events:
