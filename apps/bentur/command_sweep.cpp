@@ -44,7 +44,7 @@ class Line {
     const double rate = static_cast<double>(p.done - p.before) / std::max(p.seconds, 1e-9);
     std::string text = fmt::format("{} of {} runs, {} runs/s", p.done, p.runs, number(rate));
     if (rate > 0) text += fmt::format(", {} left", duration_text(static_cast<double>(p.runs - p.done) / rate));
-    fmt::print(stderr, "\r\033[K{}", text);
+    std::fputs(("\r\033[K" + text).c_str(), stderr);
     std::fflush(stderr);
     visible_ = true;
   }

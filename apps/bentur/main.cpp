@@ -1,6 +1,8 @@
 /// bentur, the command line: arguments, printing and exit statuses only; everything else is in the library.
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <exception>
@@ -76,7 +78,21 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace bentur::cli
 
+namespace {
+
+/// A stream that is closed would lend its number, and what is written to it, to the first file that is opened. Writing
+/// to these places fails, as to a closed one.
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) == -1)
+      static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  keep_standard_streams();
   try {
     return bentur::cli::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -525,6 +525,19 @@ class Run(CommandLine):
         self.assertIn("standard output", result.stderr)
 
 
+class StandardError(CommandLine):
+    def test_a_message_that_nobody_can_read_leaves_the_status(self):
+        bad = self.edited("m12-el-centro", "pga = 341.7", "pga = -1")
+        for case, status in ((EL_CENTRO, 0), (bad, 2), (self.folder / "none.toml", 2)):
+            for redirection in ("2>&-", "2>/dev/full" if os.path.exists("/dev/full") else "2>&-"):
+                out = self.folder / "quiet"
+                command = f'"{BENTUR}" run "{case}" -o "{out}" {redirection}'
+                run = subprocess.run(["sh", "-c", command], stdout=subprocess.DEVNULL)
+                self.assertEqual(run.returncode, status, command)
+                if status == 0:  # nothing of what would have been told stands in the files
+                    self.assertEqual(json.loads((out / "summary.json").read_text())["solver"]["name"], "exact")
+
+
 class ResultFiles(CommandLine):
     def python_with_xarray(self, script):
         for python in (sys.executable, "/usr/bin/python3"):
