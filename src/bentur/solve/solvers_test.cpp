@@ -80,6 +80,26 @@ TEST_P(EverySolver, FreeVibration) {
   EXPECT_TRUE(response.impacts.empty());
 }
 
+// At the critical ratio, and beyond it as stiffness-proportional damping makes fast modes, nothing swings.
+TEST_P(EverySolver, CriticalDampingAndBeyond) {
+  const double omega = 20, x0 = 0.3, v0 = -2;
+  for (const double zeta : {1.0, 1.5}) {
+    Problem problem = pair(oscillator(2, 2 * omega * omega, zeta), wall(), {contact(10, 1e3)}, 2);
+    problem.initial_displacement[0](0) = x0;
+    problem.initial_velocity[0](0) = v0;
+    const Response response = run(problem, 0.01);
+    ASSERT_EQ(response.histories.time.size(), 201u);
+    const double slow = omega * (zeta - std::sqrt(zeta * zeta - 1)), fast = omega * (zeta + std::sqrt(zeta * zeta - 1));
+    for (std::size_t i = 0; i < 201; ++i) {
+      const double t = response.histories.time[i];
+      const double x =
+          zeta == 1 ? (x0 + (v0 + omega * x0) * t) * std::exp(-omega * t)
+                    : ((v0 + fast * x0) * std::exp(-slow * t) - (v0 + slow * x0) * std::exp(-fast * t)) / (fast - slow);
+      ASSERT_NEAR(response.histories.displacement[0](0, static_cast<Index>(i)), x, accuracy_) << zeta << " " << t;
+    }
+  }
+}
+
 TEST_P(EverySolver, FreeImpactOnASpring) {
   const double m1 = 3, m2 = 5, k = 2000, v0 = 3, width = 0.3;
   const double effective = m1 * m2 / (m1 + m2);

@@ -9,7 +9,7 @@ namespace {
 Damping read_rayleigh(const TomlView& view) {
   RayleighDamping damping;
   if (!view.is_table_of({"ratios", "periods"})) return damping;
-  damping.ratios = view.numbers("ratios", Rule::ratio, {2, "for two modes"});
+  damping.ratios = view.numbers("ratios", Rule::share, {2, "for two modes"});
   const auto periods = view.get("periods");
   if (periods) damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"});
   if (damping.periods.size() == 2 && damping.periods[0] == damping.periods[1])
@@ -42,7 +42,7 @@ void check_stiffness_part(const TomlView& word, const Damping& damping, bool tan
 }  // namespace
 
 Damping read_damping(const TomlView& view, std::size_t modes) {
-  if (view.is_number()) return ModalDamping{{view.as_number(Rule::ratio).value_or(0)}};
+  if (view.is_number()) return ModalDamping{{view.as_number(Rule::share).value_or(0)}};
   const std::vector<std::string> forms = {"modal", "rayleigh", "mass_proportional", "stiffness_proportional"};
   if (!view.is(TomlValue::Kind::table)) {
     view.error_value("must be a number or a table of modal, rayleigh, mass_proportional or stiffness_proportional");
@@ -50,12 +50,12 @@ Damping read_damping(const TomlView& view, std::size_t modes) {
   }
   (void)view.is_table_of(forms);
   const auto form = view.exactly_one(forms);
-  if (form == "modal") return ModalDamping{view.numbers("modal", Rule::ratio, {modes, "one per mode"})};
+  if (form == "modal") return ModalDamping{view.numbers("modal", Rule::share, {modes, "one per mode"})};
   if (form == "rayleigh") return read_rayleigh(*view.find("rayleigh"));
   if (form == "mass_proportional")
-    return MassProportionalDamping{view.number("mass_proportional", Rule::ratio).value_or(0)};
+    return MassProportionalDamping{view.number("mass_proportional", Rule::share).value_or(0)};
   if (form == "stiffness_proportional")
-    return StiffnessProportionalDamping{view.number("stiffness_proportional", Rule::ratio).value_or(0)};
+    return StiffnessProportionalDamping{view.number("stiffness_proportional", Rule::share).value_or(0)};
   return ModalDamping{};
 }
 
