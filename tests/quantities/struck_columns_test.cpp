@@ -1,11 +1,13 @@
 // What columns bear that floors strike: told of a run, of a study, in files of results and figures.
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -101,6 +103,48 @@ TEST(StruckColumns, TheOpeningIsThatOfTheNode) {
         (x(point.left + 1, point.right_floor) - x(point.left, point.left_floor)).array() + point.width;
     EXPECT_LE((histories.opening.row(i) - expected).cwiseAbs().maxCoeff(), 1e-15) << i;
   }
+}
+
+// A frame whose period is asked for is the frame of another modulus: in every shear and moment, at rest and in motion.
+TEST(StruckColumns, ACalibratedFrameIsOneOfAnotherModulus) {
+  Case calibrated = the_case();
+  for (BuildingSpec& building : calibrated.buildings) {
+    building.calibrate_period = 0.6 * 2 * std::numbers::pi / make_building(building).first_omega();
+  }
+  const RunResults of_period = simulated(calibrated);
+  Case scaled = the_case();
+  for (std::size_t b = 0; b < 2; ++b) {
+    const double factor = of_period.problem.buildings[b].model.stiffness_factor.value();
+    EXPECT_NEAR(factor, 1 / 0.36, 1e-9);
+    std::get<PlaneFrame>(scaled.buildings[b].structure).elastic_modulus *= factor;
+  }
+  const RunResults of_modulus = simulated(scaled);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const StructuralModel& one = of_period.problem.buildings[b].model;
+    const StructuralModel& other = of_modulus.problem.buildings[b].model;
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(one.dofs(), 1, 2);
+    const Eigen::VectorXd forces = one.column_forces * one.stiffness.ldlt().solve(load);
+    const Eigen::VectorXd expected = other.column_forces * other.stiffness.ldlt().solve(load);
+    EXPECT_LE((forces - expected).norm(), 1e-12 * expected.norm()) << b;
+    // Equilibrium at rest: both pieces of the column take the load at a node.
+    for (Eigen::Index node = 0; node < one.nodes(); ++node) {
+      EXPECT_NEAR(forces(6 * node) + forces(6 * node + 1), load(one.floors() + node), 1e-9 * forces.norm());
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ColumnPeaks& one = of_period.response.points[i].column.value();
+    const ColumnPeaks& other = of_modulus.response.points[i].column.value();
+    for (const auto value : {&ColumnPeaks::shear, &ColumnPeaks::moment, &ColumnPeaks::shear_no_contact,
+                             &ColumnPeaks::moment_no_contact, &ColumnPeaks::shear_below, &ColumnPeaks::shear_above,
+                             &ColumnPeaks::moment_bottom, &ColumnPeaks::moment_node, &ColumnPeaks::moment_top}) {
+      EXPECT_NEAR(one.*value, other.*value, 1e-7 * std::abs(other.*value)) << i;
+    }
+  }
+  const Json told = Json::parse(summary_json(of_period, "1")).at("buildings");
+  EXPECT_EQ(told.at(0).at("stiffness_factor"), of_period.problem.buildings[0].model.stiffness_factor.value());
+  EXPECT_FALSE(Json::parse(summary_json(of_modulus, "1")).at("buildings").at(0).contains("stiffness_factor"));
+  const std::string page = report_html(of_period, {.language = "en", .version = "1"});
+  EXPECT_NE(page.find("all stiffness times 2.778"), std::string::npos);
 }
 
 // With contact out of reach a struck column bears what it bears alone, and what is told without contact is that.

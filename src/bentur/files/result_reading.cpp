@@ -266,6 +266,11 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   if (json.at("buildings").size() != results.problem.buildings.size()) {
     fail(file, "is not of the same run as histories.nc");
   }
+  for (std::size_t b = 0; b < results.problem.buildings.size(); ++b) {
+    const UnorderedJson& building = json.at("buildings").at(b);
+    if (!building.contains("stiffness_factor")) continue;
+    results.problem.buildings[b].model.stiffness_factor = building.at("stiffness_factor").get<double>();
+  }
   const auto collapse = [&](const char* key) -> std::optional<Collapse> {
     if (!json.contains(key)) return std::nullopt;
     const UnorderedJson& told = json.at(key);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct StructuralModel {
   Eigen::MatrixXd column_forces = {};
   std::vector<double> node_elevations = {};  ///< [length]
   std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
+
+  /// What calibrate_period() has multiplied all that is made of stiffness by [-]; nothing: it has not.
+  std::optional<double> stiffness_factor = {};
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(node_elevations); }
   /// Of a floor itself, of a node (counted after the floors) the floor above it.

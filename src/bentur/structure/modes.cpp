@@ -140,7 +140,11 @@ ModalProperties modal_properties(const Building& building) {
 void calibrate_period(StructuralModel& model, double first_period) {
   require_positive("calibrate_period", first_period);
   const double ratio = 2 * std::numbers::pi / (first_period * modes(model.mass, model.stiffness).omega(0));
-  model.stiffness *= ratio * ratio;
+  const double factor = ratio * ratio;
+  model.stiffness *= factor;
+  model.shears *= factor;
+  model.column_forces *= factor;
+  model.stiffness_factor = factor * model.stiffness_factor.value_or(1);
 }
 
 }  // namespace bentur

@@ -132,6 +132,7 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   Json json = {{"name", building.name},
                {"elevations", building.model.elevations},
                {"periods", list(modal_properties(building.modes, building.model.load).periods)}};
+  if (building.model.stiffness_factor) json["stiffness_factor"] = *building.model.stiffness_factor;
   if (b < std::ssize(c.buildings)) {
     const BuildingSpec& spec = c.buildings[b];
     if (spec.soil) json["soil"] = soil_json(*spec.soil);

@@ -261,7 +261,11 @@ Html building_echo(const Report& report, Eigen::Index b) {
   const std::string damping = damping_text(spec.damping, say);
   rows.emplace_back(say("input.damping"),
                     spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);
-  if (spec.calibrate_period) rows.emplace_back(say("input.calibrated"), quantity(*spec.calibrate_period, "s"));
+  if (spec.calibrate_period) {
+    rows.emplace_back(say("input.calibrated"),
+                      say("input.calibrated_by", {{"period", quantity(*spec.calibrate_period, "s")},
+                                                  {"factor", number(building.model.stiffness_factor.value_or(1))}}));
+  }
   if (spec.base_elevation != 0) {
     rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, report.c.units.length));
   }
