@@ -66,7 +66,7 @@ void Progress::show(double fraction) {
   const auto now = std::chrono::steady_clock::now();
   if (!terminal_ || now - start_ < std::chrono::seconds(2) || now - shown_ < std::chrono::milliseconds(200)) return;
   shown_ = now;
-  fmt::print(stderr, "\r{:3.0f} % {}", 100 * fraction, what_);
+  std::fputs(fmt::format("\r{:3.0f} % {}", 100 * fraction, what_).c_str(), stderr);
   std::fflush(stderr);
   visible_ = true;
 }
@@ -210,8 +210,10 @@ std::string remarks_text(const std::vector<Remark>& remarks) {
 std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
   if (building.is_rigid()) return "moves with the ground";
   const double period = 2 * std::numbers::pi / building.first_omega();
-  return fmt::format("weight {} {}, first period {} s, {} s per storey", number(found.weight), units.force,
-                     number(period), number(found.period_per_storey));
+  const auto& factor = building.model.stiffness_factor;
+  return fmt::format("weight {} {}, first period {} s, {} s per storey{}", number(found.weight), units.force,
+                     number(period), number(found.period_per_storey),
+                     factor ? fmt::format(", stiffness times {} by calibrate_period", number(*factor)) : "");
 }
 
 std::string harmless(const std::string& text) {
@@ -260,7 +262,8 @@ void print(const std::string& text) {
 
 void message(const std::string& text) {
   std::fflush(stdout);  // what was printed before stands before it, also where both go to one place
-  fmt::print(stderr, "{}\n", harmless(text));
+  // Where nobody can be told, the exit status still says it: fmt::print would throw.
+  std::fputs((harmless(text) + "\n").c_str(), stderr);
 }
 
 }  // namespace bentur::cli

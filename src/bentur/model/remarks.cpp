@@ -19,7 +19,9 @@ constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};      // [m]
 constexpr Range height_range = {2.5, 6.0, 0.5, 15.0};       // [m]
 constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e13};   // [N/m] of contact: by beams over half a bay, or tests
 constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};     // [-]
-constexpr Range pga_range = {0.02, 1.0, 0.001, 2.0};        // [g]
+constexpr Range pga_range = {0.05, 1.0, 0.05, 2.5};         // [g]
+constexpr Range factor_range = {0.3, 3.0, 0.3, 3.0};        // [-] of stiffness, to reach a period
+constexpr Range weight_range = {5e3, 1e7, 500.0, 2e8};      // [N] of a floor
 constexpr double most_gap = 2.0;                            // [m]
 constexpr double usual_gap = 0.5;                           // [m]
 constexpr double most_drift = 1.0;                          // [%]
@@ -27,6 +29,12 @@ constexpr double most_base_shear = 0.4;                     // [-]
 constexpr double most_penetration = 0.05;                   // [m]
 constexpr double usual_penetration = 0.02;                  // [m]
 constexpr double least_share = 0.9;                         // [-] of a floor's mass that known modes move
+constexpr double most_weight_per_width = 1e7;               // [N/m] of a floor
+constexpr double usual_weight_per_width = 1e6;              // [N/m]
+constexpr double usual_beam_depth = 0.6;                    // [m] where it is not known
+constexpr double share_of_blow = 0.1;                       // [-] of its energy, that makes a mode matter
+constexpr double most_push = 0.1;                           // [-] of a first period: longer is no blow
+constexpr double usual_push = 0.05;                         // [-]
 constexpr double samples_per_period = 4.0;                  // fewer draw no curve
 constexpr double usual_samples = 20.0;
 
@@ -96,6 +104,20 @@ void check_frame(const std::string& name, const PlaneFrame& frame, const Units& 
   }
 }
 
+/// What the floors weigh, by themselves and by the width of the building.
+void check_weights(const Case& c, std::size_t b, const Building& building, List& list) {
+  const double newton = 1 / newtons(c.units.force);
+  const double width = b < c.buildings.size() ? c.buildings[b].width.value_or(0) : 0;
+  for (const double mass : building.model.floor_masses) {
+    const double weight = mass * c.units.gravity;
+    list.check("storey_weight", building.name, weight, c.units.force, weight_range, newton);
+    if (!(width > 0)) continue;
+    const double per_metre = newton / list.metre();
+    list.most("storey_weight_per_width", building.name, weight / width, c.units.force + "/" + c.units.length,
+              most_weight_per_width * per_metre, usual_weight_per_width * per_metre);
+  }
+}
+
 void check_buildings(const Case& c, const Problem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
@@ -106,6 +128,10 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
                  period_range);
       list.check("damping", building.name, building.modal_damping(0, 0) / (2 * omega), "", damping_range);
     }
+    if (building.model.stiffness_factor) {
+      list.check("stiffness_factor", building.name, *building.model.stiffness_factor, "", factor_range);
+    }
+    check_weights(c, b, building, list);
     if (b >= c.buildings.size()) continue;
     for (const double height : building.model.storey_heights) {
       if (height == 0) continue;  // of a slab on bearings
@@ -113,6 +139,83 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
     }
     if (const auto* frame = std::get_if<PlaneFrame>(&c.buildings[b].structure)) {
       check_frame(building.name, *frame, c.units, list);
+    }
+  }
+}
+
+/// The depth of the beams at a floor [length]; nothing where it is not known.
+std::optional<double> beam_depth(const Case& c, Eigen::Index b, Eigen::Index floor) {
+  const auto place = static_cast<std::size_t>(b);
+  const auto* frame = place < c.buildings.size() ? std::get_if<PlaneFrame>(&c.buildings[place].structure) : nullptr;
+  if (frame == nullptr || floor >= std::ssize(frame->beams)) return std::nullopt;
+  const Section& beam = frame->beams[static_cast<std::size_t>(floor)];
+  return std::sqrt(12 * beam.inertia / beam.area);  // of a rectangle
+}
+
+/// Floors that meet though the beam of the upper one ends above the lower one.
+void check_levels(const Case& c, const Problem& problem, List& list) {
+  for (const ContactPoint& point : problem.points) {
+    const StructuralModel& left = problem.buildings[point.left].model;
+    const StructuralModel& right = problem.buildings[point.left + 1].model;
+    if (point.left_floor >= left.floors() || point.right_floor >= right.floors()) continue;
+    const double above = left.elevations[point.left_floor] - right.elevations[point.right_floor];
+    const auto depth = above > 0 ? beam_depth(c, point.left, point.left_floor - left.first_storey())
+                                 : beam_depth(c, point.left + 1, point.right_floor - right.first_storey());
+    const double limit = depth.value_or(usual_beam_depth * list.metre());
+    list.most("level_tolerance", gap_name(problem, point.left), std::abs(above), list.length(), limit, limit);
+  }
+}
+
+/// Damping of the modes that take a blow at a column that is struck: by the squares of their shapes there. Modes of its
+/// node are fast, so that damping which grows with frequency all but holds it.
+void check_blows(const Problem& problem, List& list) {
+  for (const ContactPoint& point : problem.points) {
+    const auto struck = struck_column(problem, point);
+    if (!struck) continue;
+    const Building& building = problem.buildings[struck->building];
+    const Eigen::VectorXd shape = building.modes.shapes.row(building.model.floors() + struck->node);
+    for (Eigen::Index mode = 0; mode < shape.size(); ++mode) {
+      const double omega = building.modes.omega(mode);
+      if (shape(mode) * shape(mode) < share_of_blow * shape.squaredNorm() || !(omega > 0)) continue;
+      list.most("impact_damping", building.name, building.modal_damping(mode, mode) / (2 * omega), "",
+                damping_range.most, damping_range.usual_to);
+    }
+  }
+}
+
+/// Buildings that touch at rest through something soft.
+void check_fillers(const Case& c, const Problem& problem, List& list) {
+  for (const ContactPoint& point : problem.points) {
+    if (point.width > 0) continue;
+    const GapSpec& gap = c.gaps.at(point.left);
+    if (gap.contact.law == "hertz" || gap.contact.law == "hertz-damp" || gap.contact.law == "jankowski") continue;
+    double shorter = 0, compliance = 0;
+    for (const auto& [b, at] :
+         {std::pair(point.left, point.left_floor), std::pair(point.left + 1, point.right_floor)}) {
+      const Building& building = problem.buildings[b];
+      if (!(building.first_omega() > 0)) continue;
+      const double period = 2 * std::numbers::pi / building.first_omega();
+      shorter = shorter > 0 ? std::min(shorter, period) : period;
+      const Eigen::Index floors = building.model.floors();
+      compliance += 1 / (at < floors ? building.model.floor_masses[at] : building.model.node_masses[at - floors]);
+    }
+    for (const auto& [key, value] : point.law->parameters()) {
+      if (key != "stiffness" || !(shorter > 0) || !(compliance > 0)) continue;
+      list.most("soft_contact", gap_name(problem, point.left),
+                std::numbers::pi / std::sqrt(value * compliance) / shorter, "", most_push, usual_push);
+    }
+  }
+}
+
+/// Factors of codes that amplify displacements under reduced forces, beside a motion.
+void check_codes(const Case& c, List& list) {
+  if (c.excitation.spectrum) return;
+  for (const CodeRuleSpec& rule : c.code.rules) {
+    for (const char* const key :
+         {"deflection_amplification", "behaviour_factor", "response_reduction", "ductility_factor"}) {
+      const auto found = rule.numbers.find(key);
+      if (found == rule.numbers.end()) continue;
+      for (const double factor : found->second) list.most("code_on_record", rule.rule, factor, "", 1, 1);
     }
   }
 }
@@ -162,7 +265,15 @@ void check_motion(const Case& c, const Problem& problem, List& list) {
   if (peak == 0) {
     list.add({"motion_of_zeros", "", 0, "g", pga_range.usual_from, pga_range.usual_to});
   } else {
-    list.check("pga", "", peak / c.units.gravity, "g", pga_range);
+    const double in_g = peak / c.units.gravity;
+    const auto& record = c.excitation.record;
+    const double asked = record ? record->pga_without_unit.value_or(0) : 0;
+    if (in_g < pga_range.least && asked >= pga_range.least && asked <= pga_range.most &&
+        record->pga_read * acceleration_factor(record->unit, c.units) > pga_range.least * c.units.gravity) {
+      list.add({"pga_without_unit", "", in_g, "g", asked, asked});
+    } else {
+      list.check("pga", "", in_g, "g", pga_range);
+    }
   }
   for (std::size_t b = 0; b < problem.delays.size(); ++b) {
     if (problem.delays[b] < problem.duration) continue;
@@ -187,8 +298,12 @@ void check_output(const Case& c, const Problem& problem, List& list) {
 void check_before(const Case& c, const Problem& problem, List& list) {
   check_buildings(c, problem, list);
   check_modes(c, problem, list);
+  check_blows(problem, list);
+  check_levels(c, problem, list);
   check_gaps(c, problem, list);
+  check_fillers(c, problem, list);
   check_motion(c, problem, list);
+  check_codes(c, list);
   check_output(c, problem, list);
 }
 

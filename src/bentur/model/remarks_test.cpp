@@ -144,6 +144,100 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   EXPECT_EQ(remarks_of(c), Names{"damping B"});
 }
 
+TEST(Remarks, OfMotionsInTheWrongUnit) {
+  Case c = ordinary();
+  auto& acceleration = std::get<SampledMotion>(c.excitation.motion).acceleration;
+  const double peak = peak_acceleration(c.excitation.motion);
+  RecordEcho record;
+  record.unit = "g";
+  record.pga_read = 0.31;
+  record.pga_without_unit = 0.35;
+  c.excitation.record = record;
+  for (double& a : acceleration) a *= 0.35 / peak;  // pga = 0.35 where 0.35 g is meant
+  EXPECT_EQ(remarks_of(c), Names{"pga_without_unit"});
+  const Remark told = remarks(c, make_problem(c))[0];
+  EXPECT_NEAR(told.value, 0.0357, 5e-5);
+  EXPECT_EQ(told.usual_from, 0.35);
+  c.excitation.record->pga_without_unit.reset();  // by scale, or with its unit
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+  c.excitation.record->pga_without_unit = 0.35;
+  c.excitation.record->pga_read = 0.04;  // a weak record, left about as it is
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+  for (double& a : acceleration) a *= 0.051 * 9.80665 / 0.35;
+  EXPECT_EQ(remarks_of(c), Names{});
+  for (double& a : acceleration) a *= 2.45 / 0.051;
+  EXPECT_EQ(remarks_of(c), Names{});
+  for (double& a : acceleration) a *= 2.55 / 2.45;
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+}
+
+TEST(Remarks, OfWeightsAndOfStiffnessScaledToAPeriod) {
+  Case c = ordinary();
+  const double period = 2 * std::numbers::pi / make_building(c.buildings[0]).first_omega();
+  c.buildings[0].calibrate_period = 1.7 * period;
+  EXPECT_EQ(remarks_of(c), Names{});
+  c.buildings[0].calibrate_period = 2 * period;
+  EXPECT_EQ(remarks_of(c), Names{"stiffness_factor A"});
+  EXPECT_NEAR(remarks(c, make_problem(c))[0].value, 0.25, 1e-12);
+  // Kilograms for tonnes, which a period that is asked for hides.
+  c = ordinary();
+  for (PlaneFrame* frame : {&frame_of(c, 0), &frame_of(c, 1)}) {
+    for (double& mass : frame->floor_masses) mass *= 1000;
+  }
+  c.buildings[1].calibrate_period = period;
+  c.buildings[1].width = 10.0;
+  const Names heavy = remarks_of(c);
+  EXPECT_NE(std::find(heavy.begin(), heavy.end(), "storey_weight B"), heavy.end());
+  EXPECT_NE(std::find(heavy.begin(), heavy.end(), "storey_weight_per_width B"), heavy.end());
+  EXPECT_EQ(std::find(heavy.begin(), heavy.end(), "storey_weight_per_width A"), heavy.end()) << "no width is known";
+}
+
+TEST(Remarks, OfFloorsThatMeetFarApart) {
+  Case c = ordinary();
+  frame_of(c, 1).storey_heights = {3.5, 3.55, 2.45};  // 0.55 m apart, the beams are 0.5 m deep
+  c.gaps[0].level_tolerance = 0.6;
+  c.gaps[0].elevations = {3.5, 6.775, 9.5};
+  EXPECT_EQ(remarks_of(c), Names{"level_tolerance A | B"});
+  EXPECT_NEAR(remarks(c, make_problem(c))[0].value, 0.55, 1e-12);
+  for (Section& beam : frame_of(c, 1).beams) beam = {.area = 0.2, .inertia = 0.3 * 0.125 / 12 * 3, .line_mass = 0.375};
+  EXPECT_EQ(remarks_of(c), Names{}) << "the upper floor's beam reaches down far enough";
+}
+
+TEST(Remarks, OfFillersAndOfFactorsOnMotions) {
+  Case c = ordinary();
+  c.gaps[0].widths = {0, 0, 0};
+  c.gaps[0].contact.axial = false;
+  c.gaps[0].contact.numbers["stiffness"] = {1e6};  // kN/m
+  EXPECT_EQ(remarks_of(c), Names{});
+  c.gaps[0].contact.numbers["stiffness"] = {5e3};
+  EXPECT_EQ(remarks_of(c), Names{"soft_contact A | B"});
+  c.gaps[0].widths = {0.01, 0.01, 0.01};
+  EXPECT_EQ(remarks_of(c), Names{});
+  c.code.rules = {{.rule = "en-1998-1", .numbers = {{"behaviour_factor", {3.9}}}},
+                  {.rule = "is-1893-1", .numbers = {{"response_reduction", {1.0}}}}};
+  EXPECT_EQ(remarks_of(c), Names{"code_on_record en-1998-1"});
+  EXPECT_EQ(remarks(c, make_problem(c))[0].value, 3.9);
+}
+
+// Damping that grows with frequency holds the node of a column that is struck.
+TEST(Remarks, OfDampingWhereAColumnIsStruck) {
+  Case c = ordinary();
+  auto& nodes = frame_of(c, 0).nodes;
+  nodes.push_back({.left = false, .elevation = 5.0});
+  frame_of(c, 1).storey_heights = {5.0, 4.5};
+  for (auto* list : {&frame_of(c, 1).columns, &frame_of(c, 1).beams}) list->resize(2);
+  frame_of(c, 1).floor_masses.resize(2);
+  c.gaps[0].strikes_columns = true;
+  c.gaps[0].elevations = {5.0};
+  c.gaps[0].widths = {0.05};
+  c.gaps[0].contact.axial = false;
+  c.gaps[0].contact.numbers["stiffness"] = {1e5};
+  EXPECT_EQ(remarks_of(c), Names{});
+  c.buildings[0].damping = StiffnessProportionalDamping{0.05};
+  EXPECT_EQ(remarks_of(c), Names{"impact_damping A"});
+  EXPECT_GT(remarks(c, make_problem(c))[0].value, 0.2);
+}
+
 TEST(Remarks, OfAResponseBeyondElasticBuildings) {
   const Case c = ordinary();
   const Problem problem = make_problem(c);

@@ -50,8 +50,9 @@ std::vector<std::string> remark_texts(const std::vector<Remark>& remarks, std::s
       subjects += say("remark.more", {{"n", std::to_string(count - most_named)}});
       values += ", …";
     }
-    const std::string text =
-        say("remark." + first.key, {{"value", value_with_unit(values, first.unit)}, {"usual", usual_text(first, say)}});
+    const std::string text = say("remark." + first.key, {{"value", value_with_unit(values, first.unit)},
+                                                         {"usual", usual_text(first, say)},
+                                                         {"from", number(first.usual_from.value_or(0))}});
     texts.push_back(subjects.empty() ? text : subjects.append(": ").append(text));
   }
   return texts;
