@@ -479,7 +479,7 @@ TEST(CaseReading, MonographCase) {
   Diagnostics diagnostics;
   const auto c = read_case(file, diagnostics);
   ASSERT_TRUE(c.has_value());
-  EXPECT_EQ(c->title, "Monograph M1-2, El Centro");
+  EXPECT_EQ(c->title, "Monograph M1-2, El Centro, gap 0.2 cm");
   EXPECT_EQ(c->units.gravity, 980.0);
   const auto& frame = std::get<PlaneFrame>(c->buildings[0].structure);
   EXPECT_EQ(frame.columns.size(), 3U);
