@@ -16,10 +16,14 @@ double height_of(const FloorLevels& building) {
 
 double level(const FloorLevels& building, int floor) { return building.elevations[static_cast<std::size_t>(floor)]; }
 
-int nearest_floor(const FloorLevels& building, double elevation) {
-  const auto nearer = [&](double a, double b) { return std::abs(a - elevation) < std::abs(b - elevation); };
-  return static_cast<int>(std::min_element(building.elevations.begin(), building.elevations.end(), nearer) -
-                          building.elevations.begin());
+/// The lower one of two that are as near but for round-off.
+int nearest_floor(const FloorLevels& building, double elevation, double round_off) {
+  int nearest = 0;
+  for (int floor = 1; floor < static_cast<int>(building.elevations.size()); ++floor) {
+    const double nearer = std::abs(level(building, nearest) - elevation) - std::abs(level(building, floor) - elevation);
+    if (nearer > round_off) nearest = floor;
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -40,11 +44,11 @@ std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& 
   if (left.elevations.empty() || right.elevations.empty()) return pairs;
   const double round_off = round_off_of_levels(left, right);
   for (int i = 0; i < static_cast<int>(left.elevations.size()); ++i) {
-    const int j = nearest_floor(right, level(left, i));
-    if (nearest_floor(left, level(right, j)) != i) continue;
+    const int j = nearest_floor(right, level(left, i), round_off);
+    if (nearest_floor(left, level(right, j), round_off) != i) continue;
     const double apart = std::abs(level(left, i) - level(right, j));
     const double storey = std::min(smallest_storey_at(left, i), smallest_storey_at(right, j));
-    if (apart > std::max(round_off, tolerance.value_or(part_of_storey * storey))) continue;
+    if (apart > tolerance.value_or(part_of_storey * storey) + round_off) continue;
     pairs.push_back({i, j, apart <= round_off ? level(left, i) : 0.5 * (level(left, i) + level(right, j))});
   }
   return pairs;

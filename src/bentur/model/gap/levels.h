@@ -26,7 +26,8 @@ struct LevelPair {
 [[nodiscard]] double smallest_storey_at(const FloorLevels& building, int floor);
 
 /// The floors that meet, from the lowest up: pairs of which each is the other's nearest, and which differ by no more
-/// than `tolerance` [length], by default a tenth of the smallest storey height at those floors.
+/// than `tolerance` [length] and round_off_of_levels(), by default a tenth of the smallest storey height at those
+/// floors.
 [[nodiscard]] std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& right,
                                                   std::optional<double> tolerance = std::nullopt);
 

@@ -33,6 +33,22 @@ TEST(LevelFloors, ByAGivenTolerance) {
   EXPECT_EQ(level_floors(left, {{3 + 1e-7, 6}, 0}, 0.0).size(), 2u);  // round-off
 }
 
+// Floors as far apart as the tolerance, or as a tenth of a storey, and one half way between two others.
+TEST(LevelFloors, AreTheSameInEveryUnit) {
+  for (const double unit : {1.0, 100.0, 1e3, 1e-3, 1 / 0.0254, 1 / 0.3048}) {
+    const auto in_units = [unit](FloorLevels levels) {
+      for (double& elevation : levels.elevations) elevation *= unit;
+      return levels;
+    };
+    const FloorLevels left = in_units({{3, 6}, 0}), right = in_units({{3.1, 6.1}, 0});
+    EXPECT_EQ(level_floors(left, right, 0.1 * unit).size(), 2u) << unit;
+    EXPECT_EQ(level_floors(in_units({{3, 6}, 0}), in_units({{3.3, 6.6}, 0})).size(), 1u) << unit;
+    const auto between = level_floors(in_units({{3.1}, 0}), in_units({{2.9, 3.3}, 0}), 0.5 * unit);
+    ASSERT_EQ(between.size(), 1u) << unit;
+    EXPECT_EQ(between[0].right_floor, 0) << unit;
+  }
+}
+
 TEST(LevelFloors, NoFloorMeetsTwo) {
   const auto pairs = level_floors({{3.0, 3.2, 6.0}, 0}, {{3.1, 6.0}, 0}, 1.0);
   ASSERT_EQ(pairs.size(), 2u);
