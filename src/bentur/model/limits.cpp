@@ -39,11 +39,15 @@ std::string beyond_limits(const Case& c, const Problem& problem, const Effort& e
         effort.certain_steps, limits.steps, fastest_text(c, problem, effort.apart), 2 * effort.most_steps);
   }
   if (effort.memory > 1e6 * limits.memory) {
+    const double of_histories = effort.memory - effort.memory_of_steps;
+    const bool histories = effort.samples > 0 && of_histories > effort.memory_of_steps;
     return fmt::format(
-        "a run takes {:.3g} MB of memory, over the limit of {:.3g}, for {:.3g} steps and histories of "
-        "{:.3g} samples. Make output_step larger or duration shorter, or let it run with [analysis] "
-        "limits = {{ memory = {:.0f} }}",
-        effort.memory / 1e6, limits.memory, effort.steps, effort.samples, std::ceil(effort.memory / 1e6));
+        "a run takes {:.3g} MB of memory, over the limit of {:.3g}: {:.3g} MB for what is kept of the motion and of "
+        "{:.3g} "
+        "steps, {:.3g} MB for the program and histories of {:.3g} samples. Make {}duration shorter, or let it run with "
+        "[analysis] limits = {{ memory = {:.0f} }}",
+        effort.memory / 1e6, limits.memory, effort.memory_of_steps / 1e6, effort.steps, of_histories / 1e6,
+        effort.samples, histories ? "output_step larger or " : "", std::ceil(effort.memory / 1e6));
   }
   return {};
 }

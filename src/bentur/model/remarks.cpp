@@ -340,6 +340,9 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
     list.most("slow_starts", gap_name(problem, gap), slow_starts[gap], "", 0, 0);
   }
+  for (const Discrepancy& found : response.discrepancies) {
+    list.add({.key = found.key, .subject = {}, .value = found.size, .unit = {}, .usual_from = {}, .usual_to = 1e-9});
+  }
   return list.take();
 }
 

@@ -23,7 +23,8 @@ struct Remark {
 /// Of the case alone: sections, stiffness, periods, motion, delays, gaps, output.
 [[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem);
 
-/// And of what came out: drift, base shear and penetration beyond what linear elastic buildings stand for.
+/// And of what came out: drift, base shear and penetration beyond what linear elastic buildings stand for, and numbers
+/// that two ways lead to and that are not quite the same (Response::discrepancies).
 [[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response);
 
 /// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns

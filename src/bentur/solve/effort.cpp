@@ -84,8 +84,8 @@ Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::Elem
   return fastest;
 }
 
-/// Bytes that grow with the case.
-double memory(const Problem& problem, const ModalSystem& system, double segments, double samples) {
+/// Bytes that grow with the case, into the effort.
+void add_memory(Effort& effort, const Problem& problem, const ModalSystem& system, double segments) {
   double floors = 0.0;
   for (const auto& block : system.blocks) floors += static_cast<double>(block.floors);
   const auto points = static_cast<double>(problem.points.size());
@@ -94,10 +94,11 @@ double memory(const Problem& problem, const ModalSystem& system, double segments
   const double reaches = 16.0 * segments * points;
   const double checkpoints =
       segments / static_cast<double>(engine::StepBuffer::most) * 8.0 * (2.0 * size + 4.0 * floors);
-  const double histories = 8.0 * samples * (2.0 + 3.0 * floors + 2.0 * points);
+  const double histories = 8.0 * effort.samples * (2.0 + 3.0 * floors + 2.0 * points);
   const auto* record = std::get_if<SampledMotion>(&problem.motion);
   const double motion = record != nullptr ? 8.0 * static_cast<double>(record->acceleration.size()) : 0.0;
-  return overhead + plan + reaches + checkpoints + copies * (histories + motion);
+  effort.memory_of_steps = plan + reaches + checkpoints + copies * motion;
+  effort.memory = overhead + effort.memory_of_steps + copies * histories;
 }
 
 }  // namespace
@@ -151,7 +152,7 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
     result.most_steps = 2.0 * problem.duration * result.steps_in_contact;
   }
   result.certain_steps = std::max(result.certain_steps, result.steps);
-  result.memory = memory(problem, system, exact && system.classical ? segments : 0.0, result.samples);
+  add_memory(result, problem, system, exact && system.classical ? segments : 0.0);
   result.seconds = result.most_steps * (seconds_a_step + seconds_a_coordinate * static_cast<double>(system.size));
   return result;
 }

@@ -30,6 +30,7 @@ struct Effort {
   double most_steps = 0;        ///< [-] were they in contact all the time, and with what is gone over again
   double samples = 0;           ///< [-] of every history
   double memory = 0;            ///< [byte] of the run and its histories
+  double memory_of_steps = 0;   ///< [byte] of that, what is kept of the motion and of every step
   double seconds = 0;           ///< [s] of `most_steps`, on a processor of 2020: no more than its order of magnitude
   double growing_step = 0;  ///< [s] from which on steps of "runge-kutta" make the fastest mode grow; 0: another solver
 };

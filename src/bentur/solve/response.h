@@ -141,6 +141,12 @@ struct Collapse {
   double time = 0;          ///< [s]
 };
 
+/// A number that was reached by two ways, and is not the same but for round-off.
+struct Discrepancy {
+  std::string key;  ///< which, as the texts of remarks name it
+  double size = 0;  ///< as a part of the largest [-]
+};
+
 enum class Status { done, stopped, failed, collapsed };
 
 struct Response {
@@ -155,14 +161,15 @@ struct Response {
   std::vector<PointSummary> points;
   std::vector<WatchedSummary> watched;  ///< as Problem::watched
   std::vector<LinkSummary> links;       ///< as Problem::links
-  std::vector<Impact> impacts;          ///< by start, then point
+  std::vector<Impact> impacts;          ///< by start, then point, then end
   Histories histories;                  ///< empty unless asked for
   /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
   /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of
   /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too. Empty unless
   /// asked for, and where the motion is so fast that this would take too many steps.
   Histories course = {};
-  std::optional<EnergyAudit> energy;  ///< when asked for
+  std::optional<EnergyAudit> energy;            ///< when asked for
+  std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)
 };
 
 }  // namespace bentur

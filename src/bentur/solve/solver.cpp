@@ -13,6 +13,7 @@
 #include "bentur/solve/engine/run/free_run.h"
 #include "bentur/solve/engine/run/pounding_run.h"
 #include "bentur/solve/engine/same_but_gaps.h"
+#include "bentur/solve/self_checks.h"
 
 namespace bentur {
 namespace engine {
@@ -70,6 +71,7 @@ void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& sys
     BuildingPeaks::Yielding& yielding = buildings[b].*to;
     yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
     yielding.residual_drift_ratio.setZero(floors);
+    if (building.model.has_slab) yielding.residual_drift_ratio(0) = std::numeric_limits<double>::quiet_NaN();
     yielding.hysteretic_energy.setZero(floors);
     for (Eigen::Index f = 0; f < floors; ++f) {
       const HystereticLaw* law = building.storey_law(f);
@@ -154,6 +156,19 @@ void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& po
       point.peak_force_time = impact.peak_force_time;
     }
   }
+}
+
+/// How far from zero openings were where they are zero, as a part of the displacements there [-].
+double worst_opening(const Problem& problem, const Elements& elements, const std::vector<double>& scales,
+                     const std::vector<BuildingPeaks>& peaks) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const Eigen::Index left = problem.points[i].left;
+    const double moved = peaks[left].displacement.maxCoeff() + peaks[left + 1].displacement.maxCoeff();
+    const double opening = elements.worst_opening(static_cast<Eigen::Index>(i));
+    if (opening > 0.0) worst = std::max(worst, opening / (scales[i] + moved));
+  }
+  return worst;
 }
 
 Problem without_widths(Problem problem) {
@@ -277,6 +292,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   const bool records = options.output_step > 0.0 || options.course || options.energy_audit;
   if (first_contact == std::numeric_limits<long>::max() && !records) {
     engine::summarise_watched(problem, parts_->nearest, parts_->watched_scale, response.watched);
+    check_itself(problem, parts_->solver, {}, response);
     response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return response;
   }
@@ -309,6 +325,11 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   response.histories = std::move(run.sampler().histories());
   if (run.tracer()) response.course = run.tracer()->finish();
   if (run.energy()) response.energy = run.energy()->finish();
+  check_itself(
+      problem, parts_->solver,
+      {run.momentum().worst(), engine::worst_opening(problem, run.elements(), scales.displacement, response.buildings),
+       engine::force_imbalance(problem, parts_->system, run.state(), run.inputs(), run.elements())},
+      response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

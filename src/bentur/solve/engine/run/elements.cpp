@@ -23,6 +23,17 @@ constexpr int most_branches = 1000;   // that loading in one direction goes thro
 /// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
 bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
 
+/// Of a spring that ends where it has no force, throughout; 0: of others.
+double sign_of_force(const Branch& branch) {
+  for (std::size_t g = 0; g < branch.guard_count && branch.damping == 0.0; ++g) {
+    const Guard& guard = branch.guards[g];
+    if (guard.deformation == 0.0 || guard.speed != 0.0 || guard.decaying != 0.0) continue;
+    const double times = branch.stiffness / guard.deformation;
+    if (times != 0.0 && branch.base == times * guard.constant) return times;
+  }
+  return 0.0;
+}
+
 double fading(const Guard& guard, const LawState& state, double time) {
   return guard.decaying == 0.0 ? 0.0 : guard.decaying * std::exp(-guard.rate * (time - state.since));
 }
@@ -61,7 +72,8 @@ Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle
       touches_(laws_.size()),
       leaves_band_(laws_.size(), 0),
       log_(laws_.size()),
-      accounts_(laws_.size()) {
+      accounts_(laws_.size()),
+      worst_openings_(laws_.size(), 0.0) {
   forces_.linear.resize(laws_.size());
   for (Index i = 0; i < std::ssize(scales.displacement); ++i) {
     tolerances_[i] = round_off_band * scales.displacement[i];
@@ -275,8 +287,10 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
       const LinkStretch link = link_stretch(forces_.linear[i], motion.deformation(i), motion.h(), end);
       Account& account = accounts_[i];
       account.damped += link.damped;
-      account.peak_force = std::max(account.peak_force, link.peak_force);
-      account.peak_tension = std::max(account.peak_tension, link.peak_tension);
+      // What a cable seems to push with where it goes slack is how well that instant is known.
+      const double sign = sign_of_force(branches_[i]);
+      if (sign >= 0.0) account.peak_force = std::max(account.peak_force, link.peak_force);
+      if (sign <= 0.0) account.peak_tension = std::max(account.peak_tension, link.peak_tension);
     }
   }
 }
@@ -381,7 +395,9 @@ void Elements::change(const Event& event, double time, State& state) {
   }
   const LawState before = states_[i];
   const Branch ended = branches_[i];
-  const double delta = of_sign_alone(ended.guards[event.guard]) ? 0.0 : deformation(i, state);
+  const bool at_zero = of_sign_alone(ended.guards[event.guard]);
+  if (at_zero && two_bodies(i)) note_opening(i, time, state);
+  const double delta = at_zero ? 0.0 : deformation(i, state);
   if (!two_bodies(i)) {
     take_work(i, delta);
     set(i, law(i).next(before, event.guard, time, delta, speed(i, state)), state);
@@ -423,6 +439,11 @@ void Elements::resume(const Memory& memory, State& state) {
   gather(state);
 }
 
+/// At an instant at which an opening is zero. What overlaps at the start never was.
+void Elements::note_opening(Index i, double time, const State& state) {
+  if (time > 0.0) worst_openings_[i] = std::max(worst_openings_[i], std::abs(deformation(i, state)));
+}
+
 /// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add
 /// up to. It lets go at zero, or what is left would decide whether it closes again at once.
 void Elements::let_go(Index element, State& state) {
@@ -444,6 +465,7 @@ void Elements::collide(Index element, double time, State& state) {
     log_.end(element, time, 0.0);
     return;
   }
+  note_opening(element, time, state);
   std::vector<Index> at;
   for (Index i = idle_; i < count(); ++i) {
     if (!two_bodies(i)) continue;

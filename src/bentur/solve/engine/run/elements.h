@@ -125,6 +125,9 @@ class Elements {
   [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
   [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
   [[nodiscard]] const Account& account(Eigen::Index element) const { return accounts_[element]; }
+  /// How far from zero the opening of two bodies was at any instant at which they began or ceased to touch because it
+  /// was zero [length].
+  [[nodiscard]] double worst_opening(Eigen::Index element) const { return worst_openings_[element]; }
 
  private:
   [[nodiscard]] Eigen::Index count() const { return std::ssize(laws_); }
@@ -155,6 +158,7 @@ class Elements {
   void take_work(Eigen::Index element, double deformation);
   void forget_faded(double time, State& state);
   void let_go(Eigen::Index element, State& state);
+  void note_opening(Eigen::Index element, double time, const State& state);
   void collide(Eigen::Index element, double time, State& state);
 
   const ModalSystem* system_;
@@ -188,6 +192,7 @@ class Elements {
   bool began_ = false;
   bool failed_ = false;
   long events_ = 0;
+  std::vector<double> worst_openings_;
 };
 
 }  // namespace bentur::engine

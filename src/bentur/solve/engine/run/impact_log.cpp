@@ -148,8 +148,9 @@ void ImpactLog::finish(const std::vector<Branch>& branches, double time) {
     under_way_[i].open_ended = true;
     end(i, time, 0.0);
   }
-  std::sort(impacts_.begin(), impacts_.end(),
-            [](const Impact& a, const Impact& b) { return std::tie(a.start, a.point) < std::tie(b.start, b.point); });
+  std::sort(impacts_.begin(), impacts_.end(), [](const Impact& a, const Impact& b) {
+    return std::tie(a.start, a.point, a.end) < std::tie(b.start, b.point, b.end);
+  });
 }
 
 }  // namespace bentur::engine

@@ -11,7 +11,10 @@ constexpr long most_followed = 1 << 17;  // some seconds
 
 PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact,
                          const SolveOptions& options)
-    : Run(setup, 0, scales), first_contact_(first_contact), sampler_(system_, problem_, options.output_step) {
+    : Run(setup, 0, scales),
+      first_contact_(first_contact),
+      sampler_(system_, problem_, options.output_step),
+      momentum_(system_) {
   if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step, state_, elements_);
 }
 
@@ -25,6 +28,7 @@ Eigen::Index PoundingRun::quiet(Eigen::Index count) {
 void PoundingRun::take_step(double time, double cut) {
   sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, elements_);
   follow(time, cut, inputs_);
+  momentum_.take(motion_, cut, state_, elements_, event() && elements_.two_bodies(event()->element));
   if (energy_) energy_->take(motion_, time, cut, inputs_, elements_);
 }
 
@@ -38,6 +42,7 @@ void PoundingRun::follow(double time, double cut, const std::vector<GroundInput>
 void PoundingRun::changed() {
   if (tracer_) tracer_->changed();
   if (energy_) energy_->take_jumps(elements_, state_);
+  momentum_.changed(state_, elements_);
 }
 
 bool PoundingRun::notes_flights() const { return sampler_.due(problem_.duration) || tracer_ || energy_; }

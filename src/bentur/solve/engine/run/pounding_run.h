@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/solve/engine/run/balance.h"
 #include "bentur/solve/engine/run/energy_account.h"
 #include "bentur/solve/engine/run/run.h"
 #include "bentur/solve/engine/run/sampler.h"
@@ -22,6 +23,7 @@ class PoundingRun final : public Run {
   std::optional<Tracer>& tracer() { return tracer_; }
   Sampler& sampler() { return sampler_; }
   std::optional<EnergyAccount>& energy() { return energy_; }
+  [[nodiscard]] const MomentumBalance& momentum() const { return momentum_; }
 
  private:
   [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override;
@@ -37,6 +39,7 @@ class PoundingRun final : public Run {
   std::optional<Tracer> tracer_;
   long followed_ = 0;  ///< steps of the course
   std::optional<EnergyAccount> energy_;
+  MomentumBalance momentum_;
 };
 
 }  // namespace bentur::engine

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bentur::engine {
 namespace {
@@ -256,8 +257,12 @@ void Run::take_steps(double start, double length) {
     arrived(start + elapsed);
     if (!trouble_.empty() || collapse_) return;
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
-    if (event && ++cuts > limit) {
-      fail(fmt::format("more than {} events within one step of the ground motion", limit), time);
+    // A harmonic motion is one step, however many periods it lasts.
+    const double periods = 1.0 + std::floor(elapsed * system_.nu / (2.0 * std::numbers::pi));
+    if (event && static_cast<double>(++cuts) > static_cast<double>(limit) * periods) {
+      fail(fmt::format("more than {} events within one {} of the ground motion", limit,
+                       system_.nu > 0.0 ? "period" : "step"),
+           time);
     }
   }
 }

@@ -58,6 +58,7 @@ class Run {
   /// What ended the run before its time.
   [[nodiscard]] const std::optional<Collapse>& collapse() const { return collapse_; }
   [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const std::vector<GroundInput>& inputs() const { return inputs_; }
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] long steps() const { return steps_; }
@@ -86,6 +87,8 @@ class Run {
   /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
   virtual void pass(double /*start*/, const Flights& /*flights*/, std::size_t /*halvings*/) {}
 
+  /// The event that ends the step under way.
+  [[nodiscard]] const std::optional<Elements::Event>& event() const { return event_; }
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] Checkpoint checkpoint() const {

@@ -1,0 +1,151 @@
+#include "bentur/solve/engine/run/balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bentur::engine {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr long most_steps = 1024;  // of one contact: a longer one, that rests, is let go
+
+}  // namespace
+
+MomentumBalance::MomentumBalance(const ModalSystem& system) : system_(&system) {
+  for (VectorXd* x : {&start_.q, &start_.v, &shift_, &pushed_, &of_step_, &end_}) x->setZero(system.size);
+}
+
+void MomentumBalance::take(const Expansion& motion, double end, const State& from, Elements& elements, bool meets) {
+  if (!under_way_) {
+    if (!meets || elements.any_touching()) return;
+    ++seen_;
+    if ((seen_ & (seen_ - 1)) != 0) return;
+    under_way_ = true;
+    steps_ = 0;
+    impacts_before_ = elements.impacts().size();
+    start_ = from;
+    shift_.setZero();
+    pushed_.setZero();
+  }
+  if (++steps_ > most_steps) {
+    under_way_ = false;
+    return;
+  }
+  const Eigen::MatrixXd& c = motion.coefficients();
+  of_step_.setZero();
+  end_.setZero();
+  double power = 1.0;
+  for (int k = 0; k <= motion.degree(); ++k) {
+    end_ += power * c.col(k);
+    power *= end;
+    of_step_ += (motion.h() * power / (k + 1.0)) * c.col(k);
+  }
+  shift_ += of_step_;
+  push_others(motion, end * motion.h(), elements);
+}
+
+/// What links and storeys that yield have pushed over a step of such a length [s].
+void MomentumBalance::push_others(const Expansion& motion, double length, const Elements& elements) {
+  const ElementForces& forces = elements.forces();
+  for (const auto* list : {&forces.constant, &forces.pressing}) {
+    for (const Index i : *list) {
+      if (elements.two_bodies(i)) continue;
+      const ElementForces::Linear& linear = forces.linear[i];
+      const ModalSystem::Relation& relation = system_->elements[i].relation;
+      const double stretch = relation.along(end_) - relation.along(motion.coefficients().col(0).data());
+      const double impulse =
+          linear.base * length + linear.stiffness * relation.along(of_step_) + linear.damping * stretch;
+      system_->push(i, impulse, pushed_);
+    }
+  }
+}
+
+void MomentumBalance::changed(const State& state, Elements& elements) {
+  if (!under_way_ || elements.any_touching()) return;
+  under_way_ = false;
+  close(state, elements);
+}
+
+void MomentumBalance::close(const State& state, Elements& elements) {
+  const std::vector<Impact>& impacts = elements.impacts();
+  for (std::size_t n = impacts_before_; n < impacts.size(); ++n) {
+    system_->push(impacts[n].point, impacts[n].impulse, pushed_);
+  }
+  double missing = 0.0;
+  double largest = 0.0;
+  for (const ModalSystem::Block& block : system_->blocks) {
+    if (block.modes == 0) continue;
+    const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
+    const Index ground = block.begin + block.modes;
+    const VectorXd moved = modes(state.q) - modes(start_.q);
+    const VectorXd damped = block.damping ? VectorXd(block.damping->topLeftCorner(block.modes, block.modes) * moved)
+                                          : VectorXd(modes(system_->two_sigma).cwiseProduct(moved));
+    const VectorXd sprung = modes(system_->omega_squared).cwiseProduct(modes(shift_));
+    const VectorXd shaken = (state.v(ground) - start_.v(ground)) * modes(system_->gamma);
+    const VectorXd rest = modes(state.v) - modes(start_.v) + sprung + damped - shaken - modes(pushed_);
+    missing = std::max(missing, rest.norm());
+    for (const double size : {modes(state.v).norm(), modes(start_.v).norm(), sprung.norm(), modes(pushed_).norm()}) {
+      largest = std::max(largest, size);
+    }
+  }
+  if (largest > 0.0) worst_ = std::max(worst_, missing / largest);
+}
+
+double force_imbalance(const Problem& problem, const ModalSystem& system, const State& state,
+                       const std::vector<GroundInput>& inputs, const Elements& elements) {
+  VectorXd forces;
+  VectorXd acceleration;
+  elements.forces_at(state, inputs, forces);
+  system.acceleration(state, inputs, forces, acceleration);
+  std::vector<VectorXd> pushes;  // per building, on its degrees of freedom
+  std::vector<double> largest(problem.buildings.size(), 0.0);
+  for (const Building& building : problem.buildings) pushes.emplace_back(VectorXd::Zero(building.model.dofs()));
+  const auto push = [&](Index b, const VectorXd& row, double force) {
+    pushes[b] += force * row;
+    largest[b] = std::max(largest[b], std::abs(force) * (problem.buildings[b].modes.shapes.transpose() * row).norm());
+  };
+  const auto push_at = [&](Index b, Index dof, double force) {
+    if (force != 0.0 && !problem.buildings[b].is_rigid()) push(b, VectorXd::Unit(pushes[b].size(), dof), force);
+  };
+  Index element = 0;
+  for (const ContactPoint& point : problem.points) {
+    push_at(point.left, point.left_floor, -forces(element));
+    push_at(point.left + 1, point.right_floor, forces(element++));
+  }
+  for (const Link& link : problem.links) {
+    push_at(link.left, link.left_floor, -forces(element));
+    push_at(link.right, link.right_floor, forces(element++));
+  }
+  element = system.storeys;
+  double worst = 0.0;
+  for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (building.is_rigid()) continue;
+    const ModalSystem::Block& block = system.blocks[b];
+    const Eigen::MatrixXd& shapes = building.modes.shapes;
+    if (building.can_yield()) {
+      const Eigen::MatrixXd drifts = drift_rows(building.model);
+      for (Index f = 0; f < building.model.floors(); ++f) {
+        if (building.storey_law(f) != nullptr) push(static_cast<Index>(b), drifts.row(f), -forces(element++));
+      }
+    }
+    const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
+    const VectorXd x = shapes * modes(state.q);
+    const VectorXd inertia = shapes.transpose() * (building.model.mass * (shapes * modes(acceleration)));
+    const VectorXd stiffness = shapes.transpose() * (building.model.stiffness * x);
+    const VectorXd damping = building.modal_damping * modes(state.v);
+    const VectorXd load = inputs[b].value * (shapes.transpose() * building.model.load);
+    const VectorXd pushed = shapes.transpose() * pushes[b];
+    for (const VectorXd* term : {&inertia, &stiffness, &damping, &load}) {
+      largest[b] = std::max(largest[b], term->norm());
+    }
+    if (!(largest[b] > 0.0)) continue;
+    worst = std::max(worst, (inertia + stiffness + damping + load - pushed).norm() / largest[b]);
+  }
+  return worst;
+}
+
+}  // namespace bentur::engine
