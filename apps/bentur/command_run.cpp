@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "arguments.h"
-#include "bentur/files/atomic_file.h"
+#include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -300,7 +301,7 @@ class RunOutput {
   /// Before the work, so that a folder that cannot be written to costs none. @throws as AtomicFiles.
   RunOutput(const RunArguments& arguments, Loaded& loaded)
       : arguments_(arguments),
-        rules_{.inputs = loaded.files, .force = arguments.force},
+        rules_{.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result},
         files_(arguments.directory, rules_) {
     // Where the case itself lies there under the name of its copy none is needed.
     loaded.c.source->copied = !rules_.is_input(folder() / "case.toml");

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "arguments.h"
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 #include "commands.h"
 #include "session.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 namespace bentur::cli {
 

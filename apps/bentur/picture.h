@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 #include "bentur/report/figures/figure.h"
 
 namespace bentur::cli {

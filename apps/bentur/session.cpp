@@ -86,14 +86,8 @@ Loaded load(const std::filesystem::path& file, Purpose purpose) {
   if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics);
   try {
     Problem problem = make_still_problem(*c);
-    std::vector<std::filesystem::path> files = {file};
-    if (c->excitation.record) files.emplace_back(c->excitation.record->path);
-    if (c->excitation.spectrum && !c->excitation.spectrum->path.empty()) {
-      files.emplace_back(c->excitation.spectrum->path);
-    }
-    for (const BuildingSpec& building : c->buildings) {
-      if (!building.shapes_path.empty()) files.emplace_back(building.shapes_path);
-    }
+    std::vector<std::filesystem::path> files = files_read(*c);
+    files.push_back(file);
     return {std::move(*c), std::move(problem), std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, file.string() + ": error: " + error.what());

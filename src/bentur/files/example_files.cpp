@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bentur/files/atomic_file.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 namespace bentur {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 
 namespace bentur {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/study/study_variables.h"
 
 namespace bentur {
 namespace {
@@ -175,11 +176,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string without_number(const std::string& name) {
-  const std::size_t end = name.find_last_not_of("0123456789");
-  return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
-}
 
 bool is_compared_by_size(const NetcdfReader& file, const std::string& variable) {
   return file.attribute(variable, "compared_by") == "size";

@@ -13,9 +13,6 @@ namespace bentur {
 /// Whether runs are compared by |value| of a variable, which can have either sign (Quantity::by_size).
 [[nodiscard]] bool is_compared_by_size(const NetcdfReader& file, const std::string& variable);
 
-/// peak_drift_ratio of peak_drift_ratio_2: the name of a variable without the building's number, where it has one.
-[[nodiscard]] std::string without_number(const std::string& name);
-
 /// Reads the results of an incremental dynamic analysis. The quantity of the event is a variable's name; of those with
 /// a building's number also the name without it, for all buildings; `drift` is peak_drift_ratio.
 /// @throws NetcdfError when there is no such quantity, or the file does not hold such results.

@@ -28,12 +28,14 @@ std::string in_words(int status, bool open) {
   return (open ? "" : "cannot be read as NetCDF: ") + std::string(nc_strerror(status));
 }
 
-/// By NetcdfType.
-constexpr nc_type library_types[] = {NC_DOUBLE, NC_INT, NC_BYTE, NC_STRING};
-
-const void* address(const NetcdfValues& values) {
-  return std::visit([](const auto& of_one_type) -> const void* { return of_one_type.data(); }, values);
+/// A type of the library.
+nc_type type_of(const ResultValues& values) {
+  static constexpr nc_type types[] = {NC_DOUBLE, NC_DOUBLE, NC_INT, NC_BYTE, NC_STRING};  // in their order
+  return types[values.index()];
 }
+
+/// "time" of "exact/time".
+std::string own_name(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
 }  // namespace
 
@@ -70,6 +72,15 @@ std::string NetcdfReader::text_attribute(Place place, const std::string& attribu
 
 void NetcdfReader::list(int group, const std::string& prefix) {
   int count = 0;
+  check(nc_inq_dimids(group, &count, nullptr, 0));
+  std::vector<int> own(static_cast<std::size_t>(count));
+  check(nc_inq_dimids(group, &count, own.data(), 0));
+  for (const int id : own) {
+    char name[NC_MAX_NAME + 1] = {};
+    std::size_t size = 0;
+    check(nc_inq_dim(group, id, name, &size));
+    dimensions_[prefix + name] = size;
+  }
   check(nc_inq_nvars(group, &count));
   for (int id = 0; id < count; ++id) {
     char name[NC_MAX_NAME + 1] = {};
@@ -123,6 +134,11 @@ const NetcdfVariable& NetcdfReader::at(std::string_view variable) const {
   const NetcdfVariable* found = find(variable);
   if (found == nullptr) throw NetcdfError(name_, "has no variable \"" + std::string(variable) + "\"");
   return *found;
+}
+
+std::size_t NetcdfReader::dimension_size(std::string_view dimension) const {
+  const auto found = dimensions_.find(dimension);
+  return found == dimensions_.end() ? 0 : found->second;
 }
 
 NetcdfReader::Place NetcdfReader::place_of(const NetcdfVariable& variable) const {
@@ -179,10 +195,7 @@ std::string NetcdfReader::attribute(std::string_view variable, const std::string
 NetcdfWriter::NetcdfWriter(std::string name, Place place) : name_(std::move(name)), place_(place) {
   check(place == Place::memory ? nc_create_mem(name_.c_str(), NC_NETCDF4, 0, &id_)
                                : nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
-  group_ = id_;
 }
-
-void NetcdfWriter::begin_group(const std::string& name) { check(nc_def_grp(id_, name.c_str(), &group_)); }
 
 NetcdfWriter::~NetcdfWriter() {
   if (id_ >= 0) nc_abort(id_);
@@ -192,73 +205,70 @@ void NetcdfWriter::check(int status) const {
   if (status != NC_NOERR) throw std::runtime_error(name_ + ": " + nc_strerror(status));
 }
 
-void NetcdfWriter::describe(const std::string& title, const std::string& source, std::string_view version) const {
-  attribute("Conventions", "CF-1.8");
-  attribute("title", title);
-  attribute("source", source);
-  attribute("history", fmt::format("{} {}", netcdf_history, version));
+int NetcdfWriter::group_of(const std::string& name) {
+  const std::size_t end = name.rfind('/');
+  if (end == std::string::npos) return id_;
+  const auto [group, is_new] = groups_.try_emplace(name.substr(0, end), -1);
+  if (is_new) check(nc_def_grp(id_, group->first.c_str(), &group->second));
+  return group->second;
 }
 
-NetcdfWriter::Dimension NetcdfWriter::dimension(const std::string& name, std::size_t size) const {
-  int id = 0;
-  check(nc_def_dim(group_, name.c_str(), size, &id));
-  return Dimension{id};
+void NetcdfWriter::attribute(int group, int variable, const ResultAttribute& attribute) const {
+  const char* name = attribute.name.c_str();
+  if (const auto* text = std::get_if<std::string>(&attribute.value)) {
+    check(nc_put_att_text(group, variable, name, text->size(), text->data()));
+  } else if (const auto* number = std::get_if<double>(&attribute.value)) {
+    check(nc_put_att_double(group, variable, name, NC_DOUBLE, 1, number));
+  } else {
+    const auto& flags = std::get<std::vector<signed char>>(attribute.value);
+    check(nc_put_att_schar(group, variable, name, NC_BYTE, flags.size(), flags.data()));
+  }
 }
 
-NetcdfWriter::Variable NetcdfWriter::define(const std::string& name, NetcdfType type,
-                                            const std::vector<Dimension>& dimensions, const std::string& units,
-                                            const std::string& long_name) const {
-  std::vector<int> ids(dimensions.size());
-  std::transform(dimensions.begin(), dimensions.end(), ids.begin(),
-                 [](Dimension one) { return static_cast<int>(one); });
-  const nc_type library_type = library_types[static_cast<std::size_t>(type)];
-  int id = 0;
-  check(nc_def_var(group_, name.c_str(), library_type, static_cast<int>(ids.size()), ids.data(), &id));
-  if (place_ == Place::disk && type != NetcdfType::text) check(nc_def_var_fill(group_, id, NC_NOFILL, nullptr));
-  const Variable variable{id};
-  if (!units.empty()) attribute(variable, "units", units);
-  attribute(variable, "long_name", long_name);
-  return variable;
+void NetcdfWriter::attribute(const ResultAttribute& attribute) { this->attribute(id_, NC_GLOBAL, attribute); }
+
+NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
+  std::vector<int> ids;
+  for (const ResultDimension& dimension : variable.dimensions) {
+    const auto [known, is_new] = dimensions_.try_emplace(dimension.name, -1);
+    if (is_new) {
+      check(nc_def_dim(group_of(dimension.name), own_name(dimension.name).c_str(), dimension.size, &known->second));
+    }
+    ids.push_back(known->second);
+  }
+  Stored stored{group_of(variable.name), 0};
+  check(nc_def_var(stored.group, own_name(variable.name).c_str(), type_of(variable.values),
+                   static_cast<int>(ids.size()), ids.data(), &stored.variable));
+  if (place_ == Place::disk && type_of(variable.values) != NC_STRING) {
+    check(nc_def_var_fill(stored.group, stored.variable, NC_NOFILL, nullptr));
+  }
+  if (!variable.units.empty()) attribute(stored.group, stored.variable, {"units", variable.units});
+  attribute(stored.group, stored.variable, {"long_name", variable.long_name});
+  for (const ResultAttribute& one : variable.attributes) attribute(stored.group, stored.variable, one);
+  variables_.push_back(stored);
+  const Variable added{variables_.size() - 1};
+  if (std::visit([](const auto& values) { return !values.empty(); }, variable.values)) put(added, variable.values);
+  return added;
 }
 
 void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& sizes) const {
   constexpr std::size_t cache_bytes = 1U << 20, cache_slots = 101;
   constexpr float preemption = 0.75F;  // how readily pieces read or written in full leave the cache [-]
-  check(nc_def_var_chunking(group_, static_cast<int>(variable), NC_CHUNKED, sizes.data()));
-  check(nc_set_var_chunk_cache(group_, static_cast<int>(variable), cache_bytes, cache_slots, preemption));
+  const auto [group, id] = variables_.at(static_cast<std::size_t>(variable));
+  check(nc_def_var_chunking(group, id, NC_CHUNKED, sizes.data()));
+  check(nc_set_var_chunk_cache(group, id, cache_bytes, cache_slots, preemption));
 }
 
-void NetcdfWriter::put(Variable variable, const NetcdfValues& values, const NetcdfBlock& block) const {
-  const void* data = address(values);
+void NetcdfWriter::put(Variable variable, const ResultValues& values, const NetcdfBlock& block) const {
+  const void* data = std::visit([](const auto& of_one_type) -> const void* { return of_one_type.data(); }, values);
   std::vector<const char*> pointers;
-  if (const auto* texts = std::get_if<std::span<const std::string>>(&values)) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&values)) {
     for (const std::string& text : *texts) pointers.push_back(text.c_str());
     data = pointers.data();
   }
-  const int id = static_cast<int>(variable);
-  check(block.start.empty() ? nc_put_var(group_, id, data)
-                            : nc_put_vara(group_, id, block.start.data(), block.count.data(), data));
-}
-
-NetcdfWriter::Variable NetcdfWriter::write(const std::string& name, const std::vector<Dimension>& dimensions,
-                                           const NetcdfValues& values, const std::string& units,
-                                           const std::string& long_name) const {
-  const Variable variable = define(name, static_cast<NetcdfType>(values.index()), dimensions, units, long_name);
-  put(variable, values);
-  return variable;
-}
-
-void NetcdfWriter::attribute(const char* name, const std::string& text) const {
-  attribute(Variable{NC_GLOBAL}, name, text);
-}
-
-void NetcdfWriter::attribute(Variable variable, const char* name, const std::string& text) const {
-  check(nc_put_att_text(group_, static_cast<int>(variable), name, text.size(), text.data()));
-}
-
-void NetcdfWriter::attribute(Variable variable, const char* name, const NetcdfValues& values) const {
-  const std::size_t count = std::visit([](const auto& of_one_type) { return of_one_type.size(); }, values);
-  check(nc_put_att(group_, static_cast<int>(variable), name, library_types[values.index()], count, address(values)));
+  const auto [group, id] = variables_.at(static_cast<std::size_t>(variable));
+  check(block.start.empty() ? nc_put_var(group, id, data)
+                            : nc_put_vara(group, id, block.start.data(), block.count.data(), data));
 }
 
 std::string NetcdfWriter::finish() {

@@ -82,15 +82,18 @@ TEST(NetcdfReaderTest, SaysWhatIsWrong) {
 /// A file with a value of every type, the first row of its table behind the second; as bytes, or its path on disk.
 std::string made_up(const std::string& name, NetcdfWriter::Place place) {
   NetcdfWriter file(name, place);
-  file.describe("t", "s", "1");
-  const auto rows = file.dimension("row", 2), columns = file.dimension("column", 3);
-  const auto table = file.define("table", NetcdfType::number, {rows, columns}, "m", "a table");
-  file.attribute(table, "coordinates", "name number");
-  file.attribute(table, "flags", std::vector<signed char>{0, 1});
-  const auto names = file.define("name", NetcdfType::text, {rows}, "", "names");
+  for (const ResultAttribute& one : file_attributes("t", "s", "1")) file.attribute(one);
+  const ResultDimension rows{"row", 2}, columns{"column", 3};
+  const auto table = file.add({"table",
+                               {rows, columns},
+                               "m",
+                               "a table",
+                               {{"coordinates", "name number"}, {"flags", std::vector<signed char>{0, 1}}}});
+  const auto names = file.add({"name", {rows}, "", "names", {}, std::vector<std::string>()});
   file.chunk(names, {1});
-  file.write("number", {rows}, std::vector{3, -4}, "", "numbers");
-  file.write("single", {}, std::vector{0.1}, "s", "a number");
+  file.add({"number", {rows}, "", "numbers", {}, std::vector{3, -4}});
+  file.add({"single", {}, "s", "a number", {}, std::vector{0.1}});
+  file.add({"part/of", {rows, {"part/column", 1}}, "s", "of a group", {}, std::vector{7.0, 8.0}});
   file.put(table, std::vector{4.0, 5.0, 6.0}, {{1, 0}, {1, 3}});
   file.put(table, std::vector{1.0, 2.0, 3.0}, {{0, 0}, {1, 3}});
   file.put(names, std::vector<std::string>{"b"}, {{1}, {1}});
@@ -111,14 +114,19 @@ TEST(NetcdfWriterTest, WritesBlocksOfEveryTypeInMemoryAndOnDisk) {
     EXPECT_EQ(file->texts("name"), (std::vector<std::string>{"", "b"}));
     EXPECT_EQ(file->numbers("number"), (std::vector<double>{3, -4}));
     EXPECT_EQ(file->numbers("single"), std::vector<double>{0.1});
+    EXPECT_EQ(file->numbers("part/of"), (std::vector<double>{7, 8}));
+    EXPECT_EQ(file->dimension_size("column"), 3U);
+    EXPECT_EQ(file->dimension_size("part/column"), 1U);
+    EXPECT_EQ(file->dimension_size("nothing"), 0U);
   }
 }
 
 TEST(NetcdfWriterTest, SaysWhatTheLibraryRefuses) {
-  const NetcdfWriter file("made-up.nc", NetcdfWriter::Place::memory);
-  static_cast<void>(file.dimension("row", 2));
+  NetcdfWriter file("made-up.nc", NetcdfWriter::Place::memory);
+  const ResultVariable twice{"row", {{"row", 2}}, "", "rows", {}, std::vector{1.0, 2.0}};
+  file.add(twice);
   try {
-    static_cast<void>(file.dimension("row", 3));
+    file.add(twice);
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()).find("made-up.nc: "), 0U) << error.what();

@@ -7,9 +7,9 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/files/result_reading.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/results/run_variables.h"
 
 namespace bentur {
 namespace {
@@ -426,7 +426,7 @@ TEST(HistoriesNetcdf, YieldingAndLinksAreReadBack) {
   EXPECT_EQ(values(file, "link_elevation", {2}), (std::vector<double>{3, 3}));
   EXPECT_EQ(file.texts("link_right"), (std::vector<std::string>{"Right", "Right"}));
   EXPECT_EQ(file.find("ductility_2"), nullptr);  // nothing of it can yield
-  const RunResults read = read_histories(file);
+  const RunResults read = read_run(file);
   const auto& yielding = read.response.buildings[0].yielding;
   ASSERT_EQ(yielding.ductility.size(), 2);
   EXPECT_EQ(yielding.ductility(0), 2.5);

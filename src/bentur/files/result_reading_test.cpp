@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "bentur/files/atomic_file.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/temporary_folder.h"

@@ -28,11 +28,11 @@ std::string problem_with(const struct stat& status, const InputKind& kind) {
 }
 
 /// A file that closes by itself.
-struct OpenFile {
-  explicit OpenFile(int number) : descriptor(number) {}
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() {
+struct OpenInput {
+  explicit OpenInput(int number) : descriptor(number) {}
+  OpenInput(const OpenInput&) = delete;
+  OpenInput& operator=(const OpenInput&) = delete;
+  ~OpenInput() {
     if (descriptor >= 0) ::close(descriptor);
   }
   int descriptor;
@@ -53,7 +53,7 @@ std::optional<std::string> read_input(const std::filesystem::path& file, const I
   problem = input_problem(file, kind);
   if (!problem.empty()) return std::nullopt;
   // It may have become something else since: O_NONBLOCK does not wait for a pipe, and what is open is looked at again.
-  const OpenFile open(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  const OpenInput open(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat status {};
   if (open.descriptor < 0 || ::fstat(open.descriptor, &status) != 0) {
     problem = cannot_be_read(errno);

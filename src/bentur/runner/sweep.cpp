@@ -11,11 +11,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bentur/files/atomic_file.h"
 #include "bentur/files/netcdf.h"
+#include "bentur/files/netcdf_kind.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/runner/internal/distribute.h"
 #include "bentur/runner/internal/sweep_netcdf.h"
 #include "bentur/study/plan/study_check.h"
+#include "bentur/study/study_variables.h"
 
 namespace bentur {
 namespace {
@@ -80,7 +82,7 @@ std::map<std::string, std::string> records_of(const std::string& attribute) {
 /// another one: to go on with them would be to lose them.
 bool is_finished(const fs::path& output, ResultKind kind, const JournalOrigin& origin) {
   std::error_code failed;
-  if (!fs::is_regular_file(output, failed) || !is_result(output, kind)) return false;
+  if (!fs::is_regular_file(output, failed) || !is_netcdf_result(output, kind)) return false;
   const NetcdfReader results(output);
   JournalOrigin there = origin;
   there.version = results.attribute("bentur_version");
@@ -96,7 +98,8 @@ bool is_finished(const fs::path& output, ResultKind kind, const JournalOrigin& o
 
 /// What must not be written over.
 OutputRules rules_of(const StudyRuns& runs, bool force) {
-  OutputRules rules{.inputs = {runs.study().file, runs.study().case_file}, .force = force};
+  OutputRules rules{
+      .inputs = {runs.study().file, runs.study().case_file}, .force = force, .is_netcdf = &is_netcdf_result};
   rules.inputs.insert(rules.inputs.end(), runs.facts().record_files.begin(), runs.facts().record_files.end());
   return rules;
 }

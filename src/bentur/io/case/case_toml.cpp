@@ -325,4 +325,15 @@ std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& di
   return text ? read_case_text(*text, file, diagnostics) : std::nullopt;
 }
 
+std::vector<std::filesystem::path> files_read(const Case& c) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const std::string& path) {
+    if (!path.empty()) files.emplace_back(path);
+  };
+  if (c.excitation.record) add(c.excitation.record->path);
+  if (c.excitation.spectrum) add(c.excitation.spectrum->path);
+  for (const BuildingSpec& building : c.buildings) add(building.shapes_path);
+  return files;
+}
+
 }  // namespace bentur

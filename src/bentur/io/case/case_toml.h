@@ -23,4 +23,7 @@ namespace bentur {
 [[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
                                                            Diagnostics& diagnostics);
 
+/// The files that were read for a case beside its own: of its record, its spectrum and its shapes.
+[[nodiscard]] std::vector<std::filesystem::path> files_read(const Case& c);
+
 }  // namespace bentur

@@ -3,7 +3,7 @@
 #include <optional>
 #include <system_error>
 
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
 

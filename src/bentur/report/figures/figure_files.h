@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
 
@@ -32,7 +32,7 @@ std::vector<std::string> write_run_figures(const std::filesystem::path& folder, 
                                            const std::vector<std::string>& formats, const OutputRules& rules);
 
 /// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure
-/// by bentur (files/result_kind.h) stays, and so does an input.
+/// by bentur (io/output/result_kind.h) stays, and so does an input.
 void remove_run_figures(const std::filesystem::path& folder, const OutputRules& rules);
 
 }  // namespace bentur

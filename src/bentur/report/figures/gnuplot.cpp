@@ -11,7 +11,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/temporary_folder.h"
 
 namespace bentur {

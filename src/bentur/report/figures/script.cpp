@@ -8,7 +8,7 @@
 #include <span>
 
 #include "bentur/core/errors.h"
-#include "bentur/files/result_kind.h"
+#include "bentur/io/output/result_kind.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"

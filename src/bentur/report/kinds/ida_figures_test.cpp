@@ -21,13 +21,13 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 std::filesystem::path write_results(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "ida.nc";
   NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
-  const auto record = file.dimension("record", records), width = file.dimension("width", widths),
-             intensity = file.dimension("intensity", levels), point = file.dimension("point", 1);
+  const ResultDimension record{"record", records}, width{"width", widths}, intensity{"intensity", levels},
+      point{"point", 1};
   const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";
-  file.write("record", {record}, std::vector<std::string>{"a", "b", "c"}, "", "excitation.file");
-  file.write("width", {width}, std::vector{0.1, 0.2}, "m", "gap[0].width");
-  file.write("intensity", {intensity}, std::vector{0.5, 1.0, 1.5, 2.0}, "gravity", measure);
-  file.write("record_intensity", {record}, std::vector{1.0, 1.0, 1.0}, "gravity", measure);
+  file.add({"record", {record}, "", "excitation.file", {}, std::vector<std::string>{"a", "b", "c"}});
+  file.add({"width", {width}, "m", "gap[0].width", {}, std::vector{0.1, 0.2}});
+  file.add({"intensity", {intensity}, "gravity", measure, {}, std::vector{0.5, 1.0, 1.5, 2.0}});
+  file.add({"record_intensity", {record}, "gravity", measure, {}, std::vector{1.0, 1.0, 1.0}});
   std::vector<double> forces, impacts;
   for (int r = 0; r < records; ++r) {
     for (int w = 0; w < widths; ++w) {
@@ -38,9 +38,10 @@ std::filesystem::path write_results(const std::filesystem::path& folder) {
       }
     }
   }
-  file.write("peak_force", {record, width, intensity, point}, forces, "kN", "largest force");
-  file.write("impacts", {record, width, intensity, point}, impacts, "1", "impacts");
-  file.write("status", {record, width, intensity}, std::vector<signed char>(forces.size()), "", "how the run ended");
+  file.add({"peak_force", {record, width, intensity, point}, "kN", "largest force", {}, forces});
+  file.add({"impacts", {record, width, intensity, point}, "1", "impacts", {}, impacts});
+  file.add(
+      {"status", {record, width, intensity}, "", "how the run ended", {}, std::vector<signed char>(forces.size())});
   file.finish();
   return path;
 }

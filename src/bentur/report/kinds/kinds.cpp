@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/files/result_reading.h"
+#include "bentur/io/results/run_variables.h"
 #include "bentur/model/quantities.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
@@ -112,7 +112,7 @@ std::vector<FigureKind> figure_kinds(const RunResults& run) {
 }
 
 std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
-  if (is_histories(results)) return figure_kinds(read_histories(results));
+  if (is_run(results)) return figure_kinds(read_run(results));
   if (results.find("status") == nullptr) refuse(results);
   std::vector<FigureKind> kinds;
   if (is_ida(results)) {
@@ -152,7 +152,7 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
 }
 
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
-  if (is_histories(results)) return figure_of_run(read_histories(results), kind, options, results.name());
+  if (is_run(results)) return figure_of_run(read_run(results), kind, options, results.name());
   if (results.find("status") != nullptr) {
     const SweepData sweep(results, options.say);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);

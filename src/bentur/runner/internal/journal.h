@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {

@@ -9,9 +9,6 @@
 
 namespace bentur {
 
-/// An error for each coordinate of a study whose name the results need for something else.
-void check_names(const Study& study, Diagnostics& diagnostics);
-
 /// Writes the results of all runs as NetCDF-4 (docs/studies.md), some at a time. The same results give the same bytes.
 /// @throws std::runtime_error with the file and the reason.
 SweepTotals write_sweep_netcdf(const std::filesystem::path& file, const StudyRuns& runs, const Journal& journal,

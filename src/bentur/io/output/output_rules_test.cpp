@@ -1,10 +1,10 @@
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/temporary_folder.h"
 
 namespace bentur {

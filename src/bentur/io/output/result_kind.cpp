@@ -1,4 +1,4 @@
-#include "bentur/files/result_kind.h"
+#include "bentur/io/output/result_kind.h"
 
 #include <cstddef>
 #include <fstream>
@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "bentur/files/netcdf.h"
 #include "bentur/io/file_identity.h"
 
 namespace bentur {
@@ -47,17 +46,6 @@ bool is_untouched_copy(const fs::path& file) {
          source["sha256"] == identify(file).sha256;
 }
 
-bool is_netcdf(const fs::path& file, ResultKind kind) {
-  try {
-    const NetcdfReader results(file);
-    if (!results.attribute("history").starts_with(netcdf_history)) return false;
-    if (kind == ResultKind::histories) return results.find("displacement_1") != nullptr;
-    return results.find("status") != nullptr && (results.find("intensity") != nullptr) == (kind == ResultKind::ida);
-  } catch (const NetcdfError&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 std::string_view kind_name(ResultKind kind) {
@@ -85,10 +73,6 @@ bool is_result(const fs::path& file, ResultKind kind) {
       return has_keys(json_of(file), {"version", "solver", "excitation", "buildings", "gaps"});
     case ResultKind::impacts:
       return beginning(file, 64).starts_with("left,right,elevation [");
-    case ResultKind::histories:
-    case ResultKind::sweep:
-    case ResultKind::ida:
-      return is_netcdf(file, kind);
     case ResultKind::case_copy:
       return is_untouched_copy(file);
     case ResultKind::spectrum:
@@ -102,6 +86,9 @@ bool is_result(const fs::path& file, ResultKind kind) {
       fs::path script = file;
       return is_result(script.replace_extension(".gp"), ResultKind::figure_script);
     }
+    case ResultKind::histories:
+    case ResultKind::sweep:
+    case ResultKind::ida:
     case ResultKind::example:
       break;
   }

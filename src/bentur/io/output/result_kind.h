@@ -30,7 +30,8 @@ inline constexpr std::string_view figure_script_mark = "# Draws the figure whose
 inline constexpr std::string_view report_mark = "<meta name=\"generator\" content=\"bentur";
 
 /// Whether a regular file is a result of this kind that bentur has written, by its content (docs/result-files.md): what
-/// a user has is never taken for one, a result that is damaged may not be known. Never an example.
+/// a user has is never taken for one, a result that is damaged may not be known. Never an example, nor one of NetCDF,
+/// which OutputRules::is_netcdf knows.
 [[nodiscard]] bool is_result(const std::filesystem::path& file, ResultKind kind);
 
 }  // namespace bentur

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
-#include "bentur/files/result_kind.h"
+#include "bentur/io/output/result_kind.h"
 
 namespace bentur {
 
@@ -19,6 +20,9 @@ class RefusedOutput : public std::runtime_error {
 struct OutputRules {
   std::vector<std::filesystem::path> inputs = {};  ///< files that this call reads
   bool force = false;                              ///< files that are not results of the same kind may be replaced
+  /// Knows results of NetCDF; without it none is known (files/netcdf_kind.h).
+  std::function<bool(const std::filesystem::path&, ResultKind)> is_netcdf = {};
+  const char* forced_by = "--force";  ///< what a user says for `force`
 
   /// Whether `file` is one of the inputs: by device and inode, so that links of either sort are seen through.
   [[nodiscard]] bool is_input(const std::filesystem::path& file) const;

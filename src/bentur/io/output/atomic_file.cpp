@@ -1,4 +1,4 @@
-#include "bentur/files/atomic_file.h"
+#include "bentur/io/output/atomic_file.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

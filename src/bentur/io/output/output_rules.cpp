@@ -1,4 +1,4 @@
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 
 #include <algorithm>
 #include <string>
@@ -60,11 +60,12 @@ fs::path output_target(const fs::path& path, ResultKind kind, const OutputRules&
   if (rules.force) return target;
   constexpr fs::perms writable = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if ((there.permissions() & writable) == fs::perms::none) {
-    throw RefusedOutput(path, "is write-protected; --force replaces it");
+    throw RefusedOutput(path, std::string("is write-protected; ") + rules.forced_by + " replaces it");
   }
-  if (fs::file_size(target, failed) != 0 && !is_result(target, kind)) {
+  const bool is_ours = is_result(target, kind) || (rules.is_netcdf && rules.is_netcdf(target, kind));
+  if (fs::file_size(target, failed) != 0 && !is_ours) {
     throw RefusedOutput(path, "is there and is not " + std::string(kind_name(kind)) +
-                                  "; give another name, or replace it with --force");
+                                  "; give another name, or replace it with " + rules.forced_by);
   }
   return target;
 }

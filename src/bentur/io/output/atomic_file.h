@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/output_rules.h"
+#include "bentur/io/output/output_rules.h"
 
 namespace bentur {
 

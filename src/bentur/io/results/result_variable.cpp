@@ -1,0 +1,30 @@
+#include "bentur/io/results/result_variable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace bentur {
+
+std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
+                                             std::string_view version) {
+  return {{"Conventions", "CF-1.8"},
+          {"title", title},
+          {"source", source},
+          {"history", fmt::format("{} {}", result_history, version)}};
+}
+
+void name_coordinates(ResultVariable& variable, const std::string& more) {
+  std::string names = more;
+  for (const ResultDimension& dimension : variable.dimensions) {
+    if (!dimension.coordinates.empty()) names += (names.empty() ? "" : " ") + dimension.coordinates;
+  }
+  std::istringstream words(names);
+  for (std::string word; words >> word;) {
+    if (word == variable.name) return;  // is one itself
+  }
+  if (!names.empty()) variable.attributes.push_back({"coordinates", names});
+}
+
+}  // namespace bentur

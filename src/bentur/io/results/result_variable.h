@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bentur {
+
+/// A dimension of the variables of a file of results.
+struct ResultDimension {
+  std::string name;
+  std::size_t size = 0;
+  std::string coordinates = {};  ///< names of the variables that say where its places are, but for one of its own name
+};
+
+/// Values, last dimension fastest: as a run has them, or made of it. Of no values the type alone counts.
+using ResultValues = std::variant<std::span<const double>, std::vector<double>, std::vector<int>,
+                                  std::vector<signed char>, std::vector<std::string>>;
+
+/// An attribute of a variable or a file, beside units and long_name.
+struct ResultAttribute {
+  std::string name;
+  std::variant<std::string, double, std::vector<signed char>> value;
+};
+
+/// A variable of a file of results. One of a group is called "group/variable", and so are the group's own dimensions.
+struct ResultVariable {
+  std::string name;
+  std::vector<ResultDimension> dimensions;
+  std::string units, long_name;  ///< units as UDUNITS reads them; empty: none
+  std::vector<ResultAttribute> attributes = {};
+  ResultValues values = {};
+};
+
+/// What a file of results holds.
+struct ResultFile {
+  std::vector<ResultAttribute> attributes;
+  std::vector<ResultVariable> variables;
+};
+
+/// What the history of every file of ours begins with, before the version of the program.
+inline constexpr std::string_view result_history = "written by bentur";
+
+/// The attributes that all files of ours have: conventions, title, source and history.
+[[nodiscard]] std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
+                                                           std::string_view version);
+
+/// Names the coordinates of a variable's dimensions in its attribute "coordinates", behind `more`.
+void name_coordinates(ResultVariable& variable, const std::string& more = "");
+
+/// A file of results that is read.
+class ResultSource {
+ public:
+  virtual ~ResultSource() = default;
+  /// 0 where there is no such dimension.
+  [[nodiscard]] virtual std::size_t dimension_size(std::string_view dimension) const = 0;
+  [[nodiscard]] virtual bool has(std::string_view variable) const = 0;
+  [[nodiscard]] virtual std::vector<double> numbers(std::string_view variable) const = 0;
+  [[nodiscard]] virtual std::vector<std::string> texts(std::string_view variable) const = 0;
+  /// A text attribute of a variable, or of the file; empty where there is none.
+  [[nodiscard]] virtual std::string attribute(std::string_view variable, const std::string& attribute) const = 0;
+  [[nodiscard]] virtual std::string attribute(const std::string& attribute) const = 0;
+  /// Throws what keeps the file from being read.
+  [[noreturn]] virtual void fail(const std::string& why) const = 0;
+};
+
+}  // namespace bentur

@@ -1,0 +1,464 @@
+#include "bentur/io/results/run_variables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+
+#include "bentur/io/results/internal/variable_pass.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+namespace {
+
+/// Of the forces at the ends of a struck column, in the order of StructuralModel::column_forces.
+struct ColumnEnd {
+  const char *name, *long_name;
+  bool is_moment = false;
+};
+constexpr std::array<ColumnEnd, 6> column_ends = {{
+    {"node_shear_below", "shear of struck columns below the node", false},
+    {"node_shear_above", "shear of struck columns above the node", false},
+    {"node_moment_bottom", "moment at the bottom of struck columns", true},
+    {"node_moment_below", "moment of struck columns at the node, of the piece below it", true},
+    {"node_moment_above", "moment of struck columns at the node, of the piece above it", true},
+    {"node_moment_top", "moment at the top of struck columns", true},
+}};
+
+struct EnergyCurve {
+  const char* name;
+  Eigen::VectorXd EnergyHistories::*values;
+  const char* long_name;
+};
+constexpr std::array<EnergyCurve, 7> energy_curves = {{
+    {"input", &EnergyHistories::input, "energy at the start and work of the ground motion so far"},
+    {"kinetic", &EnergyHistories::kinetic, "kinetic energy of the buildings, relative to their bases"},
+    {"strain", &EnergyHistories::strain, "strain energy of the buildings and links"},
+    {"damping", &EnergyHistories::damping, "energy lost to the damping of the buildings and links so far"},
+    {"hysteretic", &EnergyHistories::hysteretic, "energy lost to yielding of storeys and links so far"},
+    {"contact_stored", &EnergyHistories::contact_stored, "energy stored in contacts, to be given back"},
+    {"contact_lost", &EnergyHistories::contact_lost, "energy lost in contacts so far"},
+}};
+
+/// Where gaps, contact points and links are. Without a unit of length they have no elevations.
+template <class File, class Problem>
+class PlaceList : protected VariablePass<File> {
+ public:
+  PlaceList(File& file, Problem& problem) : VariablePass<File>(file), problem_(problem) {}
+
+  void places(const std::string& point_length, const std::string& link_length) {
+    const std::vector<Building>& buildings = problem_.buildings;
+    gaps = this->file_.dimension({"gap", std::max<std::size_t>(buildings.size(), 1) - 1, "gap_name"});
+    points = this->file_.dimension(
+        {"point", problem_.points.size(), (point_length.empty() ? "" : "point_elevation ") + of_points});
+    links = this->file_.dimension(
+        {"link", problem_.links.size(), (link_length.empty() ? "" : "link_elevation ") + of_links});
+    this->fit(problem_.points, points.size);
+    this->fit(problem_.links, links.size);
+    std::vector<std::string> names;
+    for (Eigen::Index gap = 0; gap < static_cast<Eigen::Index>(gaps.size); ++gap) {
+      names.push_back(gap_name(problem_, gap));
+    }
+    this->made({"gap_name", {gaps}, "", "buildings on both sides of the gaps"}, names);
+    this->named({"point_left", {points}, "", "building to the left of the contact points"}, problem_.points,
+                &ContactPoint::left, buildings);
+    this->named({"point_right", {points}, "", "building to the right of the contact points"}, problem_.points,
+                &ContactPoint::left, buildings, 1);
+    if (!point_length.empty()) {
+      this->each({"point_elevation", {points}, point_length, "elevation of the contact points"}, problem_.points,
+                 &ContactPoint::elevation);
+    }
+    this->named({"link_left", {links}, "", "left building of the links"}, problem_.links, &Link::left, buildings);
+    this->named({"link_right", {links}, "", "right building of the links"}, problem_.links, &Link::right, buildings);
+    if (!link_length.empty()) {
+      this->each({"link_elevation", {links}, link_length, "elevation of the links"}, problem_.links, &Link::elevation);
+    }
+  }
+
+  const std::string of_points = "point_left point_right", of_links = "link_left link_right";
+  ResultDimension gaps, points, links;
+
+ protected:
+  Problem& problem_;
+};
+
+template <class File, class Part>
+using PartOf = std::conditional_t<File::reads, Part, const Part>;
+
+/// Goes through all variables of a run: `File` is a Teller of a `Run` that is const, or a Giver to one that is not.
+template <class File, class Run>
+class RunList : private PlaceList<File, PartOf<File, Problem>> {
+  using List = PlaceList<File, PartOf<File, Problem>>;
+  using List::each, List::file_, List::fit, List::made, List::pass, List::problem_, List::single;
+  using List::gaps, List::links, List::places, List::points;
+
+ public:
+  RunList(File& file, Run& run, std::string length, std::string force)
+      : List(file, run.problem),
+        run_(run),
+        response_(run.response),
+        histories_(run.response.histories),
+        length_(std::move(length)),
+        force_(std::move(force)),
+        moment_(force_ + " " + length_) {}
+
+  void all() {
+    time_ = file_.dimension({"time", histories_.time.size()});
+    const ResultDimension buildings = file_.dimension({"building", problem_.buildings.size(), "building_name"});
+    fit(problem_.buildings, buildings.size);
+    fit(response_.buildings, buildings.size);
+    pass({"time", {time_}, "s", "time", {{"axis", "T"}}}, histories_.time);
+    pass({"ground_acceleration", {time_}, length_ + " s-2", "ground acceleration without delay"},
+         histories_.ground_acceleration);
+    each({"building_name", {buildings}, "", "names of the buildings, left to right"}, problem_.buildings,
+         &Building::name);
+    std::vector<double> delays = problem_.delays;
+    delays.resize(buildings.size, 0.0);
+    made({"building_delay", {buildings}, "s", "delay of the ground motion at the buildings"}, delays);
+    for (std::size_t b = 0; b < buildings.size; ++b) building(b);
+    places(length_, length_);
+    quantities(Owner::gap, gaps, first_places(static_cast<Eigen::Index>(gaps.size)));
+    quantities(Owner::run, {}, {{}});
+    contact_points();
+    fit(response_.links, links.size);
+    quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
+    impacts();
+    close_up();
+    spectrum();
+    energy();
+    course();
+  }
+
+ private:
+  /// Every quantity of `owner` at the places along a dimension, or at one place. Names and descriptions are followed by
+  /// what they are of: "_1", " of building \"A\"". Read are those that a response keeps.
+  void quantities(Owner owner, const std::optional<ResultDimension>& along, const std::vector<QuantityPlace>& at,
+                  const std::string& suffix = "", const std::string& of = "") {
+    for (const Quantity* quantity : quantities_of(owner)) {
+      ResultVariable variable{file_name(*quantity) + suffix, {}, "", std::string(quantity->long_name) + of};
+      if (along) variable.dimensions.push_back(*along);
+      std::vector<double> values;
+      if constexpr (File::reads) {
+        const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity) ||
+                             is_of_columns(*quantity);
+        if (!is_kept(*quantity) || (of_some && !file_.has(variable.name, false))) continue;
+        made(variable, values);
+        for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], at[i], response_);
+      } else {
+        const RunView& view = view_ ? *view_ : view_.emplace(run_.view());
+        if (!is_told_at_any(*quantity, view, at)) continue;
+        variable.units = udunits(quantity->units, run_.c.units);
+        if (!quantity->symbol.empty()) variable.attributes.push_back({"symbol", std::string(quantity->symbol)});
+        for (const QuantityPlace& place : at) values.push_back(value_of(*quantity, view, place));
+        made(std::move(variable), values);
+      }
+    }
+  }
+
+  void building(std::size_t b) {
+    auto& building = problem_.buildings[b];
+    auto& model = building.model;
+    const Eigen::Index item = static_cast<Eigen::Index>(b);
+    const std::string number = fmt::format("_{}", b + 1);
+    const std::string owner = fmt::format("building \"{}\"", building.name);
+    const std::string of_floors = " of the floors of " + owner;
+    const std::string of_storeys = " of the storeys of " + owner + ", each by the floor above it";
+    const ResultDimension floors = file_.dimension({"elevation" + number, model.elevations.size()});
+    const std::vector<ResultAttribute> upwards = {{"axis", "Z"}, {"positive", "up"}};
+    pass({floors.name, {floors}, length_, "elevation" + of_floors, upwards}, model.elevations);
+    const auto history = [&](const std::string& name, auto& list, const std::string& units, const std::string& what) {
+      fit(list, problem_.buildings.size());
+      if (time_.size > 0) pass({name + number, {time_, floors}, units, what}, list[b]);
+    };
+    history("displacement", histories_.displacement, length_, "displacement relative to the own base" + of_floors);
+    history("velocity", histories_.velocity, length_ + " s-1", "velocity relative to the own base" + of_floors);
+    history("acceleration", histories_.acceleration, length_ + " s-2", "absolute acceleration" + of_floors);
+    history("drift_ratio", histories_.drift_ratio, "1", "relative floor displacement over the height" + of_storeys);
+    history("storey_shear", histories_.storey_shear, force_,
+            "sum of the elastic forces of all floors above the foot" + of_storeys);
+    double base = 0;
+    if constexpr (!File::reads) {
+      Eigen::MatrixXd base_shear;
+      if (time_.size > 0) base_shear = histories_.storey_shear[b].row(0);
+      made({"base_shear" + number, {time_}, force_, "shear of the lowest storey of " + owner}, base_shear);
+      base = model.elevations.front() - model.storey_heights.front();
+    }
+    single({"base_elevation" + number, {}, length_, "elevation of the base of " + owner}, base);
+    if constexpr (File::reads) {
+      if (model.elevations.empty()) file_.source.fail("has no floors of " + owner);
+      for (const double elevation : model.elevations) {
+        model.storey_heights.push_back(elevation - std::exchange(base, elevation));
+      }
+    }
+    quantities(Owner::floor, floors, floors_of(problem_, item), number, of_floors);
+    quantities(Owner::building, {}, {{item, 0}}, number, " of " + owner);
+    nodes(b, number, owner);
+    modes(building, floors, number, owner);
+  }
+
+  /// Places in columns of a building that floors strike.
+  void nodes(std::size_t b, const std::string& number, const std::string& owner) {
+    auto& elevations = problem_.buildings[b].model.node_elevations;
+    const ResultDimension nodes = file_.dimension({"node" + number, elevations.size(), "node_elevation" + number});
+    const std::string what = "elevation of the places in columns of " + owner + " that floors strike";
+    pass({"node_elevation" + number, {nodes}, length_, what}, elevations);
+    const auto count = static_cast<Eigen::Index>(nodes.size);
+    if constexpr (File::reads) {
+      histories_.node_displacement.emplace_back(count, static_cast<Eigen::Index>(time_.size));
+      histories_.column_forces.emplace_back(6 * count, static_cast<Eigen::Index>(time_.size));
+    }
+    if (count == 0 || time_.size == 0) return;
+    pass({"node_displacement" + number,
+          {time_, nodes},
+          length_,
+          "displacement of struck columns of " + owner + " where they are struck, relative to the own base"},
+         histories_.node_displacement[b]);
+    auto& forces = histories_.column_forces[b];
+    for (std::size_t end = 0; end < column_ends.size(); ++end) {
+      const auto& [name, long_name, is_moment] = column_ends[end];
+      const auto rows = Eigen::seqN(static_cast<Eigen::Index>(end), count, Eigen::fix<6>);
+      Eigen::MatrixXd values = forces(rows, Eigen::all);
+      made({name + number, {time_, nodes}, is_moment ? moment_ : force_, fmt::format("{} of {}", long_name, owner)},
+           values);
+      if constexpr (File::reads) forces(rows, Eigen::all) = values;
+    }
+  }
+
+  /// None of a building that moves with the ground.
+  template <class Owned>
+  void modes(Owned& building, const ResultDimension& floors, const std::string& number, const std::string& owner) {
+    const ResultDimension modes =
+        file_.dimension({"mode" + number, static_cast<std::size_t>(building.modes.omega.size())});
+    Eigen::MatrixXd periods, shapes;
+    if constexpr (!File::reads) {
+      periods = 2 * std::numbers::pi * building.modes.omega.cwiseInverse();
+      if (modes.size > 0) shapes = sway_shapes(building);
+    }
+    made({"period" + number, {modes}, "s", "periods of " + owner}, periods);
+    made({"shape" + number, {modes, floors}, "1", "sways of the mode shapes, the largest 1, of " + owner}, shapes);
+    if constexpr (File::reads) {
+      building.modes.shapes = shapes;
+      if (modes.size == 0) return;
+      building.modes.omega = 2 * std::numbers::pi * periods.col(0).cwiseInverse();
+      building.model.has_slab = building.model.storey_heights.front() == 0;
+      building.model.has_soil = file_.has("peak_sway" + number, false);
+    }
+  }
+
+  void contact_points() {
+    points.coordinates = "point_elevation point_width " + List::of_points;
+    fit(response_.points, points.size);
+    quantities(Owner::point, points, first_places(static_cast<Eigen::Index>(points.size)));
+    if (time_.size > 0) {
+      pass({"opening", {time_, points}, length_, "opening of the contact points, negative in contact"},
+           histories_.opening);
+      pass({"force", {time_, points}, force_, "contact force"}, histories_.force);
+    }
+    if constexpr (File::reads) each({"point_width", {points}, "", ""}, problem_.points, &ContactPoint::width);
+    struck();
+  }
+
+  /// Which columns are struck at the contact points, and what they bear; nothing where floors meet at all of them.
+  void struck() {
+    auto& all = problem_.points;
+    std::vector<std::string> names(all.size());
+    std::vector<int> nodes(all.size(), -1);
+    std::vector<double> shears(all.size()), moments(all.size());
+    bool some = false;
+    for (std::size_t i = 0; !File::reads && i < all.size(); ++i) {
+      const std::optional<StruckColumn> column = struck_column(problem_, all[i]);
+      if (!column) continue;
+      some = true;
+      names[i] = problem_.buildings[column->building].name;
+      nodes[i] = static_cast<int>(column->node);
+      shears[i] = all[i].column_shear_capacity;
+      moments[i] = all[i].column_moment_capacity;
+    }
+    if (!file_.has("point_struck", some)) return;
+    made({"point_struck", {points}, "", "building whose column is struck at the contact points, or nothing"}, names);
+    made({"point_node", {points}, "", "number of its node, counted from 0; -1 where floors meet"}, nodes);
+    made({"column_shear_capacity", {points}, force_, "shear that the struck column bears; 0: not given"}, shears);
+    made({"column_moment_capacity", {points}, moment_, "moment that the struck column bears; 0: not given"}, moments);
+    if constexpr (File::reads) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (names[i].empty()) continue;
+        const bool left = problem_.buildings[all[i].left].name == names[i];
+        const StructuralModel& model = problem_.buildings[all[i].left + (left ? 0 : 1)].model;
+        if (nodes[i] < 0 || nodes[i] >= model.nodes()) file_.source.fail("a floor strikes a column that is not in it");
+        (left ? all[i].left_floor : all[i].right_floor) = model.floors() + nodes[i];
+        all[i].column_shear_capacity = shears[i];
+        all[i].column_moment_capacity = moments[i];
+      }
+    }
+  }
+
+  void impacts() {
+    auto& all = response_.impacts;
+    const ResultDimension impact = file_.dimension({"impact", all.size()});
+    fit(all, impact.size);
+    std::vector<int> at;
+    for (const Impact& one : all) at.push_back(static_cast<int>(one.point));
+    made({"impact_point", {impact}, "", "number of the contact point of each impact, counted from 0"}, at);
+    if constexpr (File::reads) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (at[i] < 0 || at[i] >= std::ssize(problem_.points)) file_.source.fail("an impact is at no point of it");
+        all[i].point = at[i];
+      }
+    }
+    quantities(Owner::impact, impact, first_places(std::ssize(all)), "", " of each impact");
+  }
+
+  void close_up() {
+    auto& found = run_.figures.close_up;
+    if (!file_.has("close_up_time", found.has_value())) return;
+    if constexpr (File::reads) found.emplace();
+    const ResultDimension time = file_.dimension({"close_up_time", found->time.size()});
+    single({"close_up_impact", {}, "", "number of the impact shown, counted from 0"}, found->impact);
+    pass({"close_up_time", {time}, "s", "time of the samples of one impact"}, found->time);
+    pass({"close_up_opening", {time}, length_, "opening of its contact point"}, found->opening);
+    pass({"close_up_force", {time}, force_, "force of its contact point"}, found->force);
+  }
+
+  void spectrum() {
+    auto& figures = run_.figures;
+    if (!file_.has("spectrum_period", !figures.spectrum.empty())) return;
+    const ResultDimension period = file_.dimension({"spectrum_period", figures.spectrum_periods.size()});
+    fit(figures.spectrum, period.size);
+    pass({"spectrum_period", {period}, "s", "period of linear oscillators"}, figures.spectrum_periods);
+    single({"spectrum_damping", {}, "1", "damping ratio of linear oscillators"}, figures.spectrum_damping);
+    each({"spectrum_displacement", {period}, length_, "spectral displacement of the ground motion"}, figures.spectrum,
+         &OscillatorPeaks::displacement);
+    each({"spectrum_acceleration", {period}, length_ + " s-2", "spectral pseudo-acceleration of the ground motion"},
+         figures.spectrum, &OscillatorPeaks::pseudo_acceleration);
+  }
+
+  void energy() {
+    if (!file_.has("energy_input", response_.energy.has_value())) return;
+    if constexpr (File::reads) response_.energy.emplace();
+    for (const auto& [name, values, what] : energy_curves) {
+      ResultVariable variable{fmt::format("energy_{}", name), {time_}, moment_, what};
+      auto& curve = response_.energy->histories.*values;
+      if (File::reads || curve.size() > 0) {
+        pass(std::move(variable), curve);
+      } else {  // nothing can yield
+        std::vector<double> zeros(time_.size);
+        made(std::move(variable), zeros);
+      }
+    }
+  }
+
+  /// In a group of its own, whose time has no even steps.
+  void course() {
+    auto& course = response_.course;
+    const ResultDimension time = file_.dimension({"exact/time", course.time.size()});
+    if (time.size == 0) return;
+    const std::string what =
+        "instants between which straight lines follow the solution; two at one time where a force jumps";
+    pass({"exact/time", {time}, "s", what, {{"axis", "T"}}}, course.time);
+    for (std::size_t b = 0; b < problem_.buildings.size(); ++b) {
+      const Building& building = problem_.buildings[b];
+      const std::string number = fmt::format("_{}", b + 1);
+      const ResultDimension floors{"elevation" + number, building.model.elevations.size()};
+      const ResultDimension nodes{"node" + number, building.model.node_elevations.size()};
+      const auto curves = [&](const std::string& name, auto& list, const ResultDimension& along,
+                              const std::string& units, const std::string& of) {
+        fit(list, problem_.buildings.size());
+        const ResultVariable variable{
+            "exact/" + name + number, {time, along}, units, fmt::format("{} of building \"{}\"", of, building.name)};
+        if (file_.has(variable.name, along.size > 0 && list[b].size() > 0)) pass(variable, list[b]);
+      };
+      curves("displacement", course.displacement, floors, length_,
+             "displacement relative to the own base of the floors");
+      curves("drift_ratio", course.drift_ratio, floors, "1",
+             "relative floor displacement over the height of the storeys");
+      curves("storey_shear", course.storey_shear, floors, force_, "shear of the storeys");
+      curves("node_displacement", course.node_displacement, nodes, length_,
+             "displacement of struck columns where they are struck, relative to the own base");
+      if constexpr (File::reads) {
+        if (nodes.size == 0) course.node_displacement[b].resize(0, std::ssize(course.time));
+      }
+    }
+    pass({"exact/opening", {time, points}, length_, "opening of the contact points, negative in contact"},
+         course.opening);
+    pass({"exact/force", {time, points}, force_, "contact force"}, course.force);
+  }
+
+  Run& run_;
+  PartOf<File, Response>& response_;
+  PartOf<File, Histories>& histories_;
+  std::string length_, force_, moment_;
+  ResultDimension time_;
+  std::optional<RunView> view_ = {};  // of one that is written
+};
+
+/// The unit of a case that UDUNITS reads so.
+std::string unit_of(const std::string& udunits) { return udunits == udunit("tf") ? "tf" : udunits; }
+
+}  // namespace
+
+Eigen::Index nearest_floor(const Building& building, double elevation) {
+  const std::vector<double>& floors = building.model.elevations;
+  const auto near = std::min_element(floors.begin(), floors.end(), [&](double a, double b) {
+    return std::abs(a - elevation) < std::abs(b - elevation);
+  });
+  return near - floors.begin();
+}
+
+ResultFile run_file(const RunResults& results, std::string_view version) {
+  const Case& c = results.c;
+  ResultFile file;
+  file.attributes =
+      file_attributes(c.title, fmt::format("seismic pounding analysis, solver {}", name(c.analysis.solver)), version);
+  if (c.source) {
+    file.attributes.push_back({"case_file", c.source->file});
+    file.attributes.push_back({"case_sha256", c.source->sha256});
+  }
+  if (const std::optional<RecordEcho>& record = c.excitation.record; record && !record->sha256.empty()) {
+    file.attributes.push_back({"record_file", record->file});
+    file.attributes.push_back({"record_size", fmt::format("{}", record->size)});
+    file.attributes.push_back({"record_sha256", record->sha256});
+  }
+  Teller teller;
+  RunList(teller, results, udunit(c.units.length), udunit(c.units.force)).all();
+  file.variables = std::move(teller.variables);
+  return file;
+}
+
+RunResults read_run(const ResultSource& source) {
+  RunResults results;
+  if (source.dimension_size("time") == 0) source.fail("holds no histories");
+  results.c.title = source.attribute("title");
+  results.c.units.length = unit_of(source.attribute("displacement_1", "units"));
+  results.c.units.force = unit_of(source.attribute("storey_shear_1", "units"));
+  Giver giver(source);
+  RunList(giver, results, results.c.units.length, results.c.units.force).all();
+  Problem& problem = results.problem;
+  const auto take_floors = [&](auto& item, Eigen::Index left, Eigen::Index right) {
+    if (item.left_floor == 0) item.left_floor = nearest_floor(problem.buildings[left], item.elevation);
+    if (item.right_floor == 0) item.right_floor = nearest_floor(problem.buildings[right], item.elevation);
+  };
+  for (ContactPoint& point : problem.points) take_floors(point, point.left, point.left + 1);
+  for (Link& link : problem.links) take_floors(link, link.left, link.right);
+  problem.duration = results.response.histories.time.back();  // less than a step before the end of the analysis
+  for (const Impact& impact : results.response.impacts) problem.duration = std::max(problem.duration, impact.end);
+  results.c.analysis.duration = problem.duration;
+  return results;
+}
+
+bool is_run(const ResultSource& source) {
+  return source.has("displacement_1") && source.has("base_elevation_1") && source.has("gap_needed");
+}
+
+PlaceVariables place_variables(const Problem& problem, const std::string& point_length,
+                               const std::string& link_length) {
+  Teller teller;
+  PlaceList list(teller, problem);
+  list.places(point_length, link_length);
+  return {list.gaps, list.points, list.links, std::move(teller.variables)};
+}
+
+}  // namespace bentur
