@@ -13,10 +13,10 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/files/result_reading.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/results/run_variables.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/report.h"
@@ -212,7 +212,7 @@ TEST(StruckColumns, AreReadBackFromTheHistories) {
   EXPECT_EQ(file.at("node_moment_top_2").units, "kN m");
   EXPECT_EQ(file.texts("point_struck"), (std::vector<std::string>{"East", "West", "East", ""}));
   EXPECT_TRUE(std::isnan(file.numbers("column_shear").at(3)));
-  const RunResults read = read_histories(file);
+  const RunResults read = read_run(file);
   for (std::size_t b = 0; b < 2; ++b) {
     EXPECT_EQ(read.problem.buildings[b].model.node_elevations, run.problem.buildings[b].model.node_elevations);
     EXPECT_EQ(read.response.histories.node_displacement[b], run.response.histories.node_displacement[b]);

@@ -9,7 +9,7 @@ docs/python.md has the rest.
 
 from ._case import Case
 from ._core import version as __version__
-from ._errors import CaseError, Finding, SolveError
+from ._errors import CaseError, Finding, RefusedOutput, SolveError
 from ._functions import (
     Record,
     Spectrum,
@@ -68,6 +68,7 @@ __all__ = [
     "Matrices",
     "Modal",
     "Record",
+    "RefusedOutput",
     "Result",
     "Section",
     "Soil",

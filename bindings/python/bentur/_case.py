@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core, _model
+from . import _arguments, _core, _model
 
 # What stands in the case where a law of Python's own takes its place.
 _STAND_IN = {"law": "linear", "stiffness": 1.0}
@@ -74,14 +74,14 @@ class Case:
         self._made, self._laws, self._files = made._made, made._laws, made._files
 
     _made: _core.Case
-    _laws: list[tuple[int, _core.ContactLaw]]
+    _laws: list[tuple[int, _model.OwnLaw]]  # of gaps
     _files: list[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
 
     @classmethod
     def _of(
         cls,
         core: _core.Case,
-        laws: list[tuple[int, _core.ContactLaw]] | None = None,
+        laws: list[tuple[int, _model.OwnLaw]] | None = None,
         files: list[tempfile.TemporaryDirectory[str]] | None = None,
     ) -> Case:
         case = cls.__new__(cls)
@@ -94,24 +94,29 @@ class Case:
 
         :raises CaseError: with every error, each with file, line and column.
         """
-        return cls._of(_core.Case.from_file(file))
+        return cls._of(_core.Case.from_file(_arguments.path("file", file)))
 
     @classmethod
     def from_text(cls, text: str, *, name: str = "case.toml", folder: str | PathLike[str] = ".") -> Case:
         """The same of a text; `name` is what messages call it, `folder` the one that record files are relative to."""
-        return cls._of(_core.Case.from_text(text, name, folder))
+        told = _arguments.text("text", text), _arguments.text("name", name)
+        return cls._of(_core.Case.from_text(*told, _arguments.path("folder", folder)))
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any], *, folder: str | PathLike[str] = ".") -> Case:
         """A case from the tables of a case file, as dictionaries or classes or both."""
+        if not isinstance(values, Mapping):
+            raise TypeError(f"values is a {type(values).__name__}, must be the tables of a case")
+        folder = _arguments.path("folder", folder)
         tables = _model.table_of({key: value for key, value in values.items() if key != "gap"})
-        laws: list[tuple[int, _core.ContactLaw]] = []
+        laws: list[tuple[int, _model.OwnLaw]] = []
         gaps: list[Any] = []
         for number, gap in enumerate(values.get("gap") or []):
             contact = gap.get("contact") if isinstance(gap, Mapping) else gap.contact
             table = _model.table_of(gap)
             if isinstance(contact, _model.ForceLaw | _model.BranchLaw):
-                laws.append((number, contact._made()))
+                contact._made()  # says what is wrong with it
+                laws.append((number, contact))
                 table["contact"] = dict(_STAND_IN)
             gaps.append(table)
         if "gap" in values:
@@ -137,11 +142,16 @@ class Case:
             if isinstance(value, _model.ForceLaw | _model.BranchLaw):
                 if not of_gap:
                     raise ValueError(f"{key} cannot be a law of Python's own: only gap[N].contact can")
-                laws.append((int(of_gap[1]), value._made()))
+                value._made()
+                laws.append((int(of_gap[1]), value))
                 plain[key] = dict(_STAND_IN)
             else:
                 plain[key] = _model.table_of(value)
         return Case._of(self._made.with_values(plain), laws, self._files)
+
+    @property
+    def _made_laws(self) -> list[tuple[int, _core.ContactLaw]]:
+        return [(gap, law._made()) for gap, law in self._laws]
 
     def to_dict(self) -> dict[str, Any]:
         """The tables of the case as they were given. A law of Python's own is not among them."""
@@ -204,17 +214,19 @@ class Case:
         return f"<bentur.Case {self.title or ' | '.join(self.buildings)!r}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if self._laws:
-            raise TypeError("a case with a law of Python's own cannot be pickled")
         if self.text is not None:
             return _unpickled, (self.text, self._made.name, str(self.folder))
-        return _unpickled, (_with_record(self), "", str(self.folder))
+        return _unpickled, (_with_record(self), "", str(self.folder), self._laws)
 
 
-def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
+def _unpickled(
+    content: str | dict[str, Any], name: str, folder: str, laws: Sequence[tuple[int, _model.OwnLaw]] = ()
+) -> Case:
     if isinstance(content, str):
         return Case.from_text(content, name=name, folder=folder)
-    return Case.from_dict(content, folder=folder)
+    case = Case.from_dict(content, folder=folder)
+    case._laws = list(laws)
+    return case
 
 
 def _with_record(case: Case) -> dict[str, Any]:
@@ -243,4 +255,4 @@ def _write_values(tables: dict[str, Any], files: list[tempfile.TemporaryDirector
 
 
 def as_case(case: Case | str | PathLike[str]) -> Case:
-    return case if isinstance(case, Case) else Case.from_file(case)
+    return case if isinstance(case, Case) else Case.from_file(_arguments.path("case", case))

@@ -51,6 +51,10 @@ class SolveError(RuntimeError):
     """The numbers failed; the message says why and when."""
 
 
+class RefusedOutput(FileExistsError):
+    """Writing there would harm a file; the message names it, says why, and what to do. Nothing was written."""
+
+
 def missing(package: str, what: str) -> ImportError:
     """For what needs a package that is not there."""
     return ImportError(f"{what} needs {package}, which is not installed: pip install {package}")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+from . import _arguments, _core
 from ._case import Case, as_case
 from ._errors import missing
 from ._result import Result
@@ -56,9 +56,11 @@ def run(
     :raises SolveError: where the numbers fail.
     """
     asked = as_case(case)
+    if output_step is not None:
+        output_step = _arguments.positive("output_step", output_step)
     step = (output_step or asked._made.output_step) if histories else 0.0
     with shown(progress, asked.title or "run") as told:
-        return Result(_core.solve(asked._made, step, asked._laws, told), asked, asked._laws)
+        return Result(_core.solve(asked._made, step, asked._made_laws, told), asked)
 
 
 def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
@@ -82,9 +84,11 @@ def minimum_gap(
     :param case: a case or its file; or the file of a study: then over all of its records.
     :param at: for a study with ``[ida]``: the intensity; default its highest level.
     """
+    if at is not None:
+        at = _arguments.number("at", at)
     with shown(progress, "gap") as told:
         found: dict[str, Any]
-        if not isinstance(case, Case) and _core.is_study(case):
+        if not isinstance(case, Case) and _core.is_study(_arguments.path("case", case)):
             found = json.loads(_core.gap_study_json(case, at, told))
             return found
         if at is not None:
@@ -93,7 +97,7 @@ def minimum_gap(
         if _core.has_spectrum(asked._made):
             found = json.loads(_core.spectral_gap_json(asked._made))
             return found
-        found = json.loads(_core.solve(asked._made, 0.0, asked._laws, told).gap_json())
+        found = json.loads(_core.solve(asked._made, 0.0, asked._made_laws, told).gap_json())
         return found
 
 
@@ -137,12 +141,17 @@ def read_record(
 
     :raises CaseError: with what is wrong, where.
     """
-    return Record(**_core.read_record(file, format, time_step, column, channel, skip_lines))
+    options = {"column": column, "channel": channel, "skip_lines": skip_lines}
+    chosen = {name: None if one is None else _arguments.whole(name, one, 0, 2**31 - 1) for name, one in options.items()}
+    step = None if time_step is None else _arguments.number("time_step", time_step)
+    name = _arguments.path("file", file)
+    return Record(**_core.read_record(name, _arguments.text("format", format), step, **chosen))
 
 
 def logarithmic_periods(first: float = 0.05, last: float = 5.0, count: int = 41) -> NDArray[np.float64]:
     """`count` periods from `first` to `last` [s], evenly spaced on a logarithmic scale."""
-    return _core.logarithmic_periods(first, last, count)
+    ends = _arguments.positive("first", first), _arguments.positive("last", last)
+    return _core.logarithmic_periods(*ends, _arguments.whole("count", count, 1, 2**31 - 1))
 
 
 @dataclass(frozen=True)
@@ -222,7 +231,8 @@ def response_spectrum(
         values, step = np.asarray(record, dtype=float), time_step
     if not unit:
         raise ValueError("the unit of the accelerations is not known: give unit")
-    at = logarithmic_periods() if periods is None else np.asarray(periods, dtype=float)
+    at = logarithmic_periods() if periods is None else np.array(_arguments.listed("periods", periods))
+    damping, step = _arguments.number("damping", damping), _arguments.positive("time_step", step)
     peaks = _core.response_spectrum(values, step, _core.acceleration_factor(unit, length), at.tolist(), damping)
     return Spectrum(at, peaks[:, 0], peaks[:, 1], peaks[:, 2], peaks[:, 3], damping, length)
 
@@ -234,7 +244,7 @@ def examples() -> list[str]:
 
 def example(name: str = "m12-el-centro") -> Case:
     """One of them."""
-    file = Path(__file__).parent / "examples" / f"{name}.toml"
+    file = Path(__file__).parent / "examples" / f"{_arguments.text('name', name)}.toml"
     if not file.exists():
         raise ValueError(f'there is no example "{name}"; there are {", ".join(examples())}')
     return Case.from_file(file)

@@ -579,6 +579,9 @@ class BranchLaw:
         return _core.BranchLaw(self.name, list(self.branches))
 
 
+OwnLaw = ForceLaw | BranchLaw
+
+
 @dataclass(kw_only=True)
 class Gap:
     """``[[gap]]`` between two neighbours. `contact` is one of the nine laws, or one of your own.

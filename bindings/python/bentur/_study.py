@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _arguments, _core
 from ._case import Case
-from ._errors import CaseError, missing
+from ._dataset import dataset, import_xarray
+from ._errors import CaseError
 from ._functions import Progress, shown
 
 if TYPE_CHECKING:
@@ -47,41 +48,30 @@ def ida(study: str | PathLike[str], *, threads: int | None = None, progress: Pro
 
 
 def _run(study: str | PathLike[str], is_ida: bool, threads: int | None, progress: Progress) -> Any:
-    try:
-        import xarray
-    except ImportError:
-        raise missing("xarray", "a study") from None
-    core = _core.Study(study)
-    told = core.description()
-    if told["ida"] != is_ida:
+    xarray = import_xarray("a study")
+    if threads is not None:
+        threads = _arguments.whole("threads", threads, 1, 4096)
+    core = _core.Study(_arguments.path("study", study))
+    if core.is_ida != is_ida:
         message = (
             "[ida] makes this an incremental dynamic analysis: use bentur.ida"
-            if told["ida"]
+            if core.is_ida
             else "[ida] is missing, with intensity and levels; without it use bentur.sweep"
         )
         raise CaseError([(os.fspath(study), 0, 0, message)])
-    names = [name for name, *_ in told["coordinates"]] + [part[0] for part in told["parts"]] + ["status", "message"]
-    taken = sorted({name for name in names if names.count(name) > 1})
-    if taken:
-        message = "{} is the name of something else in the results: give another name = \"..\""
-        raise CaseError([(os.fspath(study), 0, 0, message.format(f'"{name}"')) for name in taken])
-    with shown(progress, told["title"] or "runs") as show:
-        rows, status, messages = _solved(core, told["runs"], threads, show)
-    return _dataset(xarray, told, rows, status, messages)
+    with shown(progress, core.title or "runs") as show:
+        _solve(core, threads, show)
+    return dataset(xarray, *core.variables())
 
 
-def _solved(
-    core: _core.Study, runs: int, threads: int | None, show: Callable[[float], object] | None
-) -> tuple[NDArray[np.float64], NDArray[np.int8], list[str]]:
-    status = np.zeros(runs, dtype=np.int8)
-    messages = [""] * runs
-    rows: NDArray[np.float64] | None = None
+def _solve(core: _core.Study, threads: int | None, show: Callable[[float], object] | None) -> None:
+    runs = core.runs
     done = 0
     # Work is handed out piece by piece, so that no more than some results wait at a time and Ctrl-C is heard at once.
     starts = iter(range(0, runs, _TOGETHER))
     workers = threads or len(os.sched_getaffinity(0))
     with ThreadPoolExecutor(workers) as pool:
-        at_work: set[Future[Any]] = set()
+        at_work: set[Future[int]] = set()
         try:
             while True:
                 for start in starts:
@@ -91,54 +81,12 @@ def _solved(
                 if not at_work:
                     break
                 ended, at_work = wait(at_work, return_when=FIRST_COMPLETED)
-                for one in ended:
-                    numbers, ends, why, values = one.result()
-                    if rows is None:
-                        rows = np.empty((runs, values.shape[1]))
-                    rows[numbers] = values
-                    status[numbers] = ends
-                    for number, message in zip(numbers.tolist(), why, strict=True):
-                        messages[number] = message
-                    done += len(numbers)
+                done += sum(one.result() for one in ended)
                 if show is not None:
                     show(done / runs)
         except BaseException:
             core.stop()
             raise
-    assert rows is not None
-    return rows, status, messages
-
-
-def _dataset(xarray: Any, told: dict[str, Any], rows: Any, status: Any, messages: list[str]) -> Any:
-    dimensions, sizes = list(told["dimensions"]), list(told["sizes"])
-    coordinates = {name: (dims, np.asarray(values), attributes) for name, dims, values, attributes in told["coordinates"]}
-    for name, size in zip(dimensions, sizes, strict=True):
-        if name in coordinates or name == "sample":
-            continue
-        # What moves together goes by its first labels, or by numbers.
-        labels = [v for d, v, _ in coordinates.values() if d == [name] and v.dtype.kind == "U"]
-        coordinates[name] = ([name], labels[0] if labels else np.arange(size), {"long_name": _core.index_title()})
-    variables: dict[str, Any] = {}
-    for name, along, first, count, attributes in told["parts"]:
-        values = rows[:, first : first + count]
-        shape = [*sizes, count] if along else sizes
-        variables[name] = ([*dimensions, along] if along else dimensions, values.reshape(shape), attributes)
-    flags = {"long_name": "how the run ended", "flag_values": np.array([0, 1, 2], dtype=np.int8)}
-    flags["flag_meanings"] = "done numbers_failed not_a_case"
-    variables["status"] = (dimensions, status.reshape(sizes), flags)
-    variables["message"] = (dimensions, np.array(messages).reshape(sizes), {"long_name": "why a run failed"})
-    records = "".join(f"{value}  {name}\n" for name, value in told["records"].items())
-    return xarray.Dataset(
-        variables,
-        coords=coordinates,
-        attrs={
-            "title": told["title"],
-            "bentur_version": _core.version,
-            "study": told["study"],
-            "case": told["case"],
-            **({"records": records} if records else {}),
-        },
-    )
 
 
 def vary(
@@ -225,18 +173,21 @@ def fragility(
     :param along: the gap width that is meant, where several vary.
     :raises ValueError: where the results do not have what is asked for.
     """
-    if (at is None) != (len(probabilities) == 0):
+    wanted = _arguments.listed("probabilities", probabilities)
+    if not hasattr(results, "data_vars"):
+        raise TypeError(f"results is a {type(results).__name__}, must be an xarray.Dataset of bentur.ida")
+    if (at is None) != (len(wanted) == 0):
         raise ValueError("at and probabilities go together")
-    if not all(0 < p < 1 for p in probabilities):
+    if not all(0 < p < 1 for p in wanted):
         raise ValueError("probabilities must be in (0, 1)")
-    told = _outcomes(results, event)
+    told = _outcomes(results, _arguments.text("event", event))
     asked = {
-        "resamples": resamples,
-        "confidence": confidence,
-        "seed": seed,
-        "at": at,
-        "probabilities": [float(p) for p in probabilities],
-        "along": along,
+        "resamples": _arguments.whole("resamples", resamples, 0, 10**6),
+        "confidence": _arguments.number("confidence", confidence),
+        "seed": _arguments.whole("seed", seed, 0, 2**64 - 1),
+        "at": None if at is None else _arguments.number("at", at),
+        "probabilities": wanted,
+        "along": _arguments.text("along", along),
     }
     found: dict[str, Any] = json.loads(_core.fragility_json(told, event, asked))
     return found

@@ -58,11 +58,6 @@ def _axes(ax: Axes | None, height: float = 2.2) -> Axes:
     return made
 
 
-def _course(result: Result) -> dict[str, Any]:
-    """The exact course; where the motion is too fast for one, the samples."""
-    return result._run.course() or result.histories
-
-
 def _legend(ax: Axes, **more: Any) -> None:
     if len(ax.get_legend_handles_labels()[0]) > 1:
         ax.legend(frameon=False, fontsize=7, **more)
@@ -71,7 +66,7 @@ def _legend(ax: Axes, **more: Any) -> None:
 def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> Axes:
     """Displacement of one floor of each building against time; -1: the highest. Impacts of the run along the top."""
     ax = _axes(ax)
-    course = _course(result)
+    course = result._course
     for b, name in enumerate(result.case.buildings):
         ax.plot(course["time"], course["displacement"][b][:, floor], LINES[b % 4], color=TONES[b % 4], label=name)
     starts = result.impact_arrays["start"]
@@ -85,7 +80,7 @@ def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> 
 def force(result: Result, *, ax: Axes | None = None) -> Axes:
     """Contact force against time, a line for each contact point that is hit."""
     ax = _axes(ax)
-    course = _course(result)
+    course = result._course
     elevations = [point["elevation"] for gap in result.summary["gaps"] for point in gap["points"]]
     shown = [i for i in range(len(elevations)) if course["force"][:, i].any()]
     for n, i in enumerate(reversed(shown)):
@@ -100,7 +95,7 @@ def force(result: Result, *, ax: Axes | None = None) -> Axes:
 def opening(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
     """Opening of one contact point against time, negative in contact; -1: the last, the highest of the last gap."""
     ax = _axes(ax)
-    course = _course(result)
+    course = result._course
     ax.axhline(0, color=GREY, lw=0.6)
     ax.plot(course["time"], course["opening"][:, point], color=BLUE)
     ax.set(xlabel="time $t$ [s]", ylabel=f"opening $g$ [{result.case.length}]", xlim=_ends(course["time"]))
@@ -110,7 +105,7 @@ def opening(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
 def loop(result: Result, point: int = -1, *, ax: Axes | None = None) -> Axes:
     """Contact force against penetration of one contact point."""
     ax = _axes(ax)
-    course = _course(result)
+    course = result._course
     penetration = -course["opening"][:, point]
     touching = penetration > 0
     touching[1:] |= touching[:-1].copy()  # from the start of each contact to its end

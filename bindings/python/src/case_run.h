@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
 #include "bentur/model/run_results.h"
 #include "python_law.h"
@@ -55,6 +56,11 @@ class Watcher {
   std::unique_ptr<pybind11::error_already_set> error_;
   double asked_ = 0;  // [s]
 };
+
+/// A variable of results as Python has it: name, names of dimensions, values, attributes. Of values that are there as
+/// long as `owner` nothing is copied.
+[[nodiscard]] pybind11::tuple python_of(const ResultVariable& variable, const pybind11::object& owner);
+[[nodiscard]] pybind11::dict python_of(const std::vector<ResultAttribute>& attributes);
 
 /// An array of its own.
 [[nodiscard]] pybind11::array_t<double> array_of(const std::vector<double>& values);

@@ -1,11 +1,17 @@
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/results/run_variables.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/html/report.h"
@@ -16,6 +22,7 @@
 #include "toml_python.h"
 
 namespace py = pybind11;
+namespace fs = std::filesystem;
 
 namespace bentur::python {
 
@@ -47,22 +54,6 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 }
 
 namespace {
-
-/// floors × samples by columns, as samples × floors by rows: nothing is copied.
-py::array_t<double> view_of(const Eigen::MatrixXd& values, const py::object& owner) {
-  const py::ssize_t size = sizeof(double);
-  py::array_t<double> array({values.cols(), values.rows()}, {values.rows() * size, size}, values.data(), owner);
-  array.attr("setflags")(false);
-  return array;
-}
-
-/// VectorXd or std::vector<double>.
-template <typename Vector>
-py::array_t<double> view_of(const Vector& values, const py::object& owner) {
-  py::array_t<double> array({std::ssize(values)}, {sizeof(double)}, values.data(), owner);
-  array.attr("setflags")(false);
-  return array;
-}
 
 std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std::vector<OwnLaw>& laws,
                               const py::object& progress) {
@@ -104,98 +95,63 @@ std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
 
-/// Arrays by name, lists of them where each building has its own; what is not kept is left out, or None in a list.
-py::dict arrays_of(const Histories& found, const py::object& owner) {
-  py::dict arrays;
-  if (found.time.empty()) return arrays;
-  arrays["time"] = view_of(found.time, owner);
-  if (!found.ground_acceleration.empty()) arrays["ground_acceleration"] = view_of(found.ground_acceleration, owner);
-  arrays["opening"] = view_of(found.opening, owner);
-  arrays["force"] = view_of(found.force, owner);
-  const std::pair<const char*, const std::vector<Eigen::MatrixXd>&> of_buildings[] = {
-      {"displacement", found.displacement},  {"velocity", found.velocity},
-      {"acceleration", found.acceleration},  {"drift_ratio", found.drift_ratio},
-      {"storey_shear", found.storey_shear},  {"node_displacement", found.node_displacement},
-      {"column_forces", found.column_forces}};
-  for (const auto& [name, all] : of_buildings) {
-    if (all.empty()) continue;
-    py::list list;
-    for (const Eigen::MatrixXd& one : all) {
-      list.append(one.size() > 0 ? py::object(view_of(one, owner)) : py::object(py::none()));
-    }
-    arrays[name] = list;
-  }
-  return arrays;
-}
-
-py::dict histories(const std::shared_ptr<PyRun>& run) {
+/// Attributes of the file, and each variable.
+py::tuple variables(const std::shared_ptr<PyRun>& run) {
+  const ResultFile file = run_file(run->results, BENTUR_VERSION);
   const py::object owner = py::cast(run);
-  const Histories& found = run->results.response.histories;
-  py::dict arrays = arrays_of(found, owner);
-  const auto& audit = run->results.response.energy;
-  if (found.time.empty() || !audit) return arrays;
-  const EnergyHistories& energy = audit->histories;
-  const std::pair<const char*, const Eigen::VectorXd&> curves[] = {{"energy_input", energy.input},
-                                                                   {"energy_kinetic", energy.kinetic},
-                                                                   {"energy_strain", energy.strain},
-                                                                   {"energy_damping", energy.damping},
-                                                                   {"energy_hysteretic", energy.hysteretic},
-                                                                   {"energy_contact_stored", energy.contact_stored},
-                                                                   {"energy_contact_lost", energy.contact_lost}};
-  for (const auto& [name, values] : curves) {
-    arrays[name] = values.size() > 0 ? view_of(values, owner) : array_of(std::vector<double>(found.time.size(), 0.0));
-  }
-  return arrays;
+  py::list found;
+  for (const ResultVariable& one : file.variables) found.append(python_of(one, owner));
+  return py::make_tuple(python_of(file.attributes), found);
 }
 
-/// Each quantity of one owner that is told of these places: name, units, what it is, values.
-py::list quantities_at(const PyRun& run, Owner owner, const std::vector<QuantityPlace>& places) {
+/// The columns of the list of impacts that are numbers: key, unit, values, whether they are yes or no.
+py::list impacts(const PyRun& run) {
   py::list found;
   const RunView view = run.results.view();
-  for (const Quantity* quantity : quantities_of(owner)) {
-    if (!is_told_at_any(*quantity, view, places)) continue;
+  for (const Quantity* quantity : quantities_of(Owner::impact)) {
     std::vector<double> values;
-    values.reserve(places.size());
-    for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, view, at));
-    found.append(py::make_tuple(file_name(*quantity), udunits(quantity->units, view.units),
-                                std::string(quantity->long_name), std::string(quantity->symbol), array_of(values),
-                                std::string(quantity->key), is_whole(*quantity)));
+    for (const QuantityPlace& at : first_places(std::ssize(view.response.impacts))) {
+      values.push_back(value_of(*quantity, view, at));
+    }
+    found.append(py::make_tuple(std::string(quantity->key), udunits(quantity->units, view.units), array_of(values),
+                                is_whole(*quantity)));
   }
   return found;
 }
 
-py::dict places(const PyRun& run) {
-  const Problem& problem = run.results.problem;
-  py::dict found;
-  py::list buildings, points, links, gaps, impacts;
-  for (const Building& building : problem.buildings) {
-    const double base = building.model.elevations.front() - building.model.storey_heights.front();
-    py::dict one;
-    one["name"] = building.name;
-    one["elevation"] = array_of(building.model.elevations);
-    one["base_elevation"] = base;
-    one["rigid"] = building.is_rigid();
-    one["node_elevation"] = array_of(building.model.node_elevations);
-    buildings.append(one);
+/// Writes the results into a folder by the rules that the command line has. @return the names of the files.
+std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& folder,
+                              const std::optional<py::bytes>& histories, const py::function& is_histories, bool force) {
+  OutputRules rules{
+      .inputs = files_read(run.results.c),
+      .force = force,
+      .is_netcdf = [&](const fs::path& file,
+                       ResultKind kind) { return kind == ResultKind::histories && is_histories(file).cast<bool>(); },
+      .forced_by = "force=True"};
+  rules.inputs.push_back(of.name);
+  try {
+    AtomicFiles files(folder, rules);
+    std::vector<std::string> names;
+    const auto add = [&](const char* name, const std::string& content, ResultKind kind) {
+      files.add(name, content, kind);
+      names.emplace_back(name);
+    };
+    std::optional<CaseSource>& source = run.results.c.source;
+    if (source) source->copied = !rules.is_input(folder / "case.toml");
+    add("summary.json", summary_json(run.results, BENTUR_VERSION), ResultKind::summary);
+    add("impacts.csv", impacts_csv(run.results.view()), ResultKind::impacts);
+    if (source && std::exchange(source->copied, false)) add("case.toml", source->text, ResultKind::case_copy);
+    if (histories) {
+      add("histories.nc", *histories, ResultKind::histories);
+    } else if (fs::exists(folder / "histories.nc")) {
+      throw RefusedOutput(folder / "histories.nc",
+                          "is there already, and these results have no histories to replace it; give another folder");
+    }
+    files.commit();
+    return names;
+  } catch (const RefusedOutput& refused) {
+    raise_refused(refused.what());
   }
-  for (const ContactPoint& point : problem.points) {
-    const std::optional<StruckColumn> struck = struck_column(problem, point);
-    points.append(py::make_tuple(problem.buildings[point.left].name, problem.buildings[point.left + 1].name,
-                                 point.elevation, point.width, struck ? problem.buildings[struck->building].name : "",
-                                 struck ? static_cast<int>(struck->node) : -1, struck ? point.column_shear_capacity : 0,
-                                 struck ? point.column_moment_capacity : 0));
-  }
-  for (const Link& link : problem.links) {
-    links.append(py::make_tuple(problem.buildings[link.left].name, problem.buildings[link.right].name, link.elevation));
-  }
-  for (const Gap& gap : gaps_of(problem)) gaps.append(gap_name(problem, gap.left));
-  for (const Impact& impact : run.results.response.impacts) impacts.append(impact.point);
-  found["buildings"] = buildings;
-  found["points"] = points;
-  found["links"] = links;
-  found["gaps"] = gaps;
-  found["impact_points"] = impacts;
-  return found;
 }
 
 std::string modes(const PyCase& given, bool jacobi) {
@@ -218,36 +174,11 @@ void bind_run(py::module_& module) {
              const RunResults& r = run.results;
              return gap_json(r, separations(r.problem, r.response, r.c.code, r.c.units), BENTUR_VERSION);
            })
-      .def("histories", &histories)
-      .def("course",
-           [](const std::shared_ptr<PyRun>& run) { return arrays_of(run->results.response.course, py::cast(run)); })
-      .def("places", &places)
+      .def("variables", &variables)
+      .def("save", &save, py::arg("case"), py::arg("folder"), py::arg("histories"), py::arg("is_histories"),
+           py::arg("force"))
+      .def("impacts", &impacts)
       .def("remarks", [](const PyRun& run) { return remark_texts(run.results.remarks); })
-      .def("run_quantities", [](const PyRun& run) { return quantities_at(run, Owner::run, {{}}); })
-      .def("building_quantities",
-           [](const PyRun& run, Eigen::Index b) {
-             return quantities_at(run, Owner::building, {{b, 0}});
-           })
-      .def("floor_quantities",
-           [](const PyRun& run, Eigen::Index b) {
-             return quantities_at(run, Owner::floor, floors_of(run.results.problem, b));
-           })
-      .def("point_quantities",
-           [](const PyRun& run) {
-             return quantities_at(run, Owner::point, first_places(std::ssize(run.results.problem.points)));
-           })
-      .def("gap_quantities",
-           [](const PyRun& run) {
-             return quantities_at(run, Owner::gap, first_places(std::ssize(run.results.problem.buildings) - 1));
-           })
-      .def("link_quantities",
-           [](const PyRun& run) {
-             return quantities_at(run, Owner::link, first_places(std::ssize(run.results.problem.links)));
-           })
-      .def("impact_quantities",
-           [](const PyRun& run) {
-             return quantities_at(run, Owner::impact, first_places(std::ssize(run.results.response.impacts)));
-           })
       .def(
           "report_html",
           [](const PyRun& run, const std::string& language) {

@@ -87,4 +87,10 @@ void raise_solve_error(const std::string& message) {
   throw py::error_already_set();
 }
 
+void raise_refused(const std::string& message) {
+  const py::object type = py::module_::import("bentur._errors").attr("RefusedOutput");
+  PyErr_SetString(type.ptr(), message.c_str());
+  throw py::error_already_set();
+}
+
 }  // namespace bentur::python

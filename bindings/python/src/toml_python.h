@@ -23,4 +23,7 @@ namespace bentur::python {
 /// Raises bentur.SolveError.
 [[noreturn]] void raise_solve_error(const std::string& message);
 
+/// Raises bentur.RefusedOutput.
+[[noreturn]] void raise_refused(const std::string& message);
+
 }  // namespace bentur::python

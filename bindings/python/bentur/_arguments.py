@@ -1,0 +1,60 @@
+"""Arguments of functions, checked before they are handed on: what is wrong is named as the caller named it."""
+
+from __future__ import annotations
+
+import numbers
+import os
+from collections.abc import Iterable
+from typing import Any
+
+
+def path(name: str, value: Any) -> str:
+    """The name of a file or folder."""
+    try:
+        text = os.fspath(value)
+    except TypeError:
+        raise TypeError(f"{name} is a {_kind(value)}, must be the name of a file (text or os.PathLike)") from None
+    if isinstance(text, bytes):
+        text = os.fsdecode(text)
+    if not text:
+        raise ValueError(f'{name} = "", must be the name of a file')
+    return str(text)
+
+
+def number(name: str, value: Any) -> float:
+    if isinstance(value, bool) or not (isinstance(value, numbers.Real) or hasattr(value, "__float__")):
+        raise TypeError(f"{name} is a {_kind(value)}, must be a number")
+    return float(value)
+
+
+def positive(name: str, value: Any) -> float:
+    found = number(name, value)
+    if not 0 < found < float("inf"):
+        raise ValueError(f"{name} = {found:g}, must be > 0")
+    return found
+
+
+def whole(name: str, value: Any, least: int, most: int = 2**63 - 1) -> int:
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        raise TypeError(f"{name} is a {_kind(value)}, must be a whole number")
+    found = int(value)
+    if not least <= found <= most:
+        raise ValueError(f"{name} = {found}, must be from {least} to {most}")
+    return found
+
+
+def listed(name: str, value: Any) -> list[float]:
+    """A list of numbers."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        raise TypeError(f"{name} is a {_kind(value)}, must be a list of numbers")
+    return [number(f"{name}[{i}]", one) for i, one in enumerate(value)]
+
+
+def text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is a {_kind(value)}, must be a text")
+    return value
+
+
+def _kind(value: Any) -> str:
+    return "None" if value is None else type(value).__name__

@@ -1,0 +1,44 @@
+"""What is wrong with an argument is said by the name that the caller knows, never by what lies behind it."""
+
+import numpy as np
+import pytest
+
+import bentur
+
+
+def record():
+    return np.sin(np.arange(400) / 20.0)
+
+
+CALLS = {
+    "case is a int": lambda: bentur.run(3),
+    "case is a None": lambda: bentur.minimum_gap(None),
+    "file is a float": lambda: bentur.Case.from_file(2.5),
+    'file = ""': lambda: bentur.Case.from_file(""),
+    "text is a bytes": lambda: bentur.Case.from_text(b"title = 1"),
+    "folder is a int": lambda: bentur.Case.from_dict({}, folder=1),
+    "values is a list": lambda: bentur.Case.from_dict([]),
+    "output_step is a str": lambda: bentur.run(bentur.example(), output_step="0.01"),
+    "output_step = -1": lambda: bentur.run(bentur.example(), output_step=-1),
+    "at is a str": lambda: bentur.minimum_gap("study.toml", at="0.3"),
+    "file is a list": lambda: bentur.read_record([]),
+    "column is a str": lambda: bentur.read_record("a.txt", column="two"),
+    "skip_lines = -1": lambda: bentur.read_record("a.txt", skip_lines=-1),
+    "time_step is a str": lambda: bentur.read_record("a.txt", time_step="0.01"),
+    "format is a int": lambda: bentur.read_record("a.txt", format=2),
+    r"periods\[1\] is a str": lambda: bentur.response_spectrum(record(), [1.0, "two"], unit="g", time_step=0.01),
+    "damping is a str": lambda: bentur.response_spectrum(record(), [1.0], unit="g", time_step=0.01, damping="5 %"),
+    "first is a None": lambda: bentur.logarithmic_periods(None),
+    "count = 0": lambda: bentur.logarithmic_periods(count=0),
+    "name is a int": lambda: bentur.example(1),
+    "study is a int": lambda: bentur.sweep(1),
+    "threads = 0": lambda: bentur.sweep("study.toml", threads=0),
+    "results is a dict": lambda: bentur.fragility({}),
+    "probabilities is a float": lambda: bentur.fragility({}, probabilities=0.1),
+}
+
+
+@pytest.mark.parametrize("named", CALLS)
+def test_the_argument_is_named(named):
+    with pytest.raises((TypeError, ValueError), match=f"^{named}"):
+        CALLS[named]()
