@@ -38,6 +38,17 @@ CALLS = {
 }
 
 
+def test_errors_of_vary_name_the_keys_and_no_folder():
+    for values, told in (
+        ({"gap[0].widht": [0.1]}, 'gap[0].widht is not a known key, did you mean "width"?'),
+        ({"gap[0].width": [-1.0]}, "gap[0].width = -1, must be >= 0"),
+        ({"gap[0].width": []}, 'values["gap[0].width"] is empty, must have at least one entry'),
+    ):
+        with pytest.raises(bentur.CaseError) as caught:
+            bentur.vary(bentur.example("m12-harmonic"), values)
+        assert str(caught.value) == f"error: {told}"
+
+
 @pytest.mark.parametrize("named", CALLS)
 def test_the_argument_is_named(named):
     with pytest.raises((TypeError, ValueError), match=f"^{named}"):

@@ -364,3 +364,16 @@ def test_vary():
     expected = bentur.run(pair()).summary["gaps"][0]["points"][0]["peak_force"]
     assert float(found.peak_force.sel(width=0.02, damping=0.05).squeeze()) == expected
     assert found.peak_force.attrs["units"] == "N"
+
+
+def stiffening(penetration, speed):
+    return 4e7 * penetration**1.5 * (1 + 0.1 * speed)
+
+
+def test_a_law_of_ones_own_goes_to_other_processes():
+    case = pair().replace({"gap[0].contact": bentur.ForceLaw(force=stiffening)})
+    again = pickle.loads(pickle.dumps(case))
+    assert bentur.run(case).impact_count > 0
+    assert same(bentur.run(case), bentur.run(again))
+    with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
+        pickle.dumps(pair().replace({"gap[0].contact": bentur.ForceLaw(force=lambda d, v: 1e8 * d)}))

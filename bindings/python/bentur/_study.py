@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import astuple, replace
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +19,7 @@ from numpy.typing import NDArray
 from . import _arguments, _core
 from ._case import Case
 from ._dataset import dataset, import_xarray
-from ._errors import CaseError
+from ._errors import CaseError, Finding
 from ._functions import Progress, shown
 
 if TYPE_CHECKING:
@@ -123,7 +125,25 @@ def vary(
             study["vary"].append(one)
         file = Path(folder) / "study.toml"
         file.write_text(_toml(study), encoding="utf-8")
-        return sweep(file, threads=threads, progress=progress)
+        try:
+            return sweep(file, threads=threads, progress=progress)
+        except CaseError as error:
+            raise CaseError(_as_given(one, list(values), folder) for one in error.errors) from None
+
+
+def _as_given(found: Finding, keys: Sequence[str], folder: str) -> tuple[str, int, int, str, str, str, str, str]:
+    """An error of a study that Python has written, without the place in a file that nobody has seen."""
+
+    def given(text: str) -> str:
+        return re.sub(
+            r"\bvary\[(\d+)\]\.(\w+)",
+            lambda at: f'{"labels" if at[2] == "labels" else "values"}["{keys[int(at[1])]}"]',
+            text.replace(folder + os.sep, ""),
+        )
+
+    if Path(folder) in Path(found.file).parents:
+        found = replace(found, file="", line=0, column=0, message=given(found.message), key=given(found.key))
+    return astuple(found)
 
 
 def _placed(key: str, value: Any, folder: Path) -> Any:

@@ -190,11 +190,18 @@ def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | No
     return ax
 
 
-def fragility(found: dict[str, Any], *, ax: Axes | None = None) -> Axes:
-    """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to."""
+def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None) -> Axes:
+    """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to.
+
+    :param found: what that gives; or the results of :func:`bentur.ida`: then the curves of pounding.
+    """
     import re
     from math import erf, sqrt
 
+    from ._study import fragility as curves_of
+
+    if not isinstance(found, dict):
+        found = curves_of(found)
     ax = _axes(ax)
     most = max(found["intensity"]["levels"])
     x = np.linspace(most / 400, most, 400)
