@@ -47,7 +47,7 @@ def sweep(bentur, root, work, study, records):
                 sys.exit(f"{work / name}.nc: not every run is done")
             # [:, :, 0]: there is one peak ground acceleration. Then the largest of floors, storeys or contact points.
             one = {key: numpy.stack([data[f"{key}_{n}"][:, :, 0].max(axis=-1) for n in (1, 2)], axis=-1) for key, _ in QUANTITIES}
-            for key in ("peak_force", "minimum_gap_no_contact"):
+            for key in ("peak_force", "gap_needed"):
                 one[key] = data[key][:, :, 0].max(axis=-1)[..., None]
             one["pounds"] = (data["impacts"][:, :, 0] > 0).any(axis=-1)
             labels = [str(label) for label in data[data["impacts"].dimensions[0]][:]]
@@ -88,7 +88,7 @@ def contacts(found, labels):
 def dampings(found, labels):
     rows = []
     for variant, label in enumerate(labels[1:], 1):
-        keys = ["minimum_gap_no_contact", *(key for key, _ in QUANTITIES), "peak_force"]
+        keys = ["gap_needed", *(key for key, _ in QUANTITIES), "peak_force"]
         rows.append([label, *(spread(beside_first(found, key, variant)) for key in keys)])
     return table(["change [%]", "gap needed", *(name for _, name in QUANTITIES), "contact force"], rows)
 
@@ -99,7 +99,7 @@ def motions(found):
     for (_, name), one in zip(PAIRS, found):
         pounds = one["pounds"][0]
         cells = []
-        for key in ["minimum_gap_no_contact", *(key for key, _ in QUANTITIES), "peak_force"]:
+        for key in ["gap_needed", *(key for key, _ in QUANTITIES), "peak_force"]:
             values = one[key][0][pounds]
             cells.append(spread(values / numpy.median(values, axis=0)))
         rows.append([name, f"{pounds.sum()} of {pounds.size}", *cells])

@@ -119,11 +119,11 @@ def period_figures(runs, output):
     by_period, by_delay = runs.gaps("equal-periods"), runs.gaps("identical")
     lines = {}
     for (varied, motion), record in by_period.items():
-        lines.setdefault(motion, []).append((float(varied[0]) / 0.164, record["simulated"]))
+        lines.setdefault(motion, []).append((float(varied[0]) / 0.164, record["gap_needed"]))
     order = ["harmonic", "El Centro", "harmonic, no delay", "El Centro, no delay"]
     draw(runs.folder, "equal-periods", [Panel([(key, lines[key]) for key in order],
                                               "First period of Model 2 / that of Model 1 [–]", "Gap needed [cm]")])
-    twins = [(float(varied[-1]), record["simulated"]) for (varied, _), record in by_delay.items()]
+    twins = [(float(varied[-1]), record["gap_needed"]) for (varied, _), record in by_delay.items()]
     draw(runs.folder, "twins", [Panel([("", twins)], "Delay [s]", "Gap needed [cm]")])
     for name in ("equal-periods", "twins"):
         shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")

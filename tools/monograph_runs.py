@@ -85,8 +85,8 @@ class Curves:
 
     def __init__(self, swept, gap, motion, reading):
         index = (slice(None), MOTIONS.index(motion), READINGS.index(reading))
-        self.needed = gap["simulated"]
-        self.points = [point["simulated"] for point in gap["points"]]
+        self.needed = gap["gap_needed"]
+        self.points = [point["gap_needed"] for point in gap["points"]]
         self.sum_of_peaks = gap["abs"]
         widths = [float(width) for width in swept["width"]]
         if widths[-1] < self.needed:

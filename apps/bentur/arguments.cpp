@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/report/words.h"
 
 namespace bentur::cli {
 namespace {
@@ -55,6 +56,12 @@ CLI::Validator positive() {
 
 void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "replace files even where they are not results of the same kind");
+}
+
+void add_language(CLI::App& command, std::string& language) {
+  command.add_option("--lang", language, "language of what is told: en or id; messages are English")
+      ->check(CLI::IsMember(report_languages()))
+      ->type_name("LANG");
 }
 
 bool is_command(const CLI::App& app, const std::string& word) {

@@ -14,6 +14,9 @@ namespace bentur::cli {
 /// Adds --force to a command that writes.
 void add_force(CLI::App& command, bool& force);
 
+/// Adds --lang to a command that tells what came out.
+void add_language(CLI::App& command, std::string& language);
+
 [[nodiscard]] bool is_command(const CLI::App& app, const std::string& word);
 
 /// The command, or the option of a command, that a user may have meant by one there is none of: ` (did you mean

@@ -36,23 +36,23 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
                                 spec.tangent_damping ? ", damping of the tangent stiffness" : "");
 }
 
-void run(const std::string& file) {
+void run(const std::string& file, const Words& say) {
   const Loaded loaded = load(file, Purpose::no_run);
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
   }
-  text += excitation_line(loaded.c) + "\n";
+  text += excitation_line(loaded.c, say) + "\n";
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
     if (building.is_rigid()) {
       text += building.name + ": moves with the ground\n";
       continue;
     }
-    text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
-                        count(building.model.elevations.size(), "floor", "floors"),
-                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
-                        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units));
+    text += fmt::format(
+        "{}: {}, {} of freedom, {}\n", building.name, count(building.model.elevations.size(), "floor", "floors"),
+        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units, say));
     if (building.can_yield()) text += yielding_text(building, loaded.c.buildings[b]);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
@@ -65,9 +65,10 @@ void run(const std::string& file) {
     text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
                         count(spec.elevations.size(), "link", "links"), spec.law);
   }
+  const std::string unusual =
+      story_text(loaded.problem, {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::remarks);
   if (loaded.c.excitation.spectrum) {
-    print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" +
-                 remarks_text(remarks(loaded.c, loaded.problem))));
+    print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" + unusual));
     return;
   }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
@@ -78,17 +79,19 @@ void run(const std::string& file) {
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
-  print(fitted(text + effort_text(loaded, needed) + remarks_text(remarks(loaded.c, loaded.problem))));
+  print(fitted(text + effort_text(loaded, needed) + unusual));
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app) {
   auto file = std::make_shared<std::string>();
+  auto language = std::make_shared<std::string>("en");
   CLI::App* command = app.add_subcommand("check", "Read and validate a case, simulate nothing");
   command->add_option("CASE", *file, "the case file (TOML)")->required()->check(not_empty());
+  add_language(*command, *language);
   command->footer("Example: bentur check case.toml");
-  command->callback([file] { run(*file); });
+  command->callback([file, language] { run(*file, Words(*language)); });
 }
 
 }  // namespace bentur::cli

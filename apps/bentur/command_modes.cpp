@@ -59,7 +59,7 @@ std::string modes_text(const Building& building, const Units& units) {
   table.add("mass so far", "%", cumulative);
   std::string text =
       fmt::format("{}: {}\n\n{}", building.name,
-                  proportions_text(building, proportions(building, units, nullptr), units), table.text());
+                  proportions_text(building, proportions(building, units, nullptr), units, Words("en")), table.text());
   if (shown < properties.periods.size()) {
     text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
   }

@@ -11,11 +11,10 @@
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
-#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/figures/figure_files.h"
 #include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
-#include "bentur/report/remark_text.h"
 #include "commands.h"
 #include "output.h"
 #include "session.h"
@@ -31,12 +30,14 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool force = false;
+  std::string language = "en";
 };
 
 /// Columns behind the elevations [length] of their places.
-Table table_of(std::vector<TableColumn> columns, const RunView& run, const std::vector<double>& elevations) {
+Table table_of(std::vector<TableColumn> columns, const RunView& run, const std::vector<double>& elevations,
+               const Words& say) {
   Table table;
-  table.add("Level", run.units.length, elevations);
+  table.add(say("cli.level"), run.units.length, elevations);
   for (TableColumn& column : columns) {
     table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
   }
@@ -44,38 +45,38 @@ Table table_of(std::vector<TableColumn> columns, const RunView& run, const std::
 }
 
 /// Every quantity of contact points, links or floors that is for tables, behind the elevations of the places.
-Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places) {
+Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places, const Words& say) {
   std::vector<double> elevations;
   for (const QuantityPlace& at : places) {
     elevations.push_back(owner == Owner::point  ? run.problem.points[at.item].elevation
                          : owner == Owner::link ? run.problem.links[at.item].elevation
                                                 : run.problem.buildings[at.item].model.elevations[at.floor]);
   }
-  return table_of(table_columns(owner, run, places), run, elevations);
+  return table_of(table_columns(owner, run, places, say.number()), run, elevations, say);
 }
 
 /// What the storeys of a building do that yield, each by the floor above it; empty where none can.
-std::string yielding_table(const RunView& run, Eigen::Index building) {
+std::string yielding_table(const RunView& run, Eigen::Index building, const Words& say) {
   const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  std::vector<TableColumn> columns = yielding_columns(run, floors_from_top(run.problem, building));
+  std::vector<TableColumn> columns = yielding_columns(run, floors_from_top(run.problem, building), say.number());
   if (columns.empty()) return "";
-  return fmt::format("\nYielding of {}, storeys by the floor above them\n\n{}", run.problem.buildings[building].name,
-                     table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}).text());
+  return "\n" + say("cli.yielding", {{"building", run.problem.buildings[building].name}}) + "\n\n" +
+         table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}, say).text();
 }
 
 /// Accelerations and storey shears of a building with and without contact, storeys by the floor above them.
-std::string force_table(const RunView& run, Eigen::Index building) {
+std::string force_table(const RunView& run, Eigen::Index building, const Words& say) {
   const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  return "\n" +
-         table_of(force_columns(run, floors_from_top(run.problem, building)), run, {levels.rbegin(), levels.rend()})
-             .text();
+  return "\n" + table_of(force_columns(run, floors_from_top(run.problem, building), say.number()), run,
+                         {levels.rbegin(), levels.rend()}, say)
+                    .text();
 }
 
 /// The contact points of a gap from the top down.
 std::vector<Eigen::Index> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
 
 /// What the columns bear that floors strike in a gap, from the top down; empty where floors meet.
-std::string struck_table(const RunView& run, const Gap& gap) {
+std::string struck_table(const RunView& run, const Gap& gap, const Words& say) {
   std::vector<Eigen::Index> points = points_from_top(gap);
   std::erase_if(points, [&](Eigen::Index i) { return !struck_column(run.problem, run.problem.points[i]); });
   if (points.empty()) return "";
@@ -86,66 +87,10 @@ std::string struck_table(const RunView& run, const Gap& gap) {
     elevations.push_back(point.elevation);
     struck.push_back(run.problem.buildings[struck_column(run.problem, point)->building].name);
   }
-  std::vector<TableColumn> columns = struck_column_columns(run, places_of(points));
-  columns.insert(columns.begin(), {"Column of", "", struck});
-  return fmt::format("\nColumns struck, {}\n\n{}", gap_name(run.problem, gap.left),
-                     table_of(std::move(columns), run, elevations).text());
-}
-
-/// What to do about floors that met something where no contact is modelled; empty where none did.
-std::string unmodelled_text(const RunResults& run, const std::vector<Eigen::Index>& floors) {
-  const Problem& problem = run.problem;
-  const std::string& length = run.c.units.length;
-  constexpr std::size_t most = 3;  // told one by one
-  std::string text;
-  for (std::size_t n = 0; n < std::min(most, floors.size()); ++n) {
-    const Eigen::Index i = floors[n];
-    const WatchedFloor& floor = problem.watched[i];
-    const WatchedSummary& summary = run.response.watched[i];
-    const std::string met = fmt::format("{} at level {} {} goes {} {} into {}, t = {} s", floor_text(problem, floor),
-                                        number(floor.elevation), length, number(-summary.least_opening), length,
-                                        faced_text(problem, floor), number(summary.least_time));
-    text += text.empty() ? fmt::format(
-                               "POUNDING THAT IS NOT MODELLED: {}.\n  The run goes on as if nothing were there: "
-                               "its numbers do not tell what happens then.\n",
-                               met)
-                         : fmt::format("  Also {}.\n", met);
-    text += fmt::format("  To model it: {}.\n", remedy_text(problem, floor, length));
-  }
-  if (floors.size() > most) {
-    const std::size_t more = floors.size() - most;
-    text += fmt::format("  And {} more floor{} less deep: --json lists them all.\n", more, more == 1 ? "" : "s");
-  }
-  return text;
-}
-
-/// Does it pound, where, how often, how hard; and how wide the gap would have to be.
-std::string verdict(const RunResults& run, Eigen::Index gap) {
-  const Problem& problem = run.problem;
-  const std::string& length = run.c.units.length;
-  const GapOutcome found = gap_outcome(problem, run.response, gap);
-  const std::size_t points = found.gap.points.size();
-  std::string text = gap_name(problem, gap) + ": " + unmodelled_text(run, found.unmodelled);
-  if (!found.unmodelled.empty()) text += "  ";
-  if (found.impacts == 0) {
-    if (found.unmodelled.empty()) text += "NO POUNDING. ";
-  } else {
-    const PointSummary& worst = run.response.points[*found.hardest];
-    text += fmt::format("POUNDING, {} impact{} at {} of {} contact point{}.\n  ", found.impacts,
-                        found.impacts == 1 ? "" : "s", found.touched, points, points == 1 ? "" : "s");
-    if (worst.peak_force_time) {  // an impact without duration has no force
-      text += fmt::format("Hardest: {} {} at level {} {}, t = {} s.\n  ", number(worst.peak_force), run.c.units.force,
-                          number(problem.points[*found.hardest].elevation), length, number(*worst.peak_force_time));
-    }
-  }
-  const GoverningLevel& level = found.governing;
-  text += fmt::format("Gap at level {} {}: {} {} given, {} {} needed to stay apart.\n", number(level.elevation), length,
-                      number(level.width), length, number(level.needed), length);
-  if (level.watched) {
-    const WatchedFloor& floor = problem.watched[*level.watched];
-    text += fmt::format("  There {} faces {}.\n", floor_text(problem, floor), faced_text(problem, floor));
-  }
-  return text;
+  std::vector<TableColumn> columns = struck_column_columns(run, places_of(points), say.number());
+  columns.insert(columns.begin(), {say("cli.column_of"), "", struck});
+  return "\n" + say("cli.columns", {{"gap", gap_name(run.problem, gap.left)}}) + "\n\n" +
+         table_of(std::move(columns), run, elevations, say).text();
 }
 
 /// What decides the law beside its stiffness and the restitution asked for: "damping_ratio 0.1359".
@@ -159,18 +104,18 @@ std::string parameter_text(const ContactLaw& law) {
 }
 
 /// "0.6500", or "0.6312 to 0.6644" where the impacts differ.
-std::string range_text(const PointRestitution& restitution) {
+std::string range_text(const PointRestitution& restitution, const Words& say) {
   if (!restitution.smallest) {
     return "–";
   }
   const std::string smallest = fmt::format("{:.4f}", *restitution.smallest);
   const std::string largest = fmt::format("{:.4f}", *restitution.largest);
-  return smallest == largest ? smallest : smallest + " to " + largest;
+  return smallest == largest ? smallest : smallest + say("cli.to") + largest;
 }
 
 /// The law of every contact point, the restitution it was asked for and the range its impacts had; empty where all are
 /// linear springs, of which there is nothing to say.
-std::string law_text(const RunResults& run, const RunView& view) {
+std::string law_text(const RunResults& run, const RunView& view, const Words& say) {
   const std::vector<GapSpec>& gaps = run.c.gaps;
   if (std::all_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) { return gap.contact.law == "linear"; })) {
     return "";
@@ -192,107 +137,94 @@ std::string law_text(const RunResults& run, const RunView& view) {
       choices.push_back(made);
       parameter.push_back(parameter_text(*run.problem.points[i].law));
       asked.push_back(restitution[i].asked ? number(*restitution[i].asked) : "–");
-      obtained.push_back(range_text(restitution[i]));
+      obtained.push_back(range_text(restitution[i], say));
     }
   }
   Table table;
   if (gaps.size() > 1) {
-    table.add("gap", "", between);
+    table.add(say("cli.gap"), "", between);
   }
   if (!single_points) {
-    table.add("level", run.c.units.length, elevation);
+    table.add(say("column.elevation"), run.c.units.length, elevation);
   }
-  table.add("law", "", law);
-  table.add("choices", "", choices);
-  table.add("parameter", "", parameter);
-  table.add("asked", "", asked);
-  table.add("obtained", "", obtained);
+  table.add(say("cli.law"), "", law);
+  table.add(say("cli.choices"), "", choices);
+  table.add(say("cli.parameter"), "", parameter);
+  table.add(say("cli.asked"), "", asked);
+  table.add(say("cli.obtained"), "", obtained);
   const bool pushed = std::any_of(restitution.begin(), restitution.end(),
                                   [](const PointRestitution& one) { return one.largest > 1.0; });
-  const std::string note =
-      pushed ? wrapped(
-                   "Restitution above 1: columns and the ground pushed the floors apart as well, which during a "
-                   "contact they do not stop doing.") +
-                   "\n"
-             : "";
-  return "\nContact laws, restitution asked and obtained\n\n" + table.text() + note;
+  const std::string note = pushed ? wrapped(say("cli.pushed")) + "\n" : "";
+  return "\n" + say("cli.laws") + "\n\n" + table.text() + note;
 }
 
-/// Whether a building collapses, in the run or without contact; empty where none does.
-std::string collapse_text(const RunResults& run) {
-  const Response& response = run.response;
-  const auto storey = [&](const Collapse& collapse) {
-    const Building& building = run.problem.buildings[collapse.building];
-    return fmt::format("storey {} of {}, t = {} s", building.model.storey_number(collapse.storey), building.name,
-                       number(collapse.time));
-  };
-  if (response.collapse) {
-    return fmt::format(
-        "COLLAPSE: {}, drift beyond {} % of its height.\n  The run ends there: all numbers are up to then.\n  "
-        "Without contact {}.\n",
-        storey(*response.collapse), number(100 * run.problem.collapse_drift),
-        response.collapse_no_contact ? storey(*response.collapse_no_contact) + " collapses" : "nothing collapses");
-  }
-  if (!response.collapse_no_contact) return "";
-  return fmt::format("COLLAPSE WITHOUT CONTACT: {}.\n  What is told of the response without contact is up to then.\n",
-                     storey(*response.collapse_no_contact));
-}
-
-std::string summary_text(const RunResults& run) {
+std::string summary_text(const RunResults& run, const Words& say) {
   const RunView view = run.view();
   const Problem& problem = run.problem;
   std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
-  text += excitation_line(run.c) + "\n\n";
-  text += collapse_text(run);
-  const std::vector<Gap> gaps = gaps_of(problem);
-  for (const Gap& gap : gaps) text += verdict(run, gap.left);
-  for (const Gap& gap : gaps) {
+  text += excitation_line(run.c, say) + "\n\n";
+  const Story story = run_story(run);
+  text += story_text(problem, story, say, Told::outcome);
+  for (const Gap& gap : gaps_of(problem)) {
     if (gap.points.empty()) continue;
-    text += fmt::format("\nContact {}, from the top down\n\n{}", gap_name(problem, gap.left),
-                        quantity_table(view, Owner::point, places_of(points_from_top(gap))).text()) +
-            struck_table(view, gap);
+    text += "\n" + say("cli.contact", {{"gap", gap_name(problem, gap.left)}}) + "\n\n" +
+            quantity_table(view, Owner::point, places_of(points_from_top(gap)), say).text() +
+            struck_table(view, gap, say);
   }
-  text += law_text(run, view);
+  text += law_text(run, view, say);
   const std::vector<std::vector<Eigen::Index>> links = links_by_spec(run.c.links);
   for (std::size_t k = 0; k < links.size(); ++k) {
     if (links[k].empty()) continue;
     const std::vector<Eigen::Index> from_top(links[k].rbegin(), links[k].rend());
-    text +=
-        fmt::format("\nLinks {}, {}, from the top down\n\n{}", link_name(problem, problem.links.at(from_top.front())),
-                    run.c.links[k].law, quantity_table(view, Owner::link, places_of(from_top)).text());
+    text += "\n" +
+            say("cli.links",
+                {{"link", link_name(problem, problem.links.at(from_top.front()))}, {"law", run.c.links[k].law}}) +
+            "\n\n" + quantity_table(view, Owner::link, places_of(from_top), say).text();
   }
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
-    text += fmt::format("\nPeaks of {}, from the top down\n\n{}", building.name,
-                        quantity_table(view, Owner::floor, floors_from_top(problem, b)).text());
-    text += force_table(view, b);
+    text += "\n" + say("cli.peaks", {{"building", building.name}}) + "\n\n" +
+            quantity_table(view, Owner::floor, floors_from_top(problem, b), say).text();
+    text += force_table(view, b, say);
     if (building.is_rigid()) {
-      text += "  Moves with the ground\n";
+      text += "  " + say("cli.moves") + "\n";
       continue;
     }
-    text += fmt::format("  Base shear {} of the weight; {}\n",
-                        found.base_shear_coefficient ? number(*found.base_shear_coefficient) : "–",
-                        proportions_text(building, found, run.c.units));
+    const auto& coefficient = found.base_shear_coefficient;
+    text += "  " +
+            say("cli.base_shear", {{"coefficient", coefficient ? number(*coefficient) : "–"},
+                                   {"proportions", proportions_text(building, found, run.c.units, say)}}) +
+            "\n";
     if (const Eigen::VectorXd& foundation = run.response.buildings[b].foundation; foundation.size() == 2) {
-      text += fmt::format("  Foundation: sway {} {}, rocking {} rad\n", number(foundation(0)), run.c.units.length,
-                          number(foundation(1)));
+      text +=
+          "  " +
+          say("cli.foundation",
+              {{"sway", number(foundation(0))}, {"length", run.c.units.length}, {"rocking", number(foundation(1))}}) +
+          "\n";
     }
-    text += yielding_table(view, b);
+    text += yielding_table(view, b, say);
   }
-  text += "\nDrift and storey shear are those of the storey below the level.\n";
-  const std::string unusual = remarks_text(run.remarks);
-  text += "\n" + unusual + wrapped(model_text(problem, some_building_yields(problem, run.response))) + "\n";
+  text += "\n" + say("cli.storeys") + "\n\n" + story_text(problem, story, say, Told::remarks);
   if (run.response.energy) {
-    text += fmt::format("\nEnergy: {} {}·{} put in, accounted for within {:.1e} of it\n",
-                        number(run.response.energy->peak_input), run.c.units.force, run.c.units.length,
-                        run.response.energy->relative_residual());
+    text += "\n" +
+            say("cli.energy", {{"input", number(run.response.energy->peak_input)},
+                               {"force", run.c.units.force},
+                               {"length", run.c.units.length},
+                               {"residual", fmt::format("{:.1e}", run.response.energy->relative_residual())}}) +
+            "\n";
   }
-  return text + fmt::format("\nSolver {}: {} s in {} ms, {} steps, {} events\n", solver_name(run.c.analysis.solver),
-                            run.response.collapse
-                                ? number(run.response.collapse->time) + " of " + number(problem.duration)
-                                : number(problem.duration),
-                            number(1e3 * run.response.wall_time), run.response.steps, run.response.events);
+  const std::string all = number(problem.duration);
+  return text + "\n" +
+         say("cli.solver",
+             {{"solver", solver_name(run.c.analysis.solver)},
+              {"time", run.response.collapse
+                           ? say("cli.time_of", {{"time", number(run.response.collapse->time)}, {"all", all}})
+                           : all},
+              {"ms", number(1e3 * run.response.wall_time)},
+              {"steps", std::to_string(run.response.steps)},
+              {"events", std::to_string(run.response.events)}}) +
+         "\n";
 }
 
 /// The result files of a run in one folder.
@@ -372,7 +304,7 @@ void execute(const RunArguments& arguments) {
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
-    print(fitted(summary_text(run)));
+    print(fitted(summary_text(run, Words(arguments.language))));
   }
   if (output && !arguments.quiet) {
     message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",
@@ -400,6 +332,7 @@ void add_run_command(CLI::App& app) {
       ->type_name("FORMATS");
   command->add_flag("--json", arguments->json, "print the summary as JSON instead of tables");
   command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
+  add_language(*command, arguments->language);
   add_force(*command, arguments->force);
   command->footer("Example: bentur run case.toml -o results --figures svg,pdf");
   command->callback([arguments] { execute(*arguments); });

@@ -101,7 +101,7 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
   table.add("pseudo-acceleration", "g", acceleration);
   table.add("absolute acceleration", "g", absolute);
   return fmt::format("{}\nResponse spectrum, damping {} %, peak ground acceleration {} {} = {} g\n\n",
-                     record_line(spectrum.record), number(100 * spectrum.damping_ratio),
+                     record_line(spectrum.record, Words("en")), number(100 * spectrum.damping_ratio),
                      number(spectrum.record.pga_read), unit_of(spectrum.record),
                      number(spectrum.record.pga / spectrum.units.gravity)) +
          table.text();

@@ -19,7 +19,7 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
-#include "bentur/report/remark_text.h"
+#include "bentur/report/story_text.h"
 #include "bentur/report/utf8.h"
 #include "bentur/solve/solver.h"
 #include "text/effort_text.h"
@@ -107,11 +107,9 @@ Loaded load_example(const std::string& name) {
 }
 
 RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
-  SolveOptions options;
+  SolveOptions options = solve_options(loaded.c);
   options.output_step = output_step;
   options.course = output_step > 0;
-  options.energy_audit = loaded.c.analysis.energy_audit;
-  options.most_steps = static_cast<long>(loaded.c.analysis.limits.steps);
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
   if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
@@ -156,58 +154,69 @@ std::string unit_of(const RecordEcho& record) {
   return record.unit.ends_with("/s2") ? record.unit.substr(0, record.unit.size() - 1) + "²" : record.unit;
 }
 
-std::string record_line(const RecordEcho& record) {
-  return fmt::format("Record {} ({}, {}{}): {} values every {} s, {} s long", record.file, record.format,
-                     unit_of(record), echo_notes(record), record.count, number(record.time_step),
-                     number(record.duration));
+std::string record_line(const RecordEcho& record, const Words& say) {
+  return say("cli.record", {{"file", record.file},
+                            {"format", record.format},
+                            {"unit", unit_of(record)},
+                            {"notes", echo_notes(record)},
+                            {"count", std::to_string(record.count)},
+                            {"step", number(record.time_step)},
+                            {"duration", number(record.duration)}});
 }
 
-std::string excitation_line(const Case& c) {
+std::string excitation_line(const Case& c, const Words& say) {
   std::string line;
   const std::string acceleration = c.units.length + "/s²";
   if (c.excitation.record) {
     const RecordEcho& record = *c.excitation.record;
-    line = fmt::format("{}\n       peak {} {}, applied {} {}", record_line(record), number(record.pga_read),
-                       unit_of(record), number(record.pga), acceleration);
+    line = record_line(record, say) + "\n       " +
+           say("cli.record_peak", {{"read", number(record.pga_read)},
+                                   {"unit", unit_of(record)},
+                                   {"applied", number(record.pga)},
+                                   {"acceleration", acceleration}});
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
-    line = fmt::format("Harmonic ground motion ({}): period {} s, amplitude {} {}, peak {} {}",
-                       harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine", number(harmonic->period),
-                       number(harmonic->displacement_amplitude), c.units.length,
-                       number(peak_acceleration(c.excitation.motion)), acceleration);
+    line =
+        say("cli.harmonic", {{"phase", say(harmonic->phase == HarmonicMotion::Phase::sine ? "cli.sine" : "cli.cosine")},
+                             {"period", number(harmonic->period)},
+                             {"amplitude", number(harmonic->displacement_amplitude)},
+                             {"length", c.units.length},
+                             {"peak", number(peak_acceleration(c.excitation.motion))},
+                             {"acceleration", acceleration}});
   } else if (c.excitation.spectrum) {
     const SpectrumSpec& spectrum = *c.excitation.spectrum;
-    return fmt::format("Spectrum {}: {}; for damping {}{}; modes by {}",
-                       spectrum.file.empty() ? spectrum.shape : spectrum.file, spectrum_parameters(spectrum, c.units),
-                       number(spectrum.spectrum.damping_ratio),
-                       spectrum.spectrum.corrects_damping ? ", corrected for others" : "",
-                       spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS");
+    return say("cli.spectrum", {{"name", spectrum.file.empty() ? spectrum.shape : spectrum.file},
+                                {"parameters", spectrum_parameters(spectrum, c.units)},
+                                {"damping", number(spectrum.spectrum.damping_ratio)},
+                                {"corrected", spectrum.spectrum.corrects_damping ? say("cli.corrected") : ""},
+                                {"combination", spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}});
   } else {
-    return "No ground motion: free vibration";
+    return say("cli.free");
   }
   const std::vector<double>& delays = c.excitation.delays;
   if (std::any_of(delays.begin(), delays.end(), [](double delay) { return delay != 0; })) {
-    line += ", delays";
-    for (std::size_t i = 0; i < delays.size(); ++i) {
-      line += (i == 0 ? " " : ", ") + number(delays[i]);
-    }
-    line += " s";
+    std::string all;
+    for (const double delay : delays) all += (all.empty() ? "" : ", ") + number(delay);
+    line += say("cli.delays", {{"delays", all}});
   }
   return line;
 }
 
-std::string remarks_text(const std::vector<Remark>& remarks) {
+std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told) {
   std::string text;
-  for (const std::string& remark : remark_texts(remarks)) text += wrapped("remark: " + remark) + "\n";
+  for (const std::string& line : story_lines(problem, story, say, told)) text += with_spaces(wrapped(line)) + "\n";
+  if (told == Told::remarks) return text;
+  for (const StoryTable& table : story.tables) text += "\n" + table_text(said(table, say));
   return text;
 }
 
-std::string proportions_text(const Building& building, const Proportions& found, const Units& units) {
-  if (building.is_rigid()) return "moves with the ground";
-  const double period = 2 * std::numbers::pi / building.first_omega();
+std::string proportions_text(const Building& building, const Proportions& found, const Units& units, const Words& say) {
+  if (building.is_rigid()) return say("cli.moves");
   const auto& factor = building.model.stiffness_factor;
-  return fmt::format("weight {} {}, first period {} s, {} s per storey{}", number(found.weight), units.force,
-                     number(period), number(found.period_per_storey),
-                     factor ? fmt::format(", stiffness times {} by calibrate_period", number(*factor)) : "");
+  return say("cli.proportions", {{"weight", number(found.weight)},
+                                 {"force", units.force},
+                                 {"period", number(2 * std::numbers::pi / building.first_omega())},
+                                 {"per_storey", number(found.period_per_storey)},
+                                 {"scaled", factor ? say("cli.scaled", {{"factor", number(*factor)}}) : ""}});
 }
 
 std::string harmless(const std::string& text) {
@@ -229,19 +238,21 @@ bool has_colours() {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-/// Verdicts, which begin a sentence in capitals, in bold and red or green.
+/// Verdicts, which begin a line or follow a gap's name in capitals, in bold and red, or green where nothing collides.
 std::string with_colours(std::string text) {
-  constexpr std::pair<std::string_view, std::string_view> verdicts[] = {
-      {"NO POUNDING.", "\x1b[1;32m"},
-      {"POUNDING,", "\x1b[1;31m"},
-      {"POUNDING THAT IS NOT MODELLED:", "\x1b[1;31m"},
-      {"COLLAPSE:", "\x1b[1;31m"}};
-  for (const auto& [words, colour] : verdicts) {
-    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
-      const bool begins = at == 0 || text[at - 1] == '\n' || (at > 1 && text.compare(at - 2, 2, ": ") == 0);
-      const std::string shown = begins ? fmt::format("{}{}\x1b[0m", colour, words) : std::string(words);
-      text.replace(at, words.size(), shown);
-      at += shown.size();
+  for (const std::string& language : report_languages()) {
+    const Words say(language);
+    for (const auto& [key, unused] : catalogue().texts) {
+      if (!key.starts_with("story.") || !key.ends_with(".badge")) continue;
+      const std::string words = upper_case(say(key)) + ":";
+      const bool good = key == "story.no_pounding.badge" || key == "story.spectral_enough.badge";
+      for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+        const bool begins = at == 0 || text[at - 1] == '\n' || (at > 1 && text.compare(at - 2, 2, ": ") == 0);
+        const std::string shown =
+            begins ? fmt::format("{}{}\x1b[0m", good ? "\x1b[1;32m" : "\x1b[1;31m", words) : words;
+        text.replace(at, words.size(), shown);
+        at += shown.size();
+      }
     }
   }
   return text;

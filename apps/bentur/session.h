@@ -10,6 +10,7 @@
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/model/run_results.h"
+#include "bentur/report/story_text.h"
 
 namespace bentur::cli {
 
@@ -86,17 +87,18 @@ class StopOnSignal {
 [[nodiscard]] std::string solver_name(const Solver& solver);
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
-[[nodiscard]] std::string excitation_line(const Case& c);
+[[nodiscard]] std::string excitation_line(const Case& c, const Words& say);
 /// The unit of a record's numbers: "m/s²".
 [[nodiscard]] std::string unit_of(const RecordEcho& record);
 /// What was read from a record file, and how.
-[[nodiscard]] std::string record_line(const RecordEcho& record);
+[[nodiscard]] std::string record_line(const RecordEcho& record, const Words& say);
 
-/// "remark: …" a line each, and nothing where there is none.
-[[nodiscard]] std::string remarks_text(const std::vector<Remark>& remarks);
+/// story_lines(), wrapped, and of an outcome the tables of the story.
+[[nodiscard]] std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told);
 
 /// "743 kgf, first period 0.164 s, 0.05467 s per storey".
-[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units);
+[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units,
+                                           const Words& say);
 
 /// Text as a terminal may get it: control characters but for line ends and tabs, which could do anything to it, are
 /// written out as \u001b, and what is not UTF-8 as \ufffd.

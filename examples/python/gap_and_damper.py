@@ -20,7 +20,7 @@ pair = bentur.Case.from_dict(tables, folder=case.folder)
 
 def needed(damping: float) -> float:
     """The gap [m] that keeps the buildings apart with this damper [kN·s/m] at the roof of the low one."""
-    return float(bentur.minimum_gap(pair.replace({"link[0].damping": damping}))["gaps"][0]["simulated"])
+    return float(bentur.minimum_gap(pair.replace({"link[0].damping": damping}))["gaps"][0]["gap_needed"])
 
 
 # %% [markdown]

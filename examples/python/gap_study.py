@@ -39,7 +39,7 @@ plt.savefig("gap_study.png", dpi=200)
 # response settles it.
 
 # %%
-needed = bentur.minimum_gap(case)["gaps"][0]["simulated"]
+needed = bentur.minimum_gap(case)["gaps"][0]["gap_needed"]
 impacts = results.impacts.sum("point").sel(delays="0.1 s apart")
 assert bool((impacts.where(results.width > needed, drop=True) == 0).all())
 assert bool((impacts.where(results.width < needed, drop=True) > 0).all())

@@ -87,7 +87,7 @@ Difference difference(const Response& one, const Response& other, double duratio
     }
     const PointSummary &p = one.points[static_cast<std::size_t>(point)],
                        &q = other.points[static_cast<std::size_t>(point)];
-    result.note(p.minimum_gap_no_contact, q.minimum_gap_no_contact, farthest, "gap needed");
+    result.note(p.gap_needed, q.gap_needed, farthest, "gap needed");
     for (std::size_t i = 0; i < a.size(); ++i) {
       const auto of = [&](const char* what) { return fmt::format("point {}, impact {}, {}", point, i, what); };
       result.note(a[i].start, b[i].start, duration, of("start"));
@@ -118,7 +118,7 @@ Difference difference(const Response& one, const Response& other, double duratio
   for (std::size_t i = 0; i < one.watched.size(); ++i) {
     const WatchedSummary &a = one.watched[i], &b = other.watched[i];
     const double scale = std::max(farthest, std::abs(a.least_opening));
-    result.note(a.needed, b.needed, scale, fmt::format("gap needed by watched floor {}", i));
+    result.note(a.gap_needed, b.gap_needed, scale, fmt::format("gap needed by watched floor {}", i));
     result.note(a.least_opening, b.least_opening, scale, fmt::format("least opening {}", i));
   }
   return result;

@@ -152,9 +152,9 @@ inline Response in_units_back(Response response, const UnitChange& units) {
     peaks.acceleration /= units.length;
     peaks.storey_shear /= units.force;
   }
-  for (PointSummary& point : response.points) point.minimum_gap_no_contact /= units.length;
+  for (PointSummary& point : response.points) point.gap_needed /= units.length;
   for (WatchedSummary& floor : response.watched) {
-    floor.needed /= units.length;
+    floor.gap_needed /= units.length;
     floor.least_opening /= units.length;
   }
   for (Impact& impact : response.impacts) {

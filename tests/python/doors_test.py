@@ -240,7 +240,9 @@ def test_studies(kind, text, root, program, tmp_path):
             for results in (found, expected):
                 assert list(doors.differences(told, bentur.fragility(results, event, **asked))) == []
         pytest.importorskip("matplotlib").use("Agg")
-        given, fitted = (bentur.plot.fragility(one) for one in (found, bentur.fragility(found)))
+        from bentur import plot
+
+        given, fitted = (plot.fragility(one) for one in (found, bentur.fragility(found)))
         assert len(given.lines) == len(fitted.lines) > 0
     gaps = json.loads(output(program, "gap", study, "--json"))
     assert list(doors.differences(gaps, bentur.minimum_gap(study))) == []

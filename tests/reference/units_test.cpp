@@ -73,7 +73,7 @@ std::vector<double> dimensionless(const std::string& text, const std::string& na
                    {impact.start, impact.end, impact.closing_speed / length, impact.separation_speed / length,
                     impact.peak_force / force, impact.peak_penetration / length, impact.impulse / force});
   }
-  for (const PointSummary& point : response.points) numbers.push_back(point.minimum_gap_no_contact / length);
+  for (const PointSummary& point : response.points) numbers.push_back(point.gap_needed / length);
   return numbers;
 }
 

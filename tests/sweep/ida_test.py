@@ -109,7 +109,7 @@ class Ida(Sweep):
         needs = self.json_of("gap", study, "--at", level)["studied"][0]["gaps"][0]["records"]
         for curve in document["curves"]:
             at, = [count for count in curve["counts"] if count["intensity"] == level]
-            closer = sum(1 for record in needs if record["simulated"] > curve["case"]["width"])
+            closer = sum(1 for record in needs if record["gap_needed"] > curve["case"]["width"])
             self.assertEqual(at["events"], closer, curve["case"])
 
 
@@ -126,7 +126,7 @@ print(json.dumps({"dims": list(d.peak_force.dims), "coords": sorted(d.impacts.co
     "name": d.intensity.long_name, "period": d.intensity.period, "damping": d.intensity.damping,
     "scale_dims": list(d.scale_factor.dims), "scale": float(at.scale_factor), "record": float(at.record_intensity),
     "levels": d.intensity.values.tolist(), "force": at.peak_force.values.tolist(), "impacts": at.impacts.values.tolist(),
-    "drift": at.peak_drift_ratio_2.values.tolist(), "needed": float(at.gap_minimum_no_contact[0])}))
+    "drift": at.peak_drift_ratio_2.values.tolist(), "needed": float(at.gap_needed[0])}))
 """, output)
         self.assertEqual(found["dims"], ["record", "width", "intensity", "point"])
         self.assertEqual(found["coords"], ["intensity", "point_elevation", "point_left", "point_right", "record",
@@ -335,7 +335,7 @@ class Gap(Ida):
         gap, = document["studied"][0]["gaps"]
         self.assertEqual([record["record"] for record in gap["records"]], ["El Centro", "harmonic"])
         alone = self.json_of("gap", SOURCE / "examples/m12-el-centro.toml")["gaps"][0]
-        for name in "simulated", "abs", "srss", "ddc":
+        for name in "gap_needed", "abs", "srss", "ddc":
             first, second = (record[name] for record in gap["records"])
             self.assertAlmostEqual(first, alone[name], delta=1e-12)
             self.assertEqual(gap["largest"][name], max(first, second))
@@ -351,17 +351,17 @@ class Gap(Ida):
         self.assertIn(block.split("```\n")[1].rstrip() + "\n", text)
         document = self.json_of("gap", study)
         self.assertEqual(len(document["studied"]), 15)
-        each = sorted(record["simulated"] for one in document["studied"] for record in one["gaps"][0]["records"])
+        each = sorted(record["gap_needed"] for one in document["studied"] for record in one["gaps"][0]["records"])
         together = document["together"]
         self.assertEqual(together["runs"], 30)
         self.assertEqual(len(each), 30)
         gap, = together["gaps"]
-        quantile = {one["probability"]: one["simulated"] for one in gap["quantiles"]}
+        quantile = {one["probability"]: one["gap_needed"] for one in gap["quantiles"]}
         # Linear between the two runs next to it, [HyndmanFan1996] type 7.
         place = 0.9 * 29
         low = int(place)
         self.assertAlmostEqual(quantile[0.9], each[low] + (place - low) * (each[low + 1] - each[low]), delta=1e-12)
-        self.assertEqual(gap["largest"]["simulated"], each[-1])
+        self.assertEqual(gap["largest"]["gap_needed"], each[-1])
         given, = gap["given"]
         self.assertEqual(given["records_beyond"], sum(one > 0.1 for one in each))
 
@@ -387,7 +387,7 @@ values = [0.1, 0.2]
         self.assertEqual([one["with"] for one in high["studied"]], [{"damping": "0.03"}, {"damping": "0.05"}])
         for one, other in zip(high["studied"], low["studied"], strict=True):
             a, b = (document["gaps"][0]["records"][0] for document in (one, other))
-            self.assertAlmostEqual(a["simulated"] / b["simulated"], 4, delta=1e-9)  # linear, four times the record
+            self.assertAlmostEqual(a["gap_needed"] / b["gap_needed"], 4, delta=1e-9)  # linear, four times the record
             code, = a["codes"]
             self.assertAlmostEqual(code["gap"], 0.7 * a["srss"], delta=1e-9)  # q = 1, floors aligned
         self.assertIn("damping = 0.03", self.bentur("gap", study).stdout)

@@ -98,7 +98,7 @@ import json, sys, numpy, xarray
 d = xarray.open_dataset(sys.argv[1])
 one = d.sel(excitation="El Centro")
 at = one.sel(width=0.2)
-apart = one.where(one.width > one.gap_minimum_no_contact.isel(gap=0), drop=True)
+apart = one.where(one.width > one.gap_needed.isel(gap=0), drop=True)
 print(json.dumps({
     "force": at.peak_force.values.tolist(), "amplification": at.amplification_1.values.tolist(),
     "duration": at.contact_duration.values.tolist(), "impacts": at.impacts.values.tolist(),
@@ -106,7 +106,7 @@ print(json.dumps({
     "dims": list(d.peak_force.dims), "shape": d.peak_force.shape, "floors": d.elevation_1.values.tolist(),
     "units": [d.width.units, d.peak_force.units, d.peak_acceleration_1.units], "status": int(d.status.sum()),
     "coords": sorted(d.peak_force.coords), "study": d.attrs["study"], "version": d.attrs["bentur_version"],
-    "closed": float(one.impacts.sel(width=0).sum()), "needed": float(at.gap_minimum_no_contact[0]),
+    "closed": float(one.impacts.sel(width=0).sum()), "needed": float(at.gap_needed[0]),
     "apart": [apart.width.size, float(apart.impacts.sum()), float(abs(apart.amplification_1 - 1).max())],
     "first_apart": float(apart.width[0])}))
 """, output)

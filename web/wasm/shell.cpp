@@ -26,7 +26,7 @@
 #include "bentur/model/quantities.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/remark_text.h"
+#include "bentur/report/story_text.h"
 #include "bentur/solve/effort.h"
 
 namespace bentur::web {
@@ -195,27 +195,33 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-Json gap_overview(const RunResults& run, Eigen::Index gap, const std::string& language,
-                  const std::vector<PointSeparation>& separations) {
+Json gap_overview(const RunResults& run, Eigen::Index gap) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
+  const std::optional<double> reversed = gap_needed_reversed(run.problem, run.response, gap);
   Json one = {{"name", gap_name(run.problem, gap)},
               {"impacts", found.impacts},
-              {"points", found.gap.points.size()},
               {"width", found.governing.width},
-              {"needed", found.governing.needed},
-              {"elevation", found.governing.elevation},
-              {"unmodelled", Json()},
-              {"rules", Json::object()}};
+              {"needed", found.governing.gap_needed},
+              {"reversed", reversed ? Json(*reversed) : Json()},
+              {"elevation", found.governing.elevation}};
   if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
     const PointSummary& worst = run.response.points[*found.hardest];
     one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
   }
-  if (!found.unmodelled.empty()) one["unmodelled"] = unmodelled_text(run, gap, language);
-  if (!separations.empty()) {
-    const PointSeparation largest = largest_of(separations, found.gap.points);
-    one["rules"] = {{"abs", largest.abs}, {"srss", largest.srss}, {"ddc", largest.ddc}};
-  }
   return one;
+}
+
+/// What is to be said of the run, in words, the gravest first.
+Json statements_of(const RunResults& run, const Words& say) {
+  Json all = Json::array();
+  for (const SaidStatement& one : said(run_story(run).statements, say)) {
+    all.push_back({{"kind", one.kind},
+                   {"severity", severity_name(one.severity)},
+                   {"gap", one.gap ? Json(gap_name(run.problem, *one.gap)) : Json()},
+                   {"badge", one.badge},
+                   {"text", one.text}});
+  }
+  return all;
 }
 
 }  // namespace
@@ -284,11 +290,10 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     run_.reset();
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
-    SolveOptions options;
+    SolveOptions options = solve_options(c);
     options.output_step = output_step.isNull() ? report_output_step(*problem_) : output_step.as<double>();
     if (options.output_step < 0) options.output_step = c.analysis.output_step;
-    options.energy_audit = c.analysis.energy_audit;
-    options.most_steps = static_cast<long>(std::min(c.analysis.limits.steps, most_steps));
+    options.most_steps = std::min(options.most_steps, static_cast<long>(most_steps));
     if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
     const Effort needed = effort(*problem_, c.analysis.solver, options);
     if (const std::string refused = beyond_limits(c, *problem_, needed); !refused.empty()) return failure(refused);
@@ -319,7 +324,7 @@ std::string Studio::impacts() const { return run_ ? impacts_csv(run_->view()) : 
 
 std::string Studio::gaps() const {
   if (!run_) return "";
-  return gap_json(*run_, separations(run_->problem, run_->response, run_->c.code, run_->c.units), BENTUR_VERSION);
+  return gap_json(*run_, BENTUR_VERSION);
 }
 
 std::string Studio::modes() const { return run_ ? modes_json(run_->problem.buildings, run_->c.units) : ""; }
@@ -334,9 +339,9 @@ std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
-    const std::vector<PointSeparation> rules = separations(run.problem, run.response, run.c.code, run.c.units);
+    const Words say(language);
     Json gaps = Json::array();
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left, language, rules));
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left));
     Json buildings = Json::array();
     for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
       const Building& building = run.problem.buildings[b];
@@ -374,7 +379,7 @@ std::string Studio::overview(const std::string& language) const {
                    {"impactCount", run.response.impacts.size()},
                    {"force", largest_force(run.response)},
                    {"amplification", largest_amplification(run.response)},
-                   {"remarks", remark_texts(run.remarks, language)}};
+                   {"statements", statements_of(run, say)}};
     if (run.response.collapse) {
       answer["collapse"] = {{"building", run.problem.buildings[run.response.collapse->building].name},
                             {"time", run.response.collapse->time}};

@@ -38,7 +38,7 @@ std::string gap_table(const GapStudy& study, const RecordNeeds& needs, std::size
   const std::string& length = study.units.length;
   Table table;
   table.add(with_records ? "record" : "", "", names);
-  table.add("simulated", length, numbers([](const GapNeed& n) { return n.simulated; }));
+  table.add("simulated", length, numbers([](const GapNeed& n) { return n.gap_needed; }));
   table.add("ABS", length, numbers([](const GapNeed& n) { return n.abs; }));
   table.add("SRSS", length, numbers([](const GapNeed& n) { return n.srss; }));
   table.add("DDC", length, numbers([](const GapNeed& n) { return n.ddc; }));
@@ -105,10 +105,13 @@ std::string gap_study_text(const GapStudy& study) {
     }
   }
   if (study.together) text += together_text(study, *study.together);
-  text +=
-      "\nEach number is the largest of the contact points of that gap. Simulated: the buildings moving freely,\n"
-      "floors that face a column included. ABS, SRSS, DDC: sum, root of squares and double-difference combination\n"
-      "of their peak displacements. 84 %: what 84 % of the records do not need more than, each column by itself.\n";
+  text += "\n" +
+          wrapped(
+              "Each number is the largest of all levels at which the buildings face one another, floors that face a "
+              "column included. Simulated: the buildings moving freely. ABS, SRSS, DDC: sum, root of squares and "
+              "double-difference combination of their peak displacements. 84 %: what 84 % of the records do not need "
+              "more than, each column by itself.") +
+          "\n";
   if (!study.code.rules.empty()) {
     text += "Codes: the same peaks, amplified by the factors of [code]; clauses: bentur gap with the case.\n";
   }

@@ -177,4 +177,10 @@ std::string Table::in_one(std::size_t widest_line) const {
   return text;
 }
 
+std::string table_text(const SaidTable& table) {
+  Table shown;
+  for (const TableColumn& column : table.columns) shown.add(column.label, column.unit, column.cells);
+  return wrapped(table.heading) + "\n\n" + shown.text();
+}
+
 }  // namespace bentur::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/story_text.h"
 
 namespace bentur::cli {
 
@@ -41,5 +42,8 @@ class Table {
   };
   std::vector<Column> columns_;
 };
+
+/// A table of a story under its heading.
+[[nodiscard]] std::string table_text(const SaidTable& table);
 
 }  // namespace bentur::cli

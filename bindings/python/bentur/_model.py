@@ -789,6 +789,8 @@ class Analysis:
     - ``limits``: ``{ steps, memory }``, see What a run takes; default 2e7, 1000 MB
     - ``collapse_drift``: > 0: drift ratio at which a storey of a building with gravity loads has collapsed; default
       0.1
+    - ``both_ways``: what the same ground motion the other way round needs is told beside what it needs as given;
+      default ``true``
     - ``energy_audit``: ``true``: all energy is accounted for; what is missing is reported, and the curves stand in
       ``histories.nc``; default ``false``
     """
@@ -800,6 +802,7 @@ class Analysis:
     output_step: float | None = None
     limits: Table | None = None
     collapse_drift: float | None = None
+    both_ways: bool | None = None
     energy_audit: bool | None = None
 
 

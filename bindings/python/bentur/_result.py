@@ -54,7 +54,7 @@ class Result:
     @property
     def remarks(self) -> list[str]:
         """Numbers of case and response that are unusual, in words."""
-        return self._run.remarks()
+        return [line.replace("\u00a0", " ") for line in self._run.remarks("en")]
 
     @property
     def units(self) -> dict[str, str]:
@@ -211,29 +211,17 @@ class Result:
             'style="width:100%;height:760px;border:1px solid #ccc"></iframe>'
         )
 
+    def verdict(self, language: str = "en") -> list[str]:
+        """What is to be said of the run, the gravest first, as ``bentur run`` prints it and the report begins; without
+        remarks. The same without words, as numbers with their units, is ``summary["statements"]``.
+
+        :param language: ``"en"`` or ``"id"``.
+        """
+        return [line.replace("\u00a0", " ") for line in self._run.lines(language)]
+
     def __str__(self) -> str:
-        lines = [self.summary["title"]] if self.summary["title"] else []
-        length, force = self.case.length, self.case.force
-        for gap in self.summary["gaps"]:
-            points = gap["points"]
-            impacts = sum(point["impacts"] for point in points)
-            name = " | ".join(gap["between"])
-            if impacts == 0:
-                lines.append(f"{name}: no pounding")
-            else:
-                hit = sum(point["impacts"] > 0 for point in points)
-                hardest = max(points, key=lambda point: float(point["peak_force"]))
-                lines.append(f"{name}: pounding, {impacts} impacts at {hit} of {len(points)} contact points")
-                if hardest["peak_force_time"] is not None:
-                    lines.append(
-                        f"  hardest {hardest['peak_force']:.4g} {force} at level {hardest['elevation']:g} {length}, "
-                        f"t = {hardest['peak_force_time']:.4g} s"
-                    )
-            lines.append(f"  {gap['gap_needed']:.4g} {length} are needed to stay apart")
-            lines += [f"  not modelled: {one['to_model']}" for one in gap["unmodelled_contact"]]
-        if self.summary["status"] == "collapsed":
-            lines.append(f"collapsed: {self.summary['collapse']}")
-        return "\n".join(lines)
+        title = [self.summary["title"]] if self.summary["title"] else []
+        return "\n".join(title + self.verdict())
 
     def __repr__(self) -> str:
         return f"<bentur.Result of {self.case!r}>\n{self}"

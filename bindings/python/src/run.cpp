@@ -15,7 +15,7 @@
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/remark_text.h"
+#include "bentur/report/story_text.h"
 #include "bentur/solve/effort.h"
 #include "bentur/structure/modes.h"
 #include "case_run.h"
@@ -68,11 +68,9 @@ std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std
     }
     if (!there) throw InvalidParameter("laws", std::to_string(own.gap), "is no gap with contact points");
   }
-  SolveOptions options;
+  SolveOptions options = solve_options(given.c);
   options.output_step = output_step;
   options.course = output_step > 0;
-  options.energy_audit = given.c.analysis.energy_audit;
-  options.most_steps = static_cast<long>(given.c.analysis.limits.steps);
   const std::string refusal = beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options));
   if (!refusal.empty()) {
     Diagnostics found;
@@ -169,16 +167,23 @@ void bind_run(py::module_& module) {
   py::class_<PyRun, std::shared_ptr<PyRun>>(module, "Run")
       .def("summary_json", [](const PyRun& run) { return summary_json(run.results, BENTUR_VERSION); })
       .def("impacts_csv", [](const PyRun& run) { return impacts_csv(run.results.view()); })
-      .def("gap_json",
-           [](const PyRun& run) {
-             const RunResults& r = run.results;
-             return gap_json(r, separations(r.problem, r.response, r.c.code, r.c.units), BENTUR_VERSION);
-           })
+      .def("gap_json", [](const PyRun& run) { return gap_json(run.results, BENTUR_VERSION); })
       .def("variables", &variables)
       .def("save", &save, py::arg("case"), py::arg("folder"), py::arg("histories"), py::arg("is_histories"),
            py::arg("force"))
       .def("impacts", &impacts)
-      .def("remarks", [](const PyRun& run) { return remark_texts(run.results.remarks); })
+      .def("lines",
+           [](const PyRun& run, const std::string& language) {
+             return story_lines(run.results.problem, run_story(run.results), Words(language), Told::outcome);
+           })
+      .def("remarks",
+           [](const PyRun& run, const std::string& language) {
+             std::vector<std::string> texts;
+             for (const SaidStatement& one : said(remark_statements(run.results.remarks), Words(language))) {
+               texts.push_back(one.text);
+             }
+             return texts;
+           })
       .def(
           "report_html",
           [](const PyRun& run, const std::string& language) {

@@ -24,6 +24,7 @@ class KinematicHardening final : public HystereticLaw {
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
+  [[nodiscard]] bool is_odd() const noexcept override { return true; }
   [[nodiscard]] double initial_stiffness() const noexcept override { return stiffness_; }
   [[nodiscard]] double yield_deformation() const noexcept override { return yield_force_ / stiffness_; }
   [[nodiscard]] double residual(const LawState& state, double deformation) const noexcept override;

@@ -100,6 +100,9 @@ class Law {
   /// force is what it takes, until it would have to pull.
   [[nodiscard]] virtual std::optional<double> restitution() const noexcept { return std::nullopt; }
 
+  /// Whether the opposite course of δ from rest gives the opposite force: F of −δ(t) is −F of δ(t).
+  [[nodiscard]] virtual bool is_odd() const noexcept { return false; }
+
   /// Whether nothing can go on once branch 0 has ended.
   [[nodiscard]] virtual bool is_limit() const noexcept { return false; }
 };

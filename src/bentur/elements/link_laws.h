@@ -17,6 +17,7 @@ class SpringDashpot final : public Law {
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
+  [[nodiscard]] bool is_odd() const noexcept override { return true; }
 
  private:
   double stiffness_{};  // k [force/length]

@@ -27,6 +27,7 @@ class PeakOriented final : public HystereticLaw {
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
+  [[nodiscard]] bool is_odd() const noexcept override { return true; }
   [[nodiscard]] double initial_stiffness() const noexcept override { return stiffness_; }
   [[nodiscard]] double yield_deformation() const noexcept override { return yield_; }
   [[nodiscard]] double residual(const LawState& state, double deformation) const noexcept override;

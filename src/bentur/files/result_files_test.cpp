@@ -56,7 +56,7 @@ struct Fixture {
     }
     response.buildings[1].displacement_no_contact(0) = 0;
     response.points.resize(1);
-    response.points[0].minimum_gap_no_contact = 0.3;
+    response.points[0].gap_needed = 0.3;
   }
 
   void add_histories() {
@@ -135,7 +135,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
   EXPECT_EQ(json["buildings"][1]["amplification"], Json::array({nullptr}));
   const Json& gap = json["gaps"][0];
   EXPECT_EQ(gap["between"], (Json{"Left, old", "Right"}));
-  EXPECT_EQ(gap["minimum_gap_no_contact"], 0.3);
+  EXPECT_EQ(gap["gap_needed"], 0.3);
   // ξ = −ln e/√(π² + ln² e), exact where contact ends at separation; c = 2ξ√(k m_e), m_e = 10.
   const double ratio = -std::log(0.65) / std::hypot(std::numbers::pi, std::log(0.65));
   Json point = gap["points"][0];
@@ -145,7 +145,10 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
   point["contact"].erase("damping");
   EXPECT_EQ(point, (Json{{"elevation", 3.0},
                          {"width", 0.1},
-                         {"minimum_gap_no_contact", 0.3},
+                         {"gap_needed", 0.3},
+                         {"gap_needed_reversed", nullptr},
+                         {"peak_left_no_contact", nullptr},
+                         {"peak_right_no_contact", nullptr},
                          {"impacts", 0},
                          {"slow_starts", 0},
                          {"contact_duration", 0.0},
@@ -278,25 +281,28 @@ TEST(ModesJson, ShapesAreMassNormalisedAndFractionsAddUpToOne) {
   EXPECT_EQ(left["participation"].size(), 2U);
 }
 
-TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsPoints) {
+TEST(GapJson, AGapsOwnValuesAreTheLargestOfItsLevels) {
   Fixture f;
   f.problem.points.push_back(f.problem.points[0]);
-  const std::vector<PointSeparation> points = {{.point = 0, .simulated = 1, .abs = 8, .srss = 3, .ddc = 2},
-                                               {.point = 1, .simulated = 2, .abs = 7, .srss = 4, .ddc = 1}};
+  f.problem.watched.clear();
+  f.response.watched.clear();
   f.response.points.assign(2, {});
-  for (const std::size_t i : {0U, 1U}) f.response.points[i].minimum_gap_no_contact = points[i].simulated;
-  const Json gap = Json::parse(gap_json(f.results(), points, "1"))["gaps"][0];
-  EXPECT_EQ(gap["simulated"], 2.0);
-  EXPECT_EQ(gap["abs"], 8.0);
-  EXPECT_EQ(gap["srss"], 4.0);
-  EXPECT_EQ(gap["ddc"], 2.0);
-  EXPECT_EQ(gap["points"][1], (Json{{"elevation", 3.0},
-                                    {"width", 0.1},
-                                    {"simulated", 2.0},
-                                    {"abs", 7.0},
-                                    {"srss", 4.0},
-                                    {"ddc", 1.0},
-                                    {"codes", Json::array()}}));
+  for (const std::size_t i : {0U, 1U}) {
+    PointSummary& point = f.response.points[i];
+    point.gap_needed = i == 0 ? 1 : 2;
+    point.gap_needed_reversed = i == 0 ? 5 : 4;
+    point.peak_left = i == 0 ? 3 : 6;
+    point.peak_right = i == 0 ? 4 : 0.5;
+  }
+  const Json gap = Json::parse(gap_json(f.results(), "1"))["gaps"][0];
+  EXPECT_EQ(gap["gap_needed"], 2.0);
+  EXPECT_EQ(gap["gap_needed_reversed"], 5.0);
+  EXPECT_EQ(gap["abs"], 7.0);
+  EXPECT_EQ(gap["srss"], std::hypot(6, 0.5));
+  EXPECT_EQ(gap["points"][1]["gap_needed"], 2.0);
+  EXPECT_EQ(gap["points"][1]["gap_needed_reversed"], 4.0);
+  EXPECT_EQ(gap["points"][1]["abs"], 6.5);
+  EXPECT_EQ(gap["points"][0]["srss"], 5.0);
 }
 
 TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {

@@ -109,7 +109,7 @@ void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, R
     if (entry.at("faces") == "floor") {
       floor.facing_floor = nearest_floor(problem.buildings.at(gap.left + (of_left ? 1 : 0)), floor.elevation);
     }
-    WatchedSummary summary{.needed = entry.at("minimum_gap_no_contact"),
+    WatchedSummary summary{.gap_needed = entry.at("gap_needed"),
                            .least_opening = entry.at("least_opening"),
                            .least_time = entry.at("time")};
     const auto& met = json.at("unmodelled_contact");

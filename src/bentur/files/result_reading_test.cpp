@@ -82,7 +82,7 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
     EXPECT_EQ(results.problem.points[i].left_floor, problem.points[i].left_floor);
     EXPECT_EQ(results.problem.points[i].right_floor, problem.points[i].right_floor);
     EXPECT_EQ(results.problem.points[i].width, problem.points[i].width);
-    EXPECT_EQ(results.response.points[i].minimum_gap_no_contact, response.points[i].minimum_gap_no_contact);
+    EXPECT_EQ(results.response.points[i].gap_needed, response.points[i].gap_needed);
     EXPECT_EQ(results.response.points[i].peak_force, response.points[i].peak_force);
     EXPECT_EQ(results.response.points[i].peak_force_time, response.points[i].peak_force_time);
   }

@@ -437,6 +437,15 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
 
 }  // namespace
 
+SolveOptions solve_options(const Case& c) {
+  SolveOptions options;
+  options.levels = true;
+  options.both_ways = c.analysis.both_ways;
+  options.energy_audit = c.analysis.energy_audit;
+  options.most_steps = static_cast<long>(c.analysis.limits.steps);
+  return options;
+}
+
 bool refuse_spectrum(const Case& c, Diagnostics& diagnostics) {
   const auto& spectrum = c.excitation.spectrum;
   if (spectrum) {

@@ -159,6 +159,7 @@ struct AnalysisSpec {
   Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;
+  bool both_ways = true;  ///< what the reversed motion needs is told too
   LimitsSpec limits = {};
   double collapse_drift = 0.1;  ///< as Problem::collapse_drift [-]
 };
@@ -230,6 +231,10 @@ struct SpecAndModel {
 /// that no opening is taken for wider than it is; of the nearest point beyond them. Nothing where the gap has none.
 [[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, Eigen::Index gap,
                                                   double elevation);
+
+/// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limit
+/// of steps; no histories.
+[[nodiscard]] SolveOptions solve_options(const Case& c);
 
 /// Floor levels of a model.
 [[nodiscard]] FloorLevels levels_of(const StructuralModel& model);

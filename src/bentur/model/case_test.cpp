@@ -344,10 +344,11 @@ TEST(Separations, UseTheFreePeaksAtTheContactLevel) {
   response.buildings[0].displacement_no_contact = Eigen::Vector2d(3, 30);
   response.buildings[1].displacement_no_contact = Eigen::Vector2d(4, 40);
   response.points.resize(1);
-  response.points[0].minimum_gap_no_contact = 2.5;
-  const std::vector<PointSeparation> result = separations(problem, response);
-  ASSERT_EQ(result.size(), 1U);
-  EXPECT_EQ(result[0].simulated, 2.5);
+  response.points[0].gap_needed = 2.5;
+  response.watched.resize(problem.watched.size());
+  const std::vector<LevelSeparation> result = separations(problem, response);
+  ASSERT_EQ(result.size(), 1 + problem.watched.size());
+  EXPECT_EQ(result[0].gap_needed, 2.5);
   EXPECT_DOUBLE_EQ(result[0].abs, 7);
   EXPECT_DOUBLE_EQ(result[0].srss, 5);
   EXPECT_DOUBLE_EQ(result[0].ddc, 5);

@@ -64,13 +64,10 @@ double smallest_restitution(const RunView& r, const QuantityPlace& at) {
 double largest_restitution(const RunView& r, const QuantityPlace& at) {
   return r.restitutions[at.item].largest.value_or(none);
 }
-double gap_of_points(const RunView& r, const QuantityPlace& at) {
-  const Gap between = gap_at(r.problem, at.item);
-  double needed = 0;
-  for (const Eigen::Index i : between.points) needed = std::max(needed, r.response.points[i].minimum_gap_no_contact);
-  return needed;
-}
 double whole_gap(const RunView& r, const QuantityPlace& at) { return gap_needed(r.problem, r.response, at.item); }
+double whole_gap_reversed(const RunView& r, const QuantityPlace& at) {
+  return gap_needed_reversed(r.problem, r.response, at.item).value_or(none);
+}
 long floors_met(const RunView& r, const QuantityPlace& at) {
   return static_cast<long>(unmodelled_contacts(r.problem, r.response, at.item).size());
 }
@@ -147,7 +144,10 @@ std::deque<Quantity>& list() {
       {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
       // Contact points.
       {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
-      {"minimum_gap_no_contact", point, "L", "w⁰", "gap that the free response needs", {"Needed", "Diperlukan"}, &PointSummary::minimum_gap_no_contact},
+      {"point_gap_needed", point, "L", "w_n", "gap that the free response needs at each contact point", {"Needed", "Diperlukan"}, &PointSummary::gap_needed, "/gap_needed"},
+      {"point_gap_needed_reversed", point, "L", "w_r", "gap that the free response to the reversed ground motion needs at each contact point", {}, &PointSummary::gap_needed_reversed, "/gap_needed_reversed", {}, 1, {}, false, false, true},
+      {"peak_left_no_contact", point, "L", "max |x⁰_l|", "largest displacement of the left face with contact switched off", {}, &PointSummary::peak_left, {}, {}, 1, {}, false, false, true},
+      {"peak_right_no_contact", point, "L", "max |x⁰_r|", "largest displacement of the right face with contact switched off", {}, &PointSummary::peak_right, {}, {}, 1, {}, false, false, true},
       {"impacts", point, "1", "n", "number of impacts", {"Impacts", "Benturan"}, &PointSummary::impacts},
       {"slow_starts", point, "1", "n_s", "impacts that began so slowly that the law took a larger closing speed", {}, &PointSummary::slow_starts},
       {"contact_duration", point, "s", "Σ Δt", "total time in contact", {"In contact", "Lama kontak"}, &PointSummary::contact_duration, {}, "ms", 1e3},
@@ -175,8 +175,8 @@ std::deque<Quantity>& list() {
       {"column_demand_capacity", point, "1", "max D/C", "demand of the struck column over its capacity, the larger of shear and moment", {}, computed(column_ratio), "/column/demand_capacity"},
       {"column_demand_capacity_no_contact", point, "1", "max D⁰/C", "demand of the struck column over its capacity with contact switched off, the larger of shear and moment", {"D/C without contact", "D/C tanpa kontak"}, computed(column_ratio_no_contact), "/column/demand_capacity_no_contact", {}, 1, 2},
       // Gaps.
-      {"gap_minimum_no_contact", gap, "L", "max w⁰", "gap that the free response needs, the largest of its points", {}, gap_of_points, "/minimum_gap_no_contact"},
       {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, whole_gap},
+      {"gap_needed_reversed", gap, "L", "w_r", "gap that the free response to the reversed ground motion needs, floors that face a column included", {}, whole_gap_reversed, {}, {}, 1, {}, false, false, true},
       {"unmodelled_contacts", gap, "1", "n_u", "floors that met what they face where no contact is modelled", {}, floors_met},
       // Links, in the order of the case.
       {"peak_compression", link_, "F", "max F", "largest push of the link, its dashpot included", {"Peak push", "Dorong puncak"}, &LinkSummary::peak_compression},

@@ -76,6 +76,7 @@ struct Quantity {
   std::optional<int> decimals = {};  ///< in tables; nothing: as many as its column needs
   bool audit_only = false;           ///< known with an energy audit alone
   bool by_size = false;              ///< of either sign: |value| is what runs are compared by
+  bool single_run = false;           ///< known of a single run: studies do not have it
 };
 
 /// All of them, in the order in which files and tables have them.

@@ -44,7 +44,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
   }
   for (const Owner owner : {Owner::point, Owner::gap, Owner::link, Owner::run}) {
     for (const Quantity* quantity : quantities_of(owner)) {
-      if (quantity->audit_only && !energy_audit) continue;
+      if (quantity->single_run || (quantity->audit_only && !energy_audit)) continue;
       if (is_of_columns(*quantity) && !any_column_has(*quantity, problem)) continue;
       add(*quantity, owner == Owner::point  ? std::ssize(problem.points)
                      : owner == Owner::gap  ? std::ssize(problem.buildings) - 1

@@ -21,7 +21,8 @@ struct RowPart {
   const Quantity* quantity = nullptr;
 };
 
-/// The parts of a row, in its order: every quantity but those of impacts, building by building first. The numbers of
+/// The parts of a row, in its order: every quantity but those of impacts and of single runs alone, building by
+/// building first. The numbers of
 /// floors, points, gaps and links are those of the problem; every problem of a study must have the same.
 [[nodiscard]] std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit);
 

@@ -43,7 +43,7 @@ Response some_response() {
   for (int b = 0; b < 3; ++b) response.buildings.push_back({two(), two(), two(), two(), two()});
   for (int i = 0; i < 3; ++i) {
     next += 20;
-    response.points.push_back({.minimum_gap_no_contact = next,
+    response.points.push_back({.gap_needed = next,
                                .impacts = static_cast<int>(next) + 1,
                                .contact_duration = next + 2,
                                .peak_force = next + 3,
@@ -97,7 +97,7 @@ TEST_F(SweepRow, HoldsEachNumberUnderItsName) {
   };
   using P = PointSummary;
   EXPECT_EQ((*this)["point_width"], (std::vector<double>{0.11, 0.12, 0.13}));
-  EXPECT_EQ((*this)["minimum_gap_no_contact"], of_points([](const P& p) { return p.minimum_gap_no_contact; }));
+  EXPECT_EQ((*this)["point_gap_needed"], of_points([](const P& p) { return p.gap_needed; }));
   EXPECT_EQ((*this)["impacts"], of_points([](const P& p) { return static_cast<double>(p.impacts); }));
   EXPECT_EQ((*this)["contact_duration"], of_points([](const P& p) { return p.contact_duration; }));
   EXPECT_EQ((*this)["peak_force"], of_points([](const P& p) { return p.peak_force; }));
@@ -142,11 +142,11 @@ TEST_F(SweepRow, YieldingOfBuildingsThatCanAndEveryLink) {
 
 TEST_F(SweepRow, AGapNeedsWhatTheMostDemandingOfItsPointsNeeds) {
   for (const bool upper : {false, true}) {
-    response_.points[0].minimum_gap_no_contact = upper ? 0.2 : 0.7;
-    response_.points[1].minimum_gap_no_contact = upper ? 0.7 : 0.2;
-    response_.points[2].minimum_gap_no_contact = 0.4;
+    response_.points[0].gap_needed = upper ? 0.2 : 0.7;
+    response_.points[1].gap_needed = upper ? 0.7 : 0.2;
+    response_.points[2].gap_needed = 0.4;
     fill();
-    EXPECT_EQ((*this)["gap_minimum_no_contact"], (std::vector<double>{0.7, 0.4})) << "upper floor " << upper;
+    EXPECT_EQ((*this)["gap_needed"], (std::vector<double>{0.7, 0.4})) << "upper floor " << upper;
   }
 }
 

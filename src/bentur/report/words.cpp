@@ -43,6 +43,13 @@ Words::Words(std::string_view language) : language_(language) {
   }
 }
 
+std::size_t Words::number() const {
+  const std::vector<std::string>& all = report_languages();
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), language_) - all.begin());
+}
+
+bool Words::has(std::string_view key) const { return catalogue().texts.find(key) != catalogue().texts.end(); }
+
 std::string Words::operator()(std::string_view key) const {
   const auto& texts = catalogue().texts;
   const auto found = texts.find(key);
@@ -52,8 +59,13 @@ std::string Words::operator()(std::string_view key) const {
 
 std::string Words::operator()(std::string_view key,
                               std::initializer_list<std::pair<const char*, std::string>> values) const {
+  return (*this)(key, std::vector<std::pair<std::string, std::string>>(values.begin(), values.end()));
+}
+
+std::string Words::operator()(std::string_view key,
+                              const std::vector<std::pair<std::string, std::string>>& values) const {
   fmt::dynamic_format_arg_store<fmt::format_context> named;
-  for (const auto& [name, value] : values) named.push_back(fmt::arg(name, value));
+  for (const auto& [name, value] : values) named.push_back(fmt::arg(name.c_str(), value));
   const std::string text = (*this)(key);
   try {
     return fmt::vformat(text, named);

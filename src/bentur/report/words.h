@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <map>
@@ -29,6 +30,10 @@ class Words {
   explicit Words(std::string_view language);
 
   [[nodiscard]] const std::string& language() const { return language_; }
+  /// Its place among report_languages(), as tables of quantities count languages.
+  [[nodiscard]] std::size_t number() const;
+
+  [[nodiscard]] bool has(std::string_view key) const;
 
   /// @throws InvalidParameter when there is no such key.
   [[nodiscard]] std::string operator()(std::string_view key) const;
@@ -37,6 +42,8 @@ class Words {
   /// @throws InvalidParameter also when a value is missing.
   [[nodiscard]] std::string operator()(std::string_view key,
                                        std::initializer_list<std::pair<const char*, std::string>> values) const;
+  [[nodiscard]] std::string operator()(std::string_view key,
+                                       const std::vector<std::pair<std::string, std::string>>& values) const;
 
   /// key.one for 1, else key.many, with {n}.
   [[nodiscard]] std::string count(std::string_view key, long n) const;

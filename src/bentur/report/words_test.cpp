@@ -67,20 +67,20 @@ TEST(Catalogue, HasACaptionForEveryFigure) {
 
 TEST(Words, ValuesAreTakenAsTheyAre) {
   const Words say("en");
-  EXPECT_EQ(say("verdict.apart", {{"left", "{right}"}, {"right", "}{"}, {"duration", "10 s"}}),
+  EXPECT_EQ(say("story.no_pounding", {{"left", "{right}"}, {"right", "}{"}, {"duration", "10 s"}}),
             "{right} and }{ do not touch in 10 s.");
 }
 
 TEST(Words, CountsInBothLanguages) {
-  EXPECT_EQ(Words("en").count("verdict.times", 1), "once");
-  EXPECT_EQ(Words("en").count("verdict.times", 24), "24 times");
-  EXPECT_EQ(Words("id").count("verdict.times", 24), "24 kali");
+  EXPECT_EQ(Words("en").count("story.count.times", 1), "once");
+  EXPECT_EQ(Words("en").count("story.count.times", 24), "24 times");
+  EXPECT_EQ(Words("id").count("story.count.times", 24), "24 kali");
 }
 
 TEST(Words, MistakesAreNamed) {
   EXPECT_THROW(Words("fr"), InvalidParameter);
   EXPECT_THROW(static_cast<void>(Words("en")("no.such.key")), InvalidParameter);
-  EXPECT_THROW(static_cast<void>(Words("en")("verdict.apart", {{"left", "A"}})), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(Words("en")("story.no_pounding", {{"left", "A"}})), InvalidParameter);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(ClosedForm, PeaksAreThoseOfTheContinuousResponse) {
   EXPECT_NEAR(response.buildings[0].acceleration(0), 400.0 * amplitude, 400.0 * round_off);
   EXPECT_NEAR(response.buildings[0].storey_shear(0), 400.0 * amplitude, 400.0 * round_off);
   EXPECT_NEAR(response.buildings[0].drift_ratio(0), amplitude, round_off);
-  EXPECT_NEAR(response.points[0].minimum_gap_no_contact, amplitude, round_off);
+  EXPECT_NEAR(response.points[0].gap_needed, amplitude, round_off);
 }
 
 TEST(ClosedForm, HarmonicGroundMotionFromRest) {

@@ -37,7 +37,7 @@ TEST(FirstContact, RunsThatBeginLateAreThoseThatGoTheWholeWay) {
   for (const Kinematics kinematics : {Kinematics::relative, Kinematics::absolute}) {
     for (const double delay : {0.0, 0.054}) {
       const FreeResponse free(problem_with(0, delay, kinematics));
-      const double needed = free.solve(problem_with(1e3, delay, kinematics)).points[0].minimum_gap_no_contact;
+      const double needed = free.solve(problem_with(1e3, delay, kinematics)).points[0].gap_needed;
       ASSERT_GT(needed, 0.0);
       double last_first = -1;
       for (const double part : {0.0, 0.02, 0.2, 0.5, 0.8, 0.97, 1 - 1e-9, 1 + 1e-9, 1.2, 10.0}) {
@@ -99,7 +99,7 @@ TEST(FirstContact, IsFoundWhereNoSegmentEnds) {
 /// A solver with error control agrees, which shares nothing.
 TEST(FirstContact, IsFoundByOthersToo) {
   const FreeResponse free(problem_with(0, 0.054, Kinematics::relative));
-  const double needed = free.solve(problem_with(1e3, 0.054, Kinematics::relative)).points[0].minimum_gap_no_contact;
+  const double needed = free.solve(problem_with(1e3, 0.054, Kinematics::relative)).points[0].gap_needed;
   for (const double part : {0.2, 0.5, 0.9}) {
     const Problem problem = problem_with(part * needed, 0.054, Kinematics::relative);
     const Response exact = free.solve(problem), other = solve(problem, AdaptiveSolver{1e-11});

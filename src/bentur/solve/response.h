@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,9 +64,16 @@ struct ColumnPeaks {
   double moment_bottom = 0, moment_node = 0, moment_top = 0;  ///< at the node the larger of both pieces [force·length]
 };
 
+/// What has not been asked for.
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
 /// Totals of one contact point over the run.
 struct PointSummary {
-  double minimum_gap_no_contact = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
+  double gap_needed = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
+  /// The same under the ground motion times −1; nothing where that was not asked for or has no end.
+  std::optional<double> gap_needed_reversed = {};
+  /// max |x| of both faces in the free response, relative to the own base [length]; NaN where not asked for.
+  double peak_left = not_known, peak_right = not_known;
   int impacts = 0;
   int slow_starts = 0;                     ///< of these, Impact::slow_start
   double contact_duration = 0;             ///< [s]
@@ -90,7 +98,9 @@ struct LinkSummary {
 
 /// How near a watched floor came to what it faces, of the continuous response.
 struct WatchedSummary {
-  double needed = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
+  double gap_needed = 0;                                 ///< as PointSummary::gap_needed [length]
+  std::optional<double> gap_needed_reversed = {};        ///< likewise [length]
+  double peak_left = not_known, peak_right = not_known;  ///< likewise [length]
   double least_opening =
       0;                  ///< of the run; what it is at most where the floor never comes nearer than at rest [length]
   double least_time = 0;  ///< when [s]

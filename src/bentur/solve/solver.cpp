@@ -10,10 +10,11 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/solve/checks/self_checks.h"
 #include "bentur/solve/engine/run/free_run.h"
 #include "bentur/solve/engine/run/pounding_run.h"
+#include "bentur/solve/engine/run/watch/levels.h"
 #include "bentur/solve/engine/same_but_gaps.h"
-#include "bentur/solve/self_checks.h"
 
 namespace bentur {
 namespace engine {
@@ -177,6 +178,40 @@ Problem without_widths(Problem problem) {
   return problem;
 }
 
+GroundMotion reversed(GroundMotion motion) {
+  if (auto* sampled = std::get_if<SampledMotion>(&motion)) {
+    for (double& value : sampled->acceleration) value = -value;
+  }
+  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= -1;
+  return motion;
+}
+
+/// Of points and watched floors alike.
+template <typename Summary>
+void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    to[i].gap_needed_reversed = from.empty() ? std::nullopt : std::optional(from[i].gap_needed);
+  }
+}
+
+/// What the reversed motion needs, where that is asked for and the free response has not told it; nothing where it
+/// collapses or there is none.
+void add_reversed(const Problem& problem, const Solver& solver, const SolveOptions& options, Response& response) {
+  if (!options.both_ways) {
+    take_reversed({}, response.points);
+    take_reversed({}, response.watched);
+  }
+  const bool ended = response.status == Status::stopped || response.status == Status::failed;
+  if (!options.both_ways || ended || is_mirrored(problem) || std::holds_alternative<NoMotion>(problem.motion)) return;
+  Problem other = problem;
+  other.motion = reversed(std::move(other.motion));
+  const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
+  const FreeResponse free(std::move(other), solver, go_on, options.most_steps);
+  if (free.response().status != Status::done) return;
+  take_reversed(free.response().points, response.points);
+  take_reversed(free.response().watched, response.watched);
+}
+
 /// Status and message of a run that did not get to its end.
 void report_end(Response& response, Status status, const Run& run) {
   response.status = status;
@@ -232,12 +267,28 @@ struct FreeParts {
 
 }  // namespace engine
 
+bool is_mirrored(const Problem& problem) {
+  const auto rests = [](const std::vector<Eigen::VectorXd>& initial) {
+    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
+  };
+  const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
+  const auto& buildings = problem.buildings;
+  return !std::holds_alternative<NoMotion>(problem.motion) && rests(problem.initial_displacement) &&
+         rests(problem.initial_velocity) &&
+         std::all_of(problem.links.begin(), problem.links.end(), [&](const Link& link) { return odd(link.law); }) &&
+         std::all_of(buildings.begin(), buildings.end(), [&](const Building& building) {
+           return std::all_of(building.storey_laws.begin(), building.storey_laws.end(), odd);
+         });
+}
+
 FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
-                           long most_steps) {
+                           long most_steps, bool levels) {
   validate(problem);
   engine::validate(solver);
   const auto parts = std::make_shared<engine::FreeParts>(std::move(problem), solver, most_steps);
-  engine::FreeRun run({parts->system, parts->problem, parts->solver, parts->grid, parts->plan, most_steps});
+  engine::FreeRun run(
+      {parts->system, parts->problem, parts->solver, parts->grid, parts->plan, most_steps},
+      levels ? engine::level_relations(parts->problem, parts->system) : std::vector<engine::ModalSystem::Relation>{});
   const Status status = run.to_end(progress);
   Response& response = parts->response;
   engine::report_end(response, status, run);
@@ -250,11 +301,15 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
   }
   engine::summarise_columns(parts->problem, response.buildings, response.points);
   for (std::size_t i = 0; i < response.points.size(); ++i) {
-    response.points[i].minimum_gap_no_contact = run.idle().nearest()[i].reach;
+    response.points[i].gap_needed = run.idle().nearest()[i].reach;
   }
   response.steps = run.steps();
   for (const engine::SpanWatch::Nearest& nearest : run.floors().nearest()) {
-    response.watched.push_back({.needed = nearest.reach});
+    response.watched.push_back({.gap_needed = nearest.reach});
+  }
+  if (levels) {
+    const bool mirrored = status == Status::done && is_mirrored(parts->problem);
+    engine::report_levels(parts->problem, run.others().nearest(), mirrored, response);
   }
   engine::summarise_yielding(parts->problem, run, parts->system, &BuildingPeaks::yielding, response.buildings);
   engine::leave_out_what_is_not_there(parts->problem, response.buildings);
@@ -343,7 +398,10 @@ Response solve(const Problem& problem, const Solver& solver, const SolveOptions&
     first = [&](double fraction) { return options.progress(free_part * fraction); };
     rest.progress = [&](double fraction) { return options.progress(free_part + (1.0 - free_part) * fraction); };
   }
-  Response response = FreeResponse(problem, solver, first, options.most_steps).solve(problem, rest);
+  const bool levels = options.levels || options.both_ways;
+  const FreeResponse free(problem, solver, first, options.most_steps, levels);
+  Response response = free.solve(problem, rest);
+  engine::add_reversed(problem, solver, options, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

@@ -37,11 +37,21 @@ struct SolveOptions {
   bool course = false;
   /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
   long most_steps = 0;
+  /// Looks at both faces of each level in the free response as well (PointSummary::peak_left and the like): what rules
+  /// for gaps combine.
+  bool levels = false;
+  /// And at what the ground motion times −1 needs (PointSummary::gap_needed_reversed).
+  bool both_ways = false;
   /// Accounts for all energy (Response::energy); it never changes the solution.
   bool energy_audit = false;
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
   std::function<bool(double)> progress;
 };
+
+/// Whether the free response to the ground motion times −1 is the free response times −1: the buildings start from rest
+/// and every law of a storey, bearing or link is odd. What acts in one direction alone, as cables do, makes another
+/// one.
+[[nodiscard]] bool is_mirrored(const Problem& problem);
 
 /// Runs the free response (contact off) first, then the response with contact.
 /// Numerical trouble is a status with time and reason, never an exception.
@@ -58,8 +68,10 @@ struct FreeParts;
 class FreeResponse {
  public:
   /// @throws InvalidParameter as solve().
+  /// @param levels as SolveOptions::levels; what the reversed motion needs comes with it where it follows from this
+  /// response, as is_mirrored() says.
   explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
-                        const std::function<bool(double)>& progress = {}, long most_steps = 0);
+                        const std::function<bool(double)>& progress = {}, long most_steps = 0, bool levels = false);
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
@@ -67,8 +79,8 @@ class FreeResponse {
   [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
 
   /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
-  /// buildings, and of points and watched floors what they need (`minimum_gap_no_contact`, `needed`); all else of them
-  /// is zero. It lives as long as this object and its copies.
+  /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
+  /// it); all else of them is zero. It lives as long as this object and its copies.
   [[nodiscard]] const Response& response() const;
 
  private:

@@ -120,7 +120,7 @@ TEST_P(EverySolver, FreeImpactOnASpring) {
 }
 
 TEST_P(EverySolver, NoImpactInAGapThatIsWideEnough) {
-  const double needed = run(sticks(1)).points[1].minimum_gap_no_contact;
+  const double needed = run(sticks(1)).points[1].gap_needed;
   ASSERT_GT(needed, 0.01);
   const Response wide = run(sticks(needed * (1 + 2 * accuracy_)));
   EXPECT_TRUE(wide.impacts.empty());
@@ -268,7 +268,7 @@ TEST_P(EverySolver, AFreeResponseServesOtherGapsToTheBit) {
     EXPECT_EQ(one.impacts[i].start, other.impacts[i].start);
     EXPECT_EQ(one.impacts[i].peak_force, other.impacts[i].peak_force);
   }
-  EXPECT_EQ(one.points[1].minimum_gap_no_contact, other.points[1].minimum_gap_no_contact);
+  EXPECT_EQ(one.points[1].gap_needed, other.points[1].gap_needed);
 }
 
 TEST_P(EverySolver, AFreeResponseIsThatOfGapsThatNeverClose) {
@@ -283,8 +283,8 @@ TEST_P(EverySolver, AFreeResponseIsThatOfGapsThatNeverClose) {
     EXPECT_EQ(response.buildings[b].displacement_no_contact, far.buildings[b].displacement_no_contact);
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_GT(response.points[i].minimum_gap_no_contact, 0);
-    EXPECT_EQ(response.points[i].minimum_gap_no_contact, far.points[i].minimum_gap_no_contact);
+    EXPECT_GT(response.points[i].gap_needed, 0);
+    EXPECT_EQ(response.points[i].gap_needed, far.points[i].gap_needed);
   }
 }
 

@@ -46,7 +46,7 @@ TEST(WatchedFloors, NeedAndLeastOpeningOfAClosedForm) {
     const Response response = solve(problem, way.solver);
     ASSERT_EQ(response.status, Status::done);
     ASSERT_EQ(response.watched.size(), 1u);
-    EXPECT_NEAR(response.watched[0].needed, need, way.accuracy * need);
+    EXPECT_NEAR(response.watched[0].gap_needed, need, way.accuracy * need);
     EXPECT_NEAR(response.watched[0].least_opening, 0.05 - need, way.accuracy * 0.05);
     EXPECT_NEAR(response.watched[0].least_time, 1.0 / 3, 3 * std::sqrt(way.accuracy));
     EXPECT_FALSE(response.watched[0].closes);
@@ -89,7 +89,7 @@ TEST(WatchedFloors, AreWhatContactPointsAtTheSameFloorsSay) {
         const PointSummary& point = response.points[i];
         const WatchedSummary& watched = response.watched[i];
         ASSERT_GT(point.impacts, 3);
-        EXPECT_NEAR(watched.needed, point.minimum_gap_no_contact, 1e-12 * point.minimum_gap_no_contact);
+        EXPECT_NEAR(watched.gap_needed, point.gap_needed, 1e-12 * point.gap_needed);
         EXPECT_NEAR(watched.least_opening, -point.peak_penetration, 1e-9 * point.peak_penetration);
         EXPECT_TRUE(watched.closes);
         // A linear contact's force is largest where it is deepest.
@@ -120,7 +120,7 @@ TEST(WatchedFloors, OfASharedFreeResponseAreThoseOfRunsOfTheirOwn) {
   SolveOptions samples;
   samples.output_step = 0.1;
   const Response free = solve(problem);
-  const double most = std::max(free.points[0].minimum_gap_no_contact, free.points[1].minimum_gap_no_contact);
+  const double most = std::max(free.points[0].gap_needed, free.points[1].gap_needed);
   for (const double part : {0.1, 0.9, 0.99, 1.01}) {
     for (ContactPoint& point : problem.points) point.width = part * most;
     for (WatchedFloor& floor : problem.watched) floor.width = 0.5 * part * most;
@@ -128,7 +128,7 @@ TEST(WatchedFloors, OfASharedFreeResponseAreThoseOfRunsOfTheirOwn) {
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(one.watched[i].least_opening, alone.watched[i].least_opening) << part;
       EXPECT_EQ(one.watched[i].least_time, alone.watched[i].least_time) << part;
-      EXPECT_EQ(one.watched[i].needed, alone.watched[i].needed) << part;
+      EXPECT_EQ(one.watched[i].gap_needed, alone.watched[i].gap_needed) << part;
       EXPECT_NEAR(sampled.watched[i].least_opening, alone.watched[i].least_opening, 1e-13) << part;
     }
   }

@@ -60,7 +60,7 @@ function App() {
                 {pinned.value && <div><h3>{say("pinned")}: {pinned.value.overview.title}, {widthsOf(pinned.value.overview)}</h3>
                   <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
               </div></section>}
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{now.overview.remarks.length > 0 && <> · {say("verdict.remark")}: {now.overview.remarks.join(" ")}</>}</p>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{" "}· {say("verdict.remark")}: <span data-remarks>{now.overview.statements.filter((one) => one.severity === "remark").map((one) => one.text).join(" ")}</span></p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { buildingColour, buildingVariable, Chart, type Curve, curvesSvg } from "./charts";
 import { main } from "./motion";
-import type { BuildingOverview, GapOverview, Overview, Result } from "./solver";
+import type { BuildingOverview, GapOverview, Overview, Result, Said } from "./solver";
 import { cancel, curve, curveDone, gap, pinned, progress, result, slow, stale, time, width } from "./state";
 import { language, number, say } from "./texts";
 import { theme } from "./theme";
@@ -13,18 +13,42 @@ const with_ = (value: number | null | undefined, unit: string) => `${number(valu
 /** "Gap 0.05 | 0.04 m". */
 export const widthsOf = (overview: Overview) => `${say("gap")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${unitOf(overview)}`;
 
-function GapVerdict({ one, overview }: { one: GapOverview; overview: Overview }) {
-  const length = unitOf(overview);
-  const hit = one.impacts > 0 || one.unmodelled !== null;
+const isGrave = (one: Said) => one.severity === "danger" || one.severity === "warning";
+
+/** Statements one below the other; a badge stands once above those that have it, `under` one already. In a row each that is
+ *  of one gap begins with its name, where `gaps` are given. */
+function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOverview[]; under?: string }) {
+  let badge = under;
+  return <>{all.map((one, i) => {
+    const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
+    return <div key={i} data-kind={one.kind}>
+      {shown && <p class={`badge${isGrave(one) ? "" : " fine"}`}>{shown}</p>}
+      <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
+    </div>;
+  })}</>;
+}
+
+/** What is to be said of the run, as every other door says it: the gravest first. What fails or collides is in sight; of a
+ *  row, what is of one gap under its name and badge; what else was found is folded away, unless nothing else is to be told. */
+function Statements({ overview }: { overview: Overview }) {
+  const row = overview.gaps.length > 1;
+  const told = overview.statements.filter((one) => one.severity !== "remark");
+  const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
+  const isFolded = (one: Said) => one.severity === "finding" && !one.badge;
+  const grave = told.some(isGrave);
+  const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   return (
-    <div class={`verdict${hit ? " pounds" : ""}`}>
-      <p class="badge">{say(hit ? "pounds" : "clear")}</p>
-      {one.unmodelled !== null && <p>{one.unmodelled}</p>}
-      {(one.impacts > 0 || !hit) && <p class="lead">{one.impacts === 0 ? say("verdict.clear", { name: one.name })
-        : one.hardest ? say(one.impacts === 1 ? "verdict.hit" : "verdict.hits", { name: one.name, n: one.impacts, force: with_(one.hardest.force, overview.units.force), level: with_(one.hardest.elevation, length) })
-          : say(one.impacts === 1 ? "verdict.hit.bare" : "verdict.hits.bare", { name: one.name, n: one.impacts })}</p>}
-      <p>{say("verdict.gap", { level: with_(one.elevation, length), width: with_(one.width, length), needed: with_(one.needed, length) })}</p>
-      {one.rules.abs !== undefined && one.points > 0 && <p class="note">{say("verdict.rules", { abs: with_(one.rules.abs, length), srss: with_(one.rules.srss, length), ddc: with_(one.rules.ddc, length) })}</p>}
+    <div class={`verdict${grave ? " pounds" : ""}`}>
+      <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
+      {row && overview.gaps.map((each, i) => {
+        const mine = told.filter((one) => ofGap(one) && one.gap === i);
+        const badge = mine.find((one) => one.badge);
+        return mine.length > 0 && <details key={i} data-gap={each.name} open={i === gap.value}>
+          <summary>{each.name}{badge && <>: <span class={`badge${isGrave(badge) ? "" : " fine"}`}>{badge.badge}</span></>}</summary>
+          <Sentences all={mine} under={badge?.badge} />
+        </details>;
+      })}
+      {folded.length > 0 && <details open={!grave}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
     </div>
   );
 }
@@ -35,8 +59,7 @@ export function Verdict() {
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
       {slow.value && <p class="busy">{say("solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
       {stale.value && <p class="stale-note">{say("stale")}</p>}
-      {now?.overview.collapse && <p class="verdict pounds lead">{say("verdict.collapse", { name: now.overview.collapse.building, time: with_(now.overview.collapse.time, "s") })}</p>}
-      {now?.overview.gaps.map((one) => <GapVerdict key={one.name} one={one} overview={now.overview} />)}
+      {now && <Statements overview={now.overview} />}
     </div>
   );
 }

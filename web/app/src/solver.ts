@@ -11,11 +11,10 @@ export interface Histories {
   buildings: { displacement: Float64Array[]; drift: Float64Array[]; shear: Float64Array[] }[];
 }
 export interface GapOverview {
-  name: string; impacts: number; points: number; width: number; needed: number; elevation: number;
+  name: string; impacts: number; width: number; needed: number; reversed: number | null; elevation: number;
   hardest?: { force: number; elevation: number };
-  unmodelled: string | null;
-  rules: { abs?: number; srss?: number; ddc?: number };
 }
+export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
   displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];
@@ -25,7 +24,7 @@ export type ImpactRow = [number, number, number, number, number, number, number 
 export interface Overview {
   title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
-  impactCount: number; force: number; amplification: number; remarks: string[];
+  impactCount: number; force: number; amplification: number; statements: Said[];
   collapse?: { building: string; time: number };
 }
 export interface CurvePoint { width: number; force: number; amplification: number }

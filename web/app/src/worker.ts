@@ -42,6 +42,8 @@ async function answer(request: Request): Promise<void> {
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
     overview.title = clip(overview.title);
+    const gaps = overview.gaps.map((one: { name: string }) => one.name);
+    for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
     const histories = studio.histories();
     return post({ id, kind: "result", overview, units: JSON.parse(studio.units(request.text)), motion: studio.motion(request.language), histories,

@@ -85,7 +85,8 @@ asce-7-16 = { deflection_amplification = 5.5, importance_factor = [1, 1.25, 1.5]
 TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {
   const Case c = read_with("\n[code]\nis-1893-1 = { response_reduction = 1 }\n");
   const Problem problem = make_problem(c);
-  const auto points = separations(problem, solve(problem), c.code, c.units);
+  auto points = separations(problem, solve(problem, ExactSolver{}, solve_options(c)), c.code, c.units);
+  std::erase_if(points, [](const LevelSeparation& one) { return !one.level.is_point; });
   ASSERT_EQ(points.size(), 3U);  // two between A and B, the roofs of B and C
   EXPECT_NEAR(points[0].codes[0].gap, points[0].abs / 2, 1e-12);
   EXPECT_NEAR(points[1].codes[0].gap, points[1].abs / 2, 1e-12);
@@ -97,9 +98,8 @@ TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {
       "\n[code]\nnbcc = { ductility_factor = 4, overstrength_factor = 1.7, importance_factor = 1 }\n"
       "ntc-2004 = { behaviour_factor = 2, zone = \"I\" }\n");
   const Problem problem = make_problem(c);
-  const Response response = solve(problem);
-  const auto points = separations(problem, response, c.code, c.units);
-  const auto json = nlohmann::json::parse(gap_json(run_results(c, problem, response), points, "1"));
+  const Response response = solve(problem, ExactSolver{}, solve_options(c));
+  const auto json = nlohmann::json::parse(gap_json(run_results(c, problem, response), "1"));
   EXPECT_EQ(json["code_rules"][0]["rule"], "nbcc");
   EXPECT_EQ(json["code_rules"][0]["clause"], "4.1.8.14");
   EXPECT_EQ(json["code_rules"][1]["wording"], "checked, Q to check");

@@ -109,8 +109,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of(
-          {"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "limits", "collapse_drift"})) {
+  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "both_ways",
+                          "limits", "collapse_drift"})) {
     return analysis;
   }
   if (const auto duration = view->find("duration")) {
@@ -123,6 +123,7 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   analysis.collapse_drift =
       view->number("collapse_drift", Rule::positive, Need::optional).value_or(analysis.collapse_drift);
   analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
+  analysis.both_ways = view->flag("both_ways", Need::optional).value_or(true);
   analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
     (view->has("output_step") ? *view->find("output_step") : *view)

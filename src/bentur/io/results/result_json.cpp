@@ -9,6 +9,7 @@
 
 #include "bentur/io/results/internal/record_json.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -68,6 +69,7 @@ Json excitation_json(const ExcitationSpec& excitation) {
 }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json or_null_if_unknown(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
 
 /// The file the case was read from, as far as it can be told apart from others.
 Json source_json(const std::optional<CaseSource>& source) {
@@ -156,6 +158,39 @@ Json remarks_json(const std::vector<Remark>& remarks) {
   return json;
 }
 
+Json values_json(const std::vector<StoryValue>& values) {
+  Json json = Json::object();
+  for (const StoryValue& value : values) {
+    if (const auto* real = std::get_if<double>(&value.value)) {
+      json[value.name] = {{"value", or_null_if_unknown(*real)}, {"unit", value.unit}};
+    } else if (const auto* count = std::get_if<long>(&value.value)) {
+      json[value.name] = *count;
+    } else if (!std::get<std::string>(value.value).empty()) {
+      json[value.name] = std::get<std::string>(value.value);
+    }
+  }
+  return json;
+}
+
+/// What is said of a run or of its gaps, without words: the gravest first.
+Json statements_json(const Problem& problem, const std::vector<Statement>& statements) {
+  Json json = Json::array();
+  for (const Statement& statement : statements) {
+    Json buildings = Json::array(), items = Json::array();
+    for (const Eigen::Index b : statement.buildings) buildings.push_back(problem.buildings.at(b).name);
+    for (const auto& item : statement.items) items.push_back(values_json(item));
+    Json one = {{"kind", statement.kind},
+                {"severity", severity_name(statement.severity)},
+                {"buildings", buildings},
+                {"level", or_null(statement.level)},
+                {"values", values_json(statement.values)}};
+    if (!statement.subject.empty()) one["subject"] = statement.subject;
+    if (!items.empty()) one["items"] = items;
+    json.push_back(one);
+  }
+  return json;
+}
+
 /// The law with everything it works with, given or derived, and the choices that apply.
 Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
   Json json = {{"law", law.name()}};
@@ -214,17 +249,18 @@ Json watched_json(const Problem& problem, const WatchedFloor& floor) {
           {"width", floor.width}};
 }
 
-/// Every watched floor of a gap.
-Json watched_list(const Problem& problem, const Response& response, const Gap& gap, bool of_run) {
+/// Every watched floor of a gap, and what it does in the run.
+Json watched_list(const Problem& problem, const Response& response, const Gap& gap) {
   Json list = Json::array();
   for (const Eigen::Index i : gap.watched) {
     Json json = watched_json(problem, problem.watched[i]);
     const WatchedSummary& summary = response.watched.at(i);
-    json[of_run ? "minimum_gap_no_contact" : "simulated"] = summary.needed;
-    if (of_run) {
-      json["least_opening"] = summary.least_opening;
-      json["time"] = summary.least_time;
-    }
+    json["gap_needed"] = summary.gap_needed;
+    json["gap_needed_reversed"] = or_null(summary.gap_needed_reversed);
+    json["peak_left_no_contact"] = or_null_if_unknown(summary.peak_left);
+    json["peak_right_no_contact"] = or_null_if_unknown(summary.peak_right);
+    json["least_opening"] = summary.least_opening;
+    json["time"] = summary.least_time;
     list.push_back(json);
   }
   return list;
@@ -265,7 +301,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
     put_quantities(json, Owner::gap, run, gap.left);
     json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
     json["points"] = points;
-    json["watched_floors"] = watched_list(run.problem, run.response, gap, true);
+    json["watched_floors"] = watched_list(run.problem, run.response, gap);
     gaps.push_back(json);
   }
   Json json = {{"title", c.title},
@@ -275,6 +311,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
                {"status", run.response.collapse ? "collapsed" : "completed"},
                {"solver", solver_json(c.analysis.solver, run.response)},
                {"excitation", excitation_json(c.excitation)},
+               {"statements", statements_json(run.problem, run_story(results).statements)},
                {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
                {"gaps", gaps}};
@@ -313,7 +350,7 @@ Json codes_json(const std::vector<CodeSeparation>& codes) {
   Json json = Json::array();
   for (const CodeSeparation& code : codes) {
     json.push_back({{"rule", code.rule},
-                    {"gap", code.gap},
+                    {"gap", or_null_if_unknown(code.gap)},
                     {"to_property_line", {or_null(code.to_left), or_null(code.to_right)}}});
   }
   return json;
@@ -348,53 +385,85 @@ Json screening_json(const Case& c, const Problem& problem, Eigen::Index gap) {
   return json;
 }
 
-/// What a gap or a point needs; `needed` names the number that no rule gives.
-Json separation_json(const PointSeparation& separation, const char* needed) {
-  return {{needed, separation.simulated},
-          {"abs", separation.abs},
-          {"srss", separation.srss},
-          {"ddc", separation.ddc},
-          {"codes", codes_json(separation.codes)}};
+/// What a level needs, or a whole gap.
+Json separation_json(const LevelSeparation& separation) {
+  Json json = {{"gap_needed", separation.gap_needed},
+               {"abs", or_null_if_unknown(separation.abs)},
+               {"srss", or_null_if_unknown(separation.srss)},
+               {"ddc", or_null_if_unknown(separation.ddc)},
+               {"codes", codes_json(separation.codes)}};
+  if (separation.gap_needed_reversed) json["gap_needed_reversed"] = *separation.gap_needed_reversed;
+  return json;
 }
 
-Json points_json(const Problem& problem, const std::vector<PointSeparation>& separations, const Gap& gap,
-                 const char* needed) {
-  Json points = Json::array();
-  for (const Eigen::Index i : gap.points) {
-    Json json = {{"elevation", problem.points[i].elevation}, {"width", problem.points[i].width}};
-    json.update(separation_json(separations.at(i), needed));
-    points.push_back(json);
+std::string_view silence_name(RuleFinding::Silence silence) {
+  constexpr std::string_view names[] = {"", "no_level", "collapsed", "linked", "unknown"};
+  return names[static_cast<std::size_t>(silence)];
+}
+
+/// What each rule asks where it falls short the most.
+Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<LevelSeparation>& levels) {
+  Json json = Json::array();
+  for (const RuleFinding& found : findings) {
+    Json one = {{"rule", found.rule}};
+    if (found.at) {
+      const FacingLevel& level = levels[*found.at].level;
+      one.update({{"gap", found.gap},
+                  {"elevation", level.elevation},
+                  {"width", level.width},
+                  {"given_is", found.is_short ? "too_small" : "enough"},
+                  {"understates", found.understates}});
+    } else {
+      one.update({{"given_is", "not_evaluated"}, {"reason", silence_name(found.silence)}});
+    }
+    json.push_back(one);
   }
-  return points;
+  return json;
+}
+
+/// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
+Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels, double scale,
+                 bool collapsed, Eigen::Index gap) {
+  Json points = Json::array(), watched = Json::array();
+  for (const LevelSeparation& one : levels) {
+    if (one.level.is_point) {
+      points.push_back({{"elevation", one.level.elevation}, {"width", one.level.width}});
+    } else {
+      watched.push_back(watched_json(problem, problem.watched[one.level.index]));
+    }
+    (one.level.is_point ? points : watched).back().update(separation_json(one));
+  }
+  Json json = {{"between", between(problem, gap)}};
+  json.update(separation_json(largest_of(levels)));
+  json["rules"] = findings_json(rule_findings(problem, levels, c.code, scale, collapsed), levels);
+  json["points"] = points;
+  json["watched_floors"] = watched;
+  json["screening"] = screening_json(c, problem, gap);
+  return json;
 }
 
 }  // namespace
 
-std::string gap_json(const RunResults& results, const std::vector<PointSeparation>& separations,
-                     std::string_view version) {
+std::string gap_json(const RunResults& results, std::string_view version) {
   const Problem& problem = results.problem;
+  const std::vector<LevelSeparation> all = separations(problem, results.response, results.c.code, results.c.units);
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(problem)) {
-    PointSeparation largest = largest_of(separations, gap.points);
-    largest.simulated = gap_needed(problem, results.response, gap.left);
-    Json json = {{"between", between(problem, gap.left)}};
-    json.update(separation_json(largest, "simulated"));
-    json["points"] = points_json(problem, separations, gap, "simulated");
-    json["watched_floors"] = watched_list(problem, results.response, gap, false);
-    json["screening"] = screening_json(results.c, problem, gap.left);
-    gaps.push_back(json);
+    gaps.push_back(gap_json_of(results.c, problem, of_gap(all, gap.left),
+                               displacement_scale(problem, results.response, gap.left),
+                               results.response.collapse_no_contact.has_value(), gap.left));
   }
   return dump({{"title", results.c.title},
                {"units", units_json(results.c.units)},
                {"version", version},
                {"excitation", excitation_json(results.c.excitation)},
+               {"statements", statements_json(problem, gap_story(results).statements)},
                {"code_rules", rules_json(results.c.code)},
                {"gaps", gaps}});
 }
 
 std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                               std::string_view version) {
-  constexpr const char* needed = "spectral_difference";
   Json buildings = Json::array(), gaps = Json::array();
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
@@ -408,25 +477,13 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
                          {"peak_displacement_cqc", list(spectral.peaks.at(b).cqc)}});
   }
   for (const Gap& gap : gaps_of(problem)) {
-    PointSeparation largest = largest_of(spectral.points, gap.points);
-    Json watched = Json::array();
-    for (const Eigen::Index i : gap.watched) {
-      Json json = watched_json(problem, problem.watched[i]);
-      json[needed] = spectral.watched.at(i);
-      largest.simulated = std::max(largest.simulated, spectral.watched.at(i));
-      watched.push_back(json);
-    }
-    Json json = {{"between", between(problem, gap.left)}};
-    json.update(separation_json(largest, needed));
-    json["points"] = points_json(problem, spectral.points, gap, needed);
-    json["watched_floors"] = watched;
-    json["screening"] = screening_json(c, problem, gap.left);
-    gaps.push_back(json);
+    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left));
   }
   return dump({{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
                {"excitation", excitation_json(c.excitation)},
+               {"statements", statements_json(problem, spectral_story(c, problem, spectral).statements)},
                {"code_rules", rules_json(c.code)},
                {"buildings", buildings},
                {"gaps", gaps}});

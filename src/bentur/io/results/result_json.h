@@ -18,13 +18,13 @@ namespace bentur {
 /// Periods, participation, effective mass fractions and mass-normalised shapes of each building; weight.
 [[nodiscard]] std::string modes_json(const std::vector<Building>& buildings, const Units& units);
 
-/// The gap each contact point needs: simulated, ABS, SRSS, DDC and the rules of the case's [code]; a gap's own
-/// values are the largest of its points', the simulated one of its watched floors too.
-[[nodiscard]] std::string gap_json(const RunResults& results, const std::vector<PointSeparation>& separations,
-                                   std::string_view version);
+/// The gap each level needs, contact points and watched floors: simulated, ABS, SRSS, DDC and the rules of the case's
+/// [code]; a gap's own values are the largest of its levels'. What each rule says of the gap given, with the level that
+/// governs.
+[[nodiscard]] std::string gap_json(const RunResults& results, std::string_view version);
 
 /// The same by the case's spectrum: of each building periods, spectral displacements and peaks by SRSS and CQC; of each
-/// gap the spectral difference in place of what is simulated.
+/// gap the spectral difference as the gap needed.
 [[nodiscard]] std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                                             std::string_view version);
 

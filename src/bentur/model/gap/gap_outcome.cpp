@@ -31,7 +31,7 @@ bool falls_short(double given, double needed, double scale) {
   return needed > given + round_off * std::max(scale, given);
 }
 
-bool GoverningLevel::is_short() const { return falls_short(width, needed, scale); }
+bool GoverningLevel::is_short() const { return falls_short(width, gap_needed, scale); }
 
 double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap) {
   double scale = 0;
@@ -43,40 +43,57 @@ double displacement_scale(const Problem& problem, const Response& response, Eige
   return scale;
 }
 
-std::optional<GoverningLevel> governing_level(const Problem& problem, const Gap& gap, double scale,
-                                              const std::function<double(Eigen::Index)>& at_point,
-                                              const std::function<double(Eigen::Index)>& at_watched) {
+std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>& levels, double scale) {
   std::optional<GoverningLevel> worst;
-  const auto take = [&](const GoverningLevel& level) {
-    if (!worst || level.needed - level.width > worst->needed - worst->width) worst = level;
-  };
-  for (auto i = gap.points.rbegin(); i != gap.points.rend(); ++i) {
-    const ContactPoint& point = problem.points[*i];
-    take({std::nullopt, point.elevation, point.width, at_point(*i), scale});
-  }
-  for (const Eigen::Index i : gap.watched) {
-    take({i, problem.watched[i].elevation, problem.watched[i].width, at_watched(i), scale});
+  for (const bool points : {true, false}) {
+    for (auto one = levels.rbegin(); one != levels.rend(); ++one) {
+      const FacingLevel& level = one->level;
+      if (level.is_point != points) continue;
+      if (worst && one->gap_needed - level.width <= worst->gap_needed - worst->width) continue;
+      worst = {points ? std::nullopt : std::optional(level.index),
+               level.elevation,
+               level.width,
+               one->gap_needed,
+               one->gap_needed_reversed,
+               scale};
+    }
   }
   return worst;
 }
 
+namespace {
+
+/// What is needed at each level of a gap, without the rules.
+std::vector<LevelSeparation> needs_of(const Problem& problem, const Response& response, Eigen::Index gap) {
+  std::vector<LevelSeparation> needs;
+  for (const FacingLevel& level : facing_levels(problem, gap)) {
+    const auto take = [&](const auto& summary) {
+      needs.push_back({level, summary.gap_needed, summary.gap_needed_reversed});
+    };
+    if (level.is_point) {
+      take(response.points.at(level.index));
+    } else {
+      take(response.watched.at(level.index));
+    }
+  }
+  return needs;
+}
+
+}  // namespace
+
 GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
   const double scale = displacement_scale(problem, response, number);
-  const auto worst = governing_level(
-      problem, gap_at(problem, number), scale,
-      [&](Eigen::Index i) { return response.points.at(i).minimum_gap_no_contact; },
-      [&](Eigen::Index i) { return response.watched.at(i).needed; });
-  GoverningLevel level = worst.value_or(GoverningLevel{});
-  if (!falls_short(0, level.needed, scale)) level.needed = 0;  // round-off
+  GoverningLevel level = governing_level(needs_of(problem, response, number), scale).value_or(GoverningLevel{});
+  if (!falls_short(0, level.gap_needed, scale)) level.gap_needed = 0;  // round-off
   return level;
 }
 
 double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {
-  const Gap gap = gap_at(problem, number);
-  double needed = 0;
-  for (const Eigen::Index i : gap.points) needed = std::max(needed, response.points.at(i).minimum_gap_no_contact);
-  for (const Eigen::Index i : gap.watched) needed = std::max(needed, response.watched.at(i).needed);
-  return needed;
+  return largest_of(needs_of(problem, response, number)).gap_needed;
+}
+
+std::optional<double> gap_needed_reversed(const Problem& problem, const Response& response, Eigen::Index number) {
+  return largest_of(needs_of(problem, response, number)).gap_needed_reversed;
 }
 
 std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response, Eigen::Index gap) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bentur/model/gap/minimum_gap.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
 
@@ -14,11 +14,12 @@ namespace bentur {
 /// Where the gap between two neighbours falls short the most, or has least to spare: at a contact point, or at a
 /// watched floor.
 struct GoverningLevel {
-  std::optional<Eigen::Index> watched;  ///< index into Problem::watched; nothing: a contact point
-  double elevation = 0;                 ///< [length]
-  double width = 0;                     ///< given [length]
-  double needed = 0;                    ///< [length]
-  double scale = 0;                     ///< displacement_scale() [length]
+  std::optional<Eigen::Index> watched;             ///< index into Problem::watched; nothing: a contact point
+  double elevation = 0;                            ///< [length]
+  double width = 0;                                ///< given [length]
+  double gap_needed = 0;                           ///< [length]
+  std::optional<double> gap_needed_reversed = {};  ///< there, under the ground motion times −1 [length]
+  double scale = 0;                                ///< displacement_scale() [length]
 
   /// Whether the gap is too narrow by more than round-off.
   [[nodiscard]] bool is_short() const;
@@ -31,17 +32,17 @@ struct GoverningLevel {
 /// The scale of a gap's round-off: the largest displacements of both neighbours together [length].
 [[nodiscard]] double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap);
 
-/// Of levels that are alike the highest contact point; nothing where no floors face one another.
-/// @param at_point, at_watched what is needed at a contact point or watched floor of the problem [length]
-[[nodiscard]] std::optional<GoverningLevel> governing_level(const Problem& problem, const Gap& gap, double scale,
-                                                            const std::function<double(Eigen::Index)>& at_point,
-                                                            const std::function<double(Eigen::Index)>& at_watched);
+/// Of the levels of one gap; of those that are alike the highest contact point. Nothing where there are none.
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>& levels, double scale);
 
 /// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
 /// The gap needed, the largest over its contact points and its watched floors [length].
 [[nodiscard]] double gap_needed(const Problem& problem, const Response& response, Eigen::Index gap);
+/// The same under the ground motion times −1; nothing where that is not known.
+[[nodiscard]] std::optional<double> gap_needed_reversed(const Problem& problem, const Response& response,
+                                                        Eigen::Index gap);
 
 /// Indices into Problem::watched of those floors that met what they face in the run, the deepest first.
 [[nodiscard]] std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response,

@@ -180,7 +180,7 @@ TEST(WatchedFloor, NeedsTheGapOfAFrameWithANodeThere) {
   const Case with = pair_of(low, spec("tall", with_node(tall, 6, 24.0)), 0.02);
   ASSERT_EQ(with.gaps[0].elevations, (std::vector<double>{21, 24}));
   const Problem noded = make_problem(with);
-  const double expected = solve(noded).points[1].minimum_gap_no_contact;
+  const double expected = solve(noded).points[1].gap_needed;
   ASSERT_GT(expected, 0.05);
   for (const Condensation condensation : {Condensation::static_, Condensation::dynamic, Condensation::none}) {
     PlaneFrame frame = tall;
@@ -193,10 +193,10 @@ TEST(WatchedFloor, NeedsTheGapOfAFrameWithANodeThere) {
     const std::size_t roof = floors.back();
     EXPECT_EQ(problem.watched[roof].floor_of, 0);
     EXPECT_EQ(problem.watched[roof].elevation, 24.0);
-    EXPECT_NEAR(response.watched[roof].needed, expected, 0.02 * expected);
-    EXPECT_GE(gap_needed(problem, response, 0), response.watched[roof].needed);
+    EXPECT_NEAR(response.watched[roof].gap_needed, expected, 0.02 * expected);
+    EXPECT_GE(gap_needed(problem, response, 0), response.watched[roof].gap_needed);
     // More than the floors that meet need, which was all that was told.
-    EXPECT_GT(gap_needed(problem, response, 0), 1.05 * response.points[0].minimum_gap_no_contact);
+    EXPECT_GT(gap_needed(problem, response, 0), 1.05 * response.points[0].gap_needed);
     EXPECT_EQ(governing_level(problem, response, 0).watched, roof);
     EXPECT_TRUE(response.watched[roof].closes);
     EXPECT_EQ(unmodelled_contacts(problem, response, 0).front(), roof);
@@ -214,10 +214,10 @@ TEST(WatchedFloor, FollowsTheBentColumn) {
     const Problem noded =
         make_problem(pair_of(low, spec("tall", with_node(tall, static_cast<std::size_t>(storey), elevation)), 0.02));
     ASSERT_EQ(noded.points[0].elevation, elevation);
-    const double expected = solve(noded).points[0].minimum_gap_no_contact;
+    const double expected = solve(noded).points[0].gap_needed;
     const auto floor = std::find_if(problem.watched.begin(), problem.watched.end(),
                                     [at = elevation](const WatchedFloor& one) { return one.elevation == at; });
-    const double needed = response.watched[static_cast<std::size_t>(floor - problem.watched.begin())].needed;
+    const double needed = response.watched[static_cast<std::size_t>(floor - problem.watched.begin())].gap_needed;
     EXPECT_NEAR(needed, expected, 1e-4 * expected) << elevation;
   }
 }

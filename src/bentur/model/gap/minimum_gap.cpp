@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/model/gap/gap_outcome.h"
 
 namespace bentur {
 namespace {
@@ -24,12 +27,8 @@ double height_of(const StructuralModel& model) {
   return std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
 }
 
-CodeSide code_side(const Building& building, double displacement, Eigen::Index floor) {
-  const auto& storeys = building.model.storey_heights;
-  return {.displacement = displacement,
-          .level = std::accumulate(storeys.begin(), storeys.begin() + floor + 1, 0.0),
-          .height = height_of(building.model)};
-}
+/// Of buildings read back from results it is not.
+bool damping_known(const Building& building) { return building.is_rigid() || building.modal_damping.size() > 0; }
 
 }  // namespace
 
@@ -47,73 +46,154 @@ bool floors_aligned(const Building& left, const Building& right) {
   return below == lower.size() && std::all_of(lower.begin(), lower.end(), matched);
 }
 
-std::vector<PointSeparation> separations(const Problem& problem, const PeaksForRules& peaks, const CodeSpec& code,
-                                         const Units& units) {
-  const std::size_t buildings = problem.buildings.size();
-  if (peaks.peaks.size() != buildings || peaks.of_codes.size() != buildings ||
-      peaks.needed.size() != problem.points.size()) {
-    throw InvalidParameter("peaks", std::to_string(peaks.needed.size()) + " points", "must be those of this problem");
-  }
-  std::vector<PointSeparation> result;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const ContactPoint& point = problem.points[i];
-    const auto left = static_cast<std::size_t>(point.left);
-    const Building& left_building = problem.buildings[left];
-    const Building& right_building = problem.buildings[left + 1];
-    // Of a node in a column the rules look at the floor above.
-    const Eigen::Index left_floor = left_building.model.floor_at_or_above(point.left_floor);
-    const Eigen::Index right_floor = right_building.model.floor_at_or_above(point.right_floor);
-    const SeparationInput a = separation_input(left_building, peaks.peaks[left](left_floor));
-    const SeparationInput b = separation_input(right_building, peaks.peaks[left + 1](right_floor));
-    result.push_back({.point = static_cast<int>(i),
-                      .simulated = peaks.needed[i],
-                      .abs = separation_abs(a, b),
-                      .srss = separation_srss(a, b),
-                      .ddc = separation_ddc(a, b),
-                      .codes = {}});
-    if (code.rules.empty()) continue;
-    const CodePair pair{.left = code_side(left_building, peaks.of_codes[left](left_floor), left_floor),
-                        .right = code_side(right_building, peaks.of_codes[left + 1](right_floor), right_floor),
-                        .left_building = left,
-                        .floors_aligned = code.floors_aligned ? code.floors_aligned->at(left)
-                                                              : floors_aligned(left_building, right_building),
-                        .same_owner = code.same_owner.empty() || code.same_owner.at(left),
-                        .metre = 1 / metres(units.length)};
-    for (const CodeRuleSpec& rule : code.rules) result.back().codes.push_back(code_separation(pair, rule));
+bool is_linked(const Problem& problem, Eigen::Index gap) {
+  const auto ties = [&](const Link& link) {
+    const auto of_gap = [&](Eigen::Index b) { return b == gap || b == gap + 1; };
+    return of_gap(link.left) || of_gap(link.right);
+  };
+  return std::any_of(problem.links.begin(), problem.links.end(), ties);
+}
+
+std::vector<LevelSeparation> separations(const Problem& problem,
+                                         const std::function<LevelPeaks(const FacingLevel&)>& peaks_at,
+                                         const CodeSpec& code, const Units& units) {
+  std::vector<LevelSeparation> result;
+  for (const FacingLevel& level : facing_levels(problem)) {
+    const Building& left = problem.buildings[level.gap];
+    const Building& right = problem.buildings[level.gap + 1];
+    const LevelPeaks peaks = peaks_at(level);
+    const auto ddc = [&] {
+      if (!damping_known(left) || !damping_known(right) || is_linked(problem, level.gap)) return not_known;
+      return separation_ddc(separation_input(left, peaks.left), separation_input(right, peaks.right));
+    };
+    LevelSeparation found{.level = level,
+                          .gap_needed = peaks.gap_needed,
+                          .gap_needed_reversed = peaks.gap_needed_reversed,
+                          .abs = separation_abs({peaks.left}, {peaks.right}),
+                          .srss = separation_srss({peaks.left}, {peaks.right}),
+                          .ddc = ddc()};
+    const auto side = [&](int of, double displacement) {
+      const Building& building = problem.buildings[level.gap + of];
+      return CodeSide{
+          .displacement = displacement, .level = face_height(problem, level, of), .height = height_of(building.model)};
+    };
+    const bool peaks_known = std::isfinite(peaks.left_of_codes) && std::isfinite(peaks.right_of_codes);
+    for (const CodeRuleSpec& rule : code.rules) {
+      if (!peaks_known) {
+        found.codes.push_back({rule.rule, not_known, {}, {}});
+        continue;
+      }
+      const CodePair pair{
+          .left = side(0, peaks.left_of_codes),
+          .right = side(1, peaks.right_of_codes),
+          .left_building = static_cast<std::size_t>(level.gap),
+          .floors_aligned = code.floors_aligned ? code.floors_aligned->at(level.gap) : floors_aligned(left, right),
+          .same_owner = code.same_owner.empty() || code.same_owner.at(level.gap),
+          .metre = 1 / metres(units.length)};
+      found.codes.push_back(code_separation(pair, rule));
+    }
+    result.push_back(std::move(found));
   }
   return result;
 }
 
-std::vector<PointSeparation> separations(const Problem& problem, const Response& response, const CodeSpec& code,
+std::vector<LevelSeparation> separations(const Problem& problem, const Response& response, const CodeSpec& code,
                                          const Units& units) {
-  if (response.buildings.size() != problem.buildings.size() || response.points.size() != problem.points.size()) {
+  if (response.buildings.size() != problem.buildings.size() || response.points.size() != problem.points.size() ||
+      response.watched.size() != problem.watched.size()) {
     throw InvalidParameter("response", std::to_string(response.points.size()) + " points",
                            "must be the response of this problem");
   }
-  PeaksForRules peaks;
-  for (const BuildingPeaks& building : response.buildings) peaks.peaks.push_back(building.displacement_no_contact);
-  for (const PointSummary& point : response.points) peaks.needed.push_back(point.minimum_gap_no_contact);
-  peaks.of_codes = peaks.peaks;
-  return separations(problem, peaks, code, units);
+  const auto peaks_of = [&](const FacingLevel& level, const auto& summary) {
+    // A floor's is known without having been asked for.
+    const auto peak = [&](int side, double asked) {
+      const auto floor = face_floor(problem, level, side);
+      const Eigen::VectorXd& floors = response.buildings[level.gap + side].displacement_no_contact;
+      return std::isnan(asked) && floor && *floor < floors.size() ? floors(*floor) : asked;
+    };
+    const double left = peak(0, summary.peak_left), right = peak(1, summary.peak_right);
+    return LevelPeaks{left, right, left, right, summary.gap_needed, summary.gap_needed_reversed};
+  };
+  const auto peaks_at = [&](const FacingLevel& level) {
+    return level.is_point ? peaks_of(level, response.points[level.index])
+                          : peaks_of(level, response.watched[level.index]);
+  };
+  return separations(problem, peaks_at, code, units);
 }
 
-PointSeparation largest_of(const std::vector<PointSeparation>& separations, const std::vector<Eigen::Index>& points) {
-  PointSeparation largest;
-  for (const Eigen::Index i : points) {
-    const PointSeparation& separation = separations.at(i);
-    largest.simulated = std::max(largest.simulated, separation.simulated);
-    largest.abs = std::max(largest.abs, separation.abs);
-    largest.srss = std::max(largest.srss, separation.srss);
-    largest.ddc = std::max(largest.ddc, separation.ddc);
-    if (largest.codes.empty()) largest.codes = separation.codes;
-    for (std::size_t k = 0; k < separation.codes.size(); ++k) {
+std::vector<LevelSeparation> of_gap(const std::vector<LevelSeparation>& all, Eigen::Index gap) {
+  std::vector<LevelSeparation> result;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+               [&](const LevelSeparation& one) { return one.level.gap == gap; });
+  return result;
+}
+
+LevelSeparation largest_of(const std::vector<LevelSeparation>& levels) {
+  LevelSeparation largest;
+  const auto raise = [](auto& to, const auto& by) {
+    if (by > to || by != by) to = by;  // NaN stays
+  };
+  for (const LevelSeparation& one : levels) {
+    raise(largest.gap_needed, one.gap_needed);
+    if (one.gap_needed_reversed) raise(largest.gap_needed_reversed, one.gap_needed_reversed);
+    raise(largest.abs, one.abs);
+    raise(largest.srss, one.srss);
+    raise(largest.ddc, one.ddc);
+    if (largest.codes.empty()) largest.codes = one.codes;
+    for (std::size_t k = 0; k < one.codes.size(); ++k) {
       CodeSeparation& code = largest.codes[k];
-      code.gap = std::max(code.gap, separation.codes[k].gap);
-      code.to_left = std::max(code.to_left, separation.codes[k].to_left);
-      code.to_right = std::max(code.to_right, separation.codes[k].to_right);
+      raise(code.gap, one.codes[k].gap);
+      code.to_left = std::max(code.to_left, one.codes[k].to_left);
+      code.to_right = std::max(code.to_right, one.codes[k].to_right);
     }
   }
   return largest;
+}
+
+std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
+                                       const CodeSpec& code, double scale, bool collapsed) {
+  using Silence = RuleFinding::Silence;
+  std::vector<RuleFinding> findings;
+  const auto add = [&](std::string_view rule, std::string_view title, const auto& asked) {
+    RuleFinding found{.rule = std::string(rule), .title = std::string(title)};
+    bool known = true;
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const LevelSeparation& one = levels[i];
+      const double gap = asked(one);
+      known = known && std::isfinite(gap);
+      if (!(gap - one.level.width >= most)) continue;  // of levels that are alike the highest
+      most = gap - one.level.width;
+      found.at = i;
+      found.gap = gap;
+    }
+    for (const LevelSeparation& one : levels) {
+      const double simulated = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
+      found.understates = found.understates || falls_short(asked(one), simulated, scale);
+    }
+    found.is_short = found.at && falls_short(levels[*found.at].level.width, found.gap, scale);
+    if (!found.is_short) {
+      const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
+      found.silence = levels.empty() ? Silence::no_level
+                      : linked       ? Silence::linked
+                      : !known       ? Silence::unknown
+                      : collapsed    ? Silence::collapsed
+                                     : Silence::none;
+    }
+    if (found.silence != Silence::none) found.at.reset();
+    findings.push_back(std::move(found));
+  };
+  add("abs", "ABS", [](const LevelSeparation& s) { return s.abs; });
+  add("srss", "SRSS", [](const LevelSeparation& s) { return s.srss; });
+  add("ddc", "DDC", [](const LevelSeparation& s) { return s.ddc; });
+  for (std::size_t k = 0; k < code.rules.size(); ++k) {
+    const CodeRule& rule = *find_code_rule(code.rules[k].rule);
+    add(rule.name, rule.title, [k](const LevelSeparation& s) { return s.codes[k].gap; });
+    if (!findings.back().at) continue;
+    findings.back().to_left = levels[*findings.back().at].codes[k].to_left;
+    findings.back().to_right = levels[*findings.back().at].codes[k].to_right;
+  }
+  return findings;
 }
 
 }  // namespace bentur

@@ -1,43 +1,85 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bentur/core/units.h"
 #include "bentur/model/gap/code_rules.h"
+#include "bentur/model/gap/facing_levels.h"
 #include "bentur/model/gap/separation_rules.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/response.h"
 
 namespace bentur {
 
-/// The gap one contact point needs: simulated, and by the rules, from the peaks of the free response.
-struct PointSeparation {
-  int point = 0;                           ///< index into Problem::points
-  double simulated = 0;                    ///< [length], PointSummary::minimum_gap_no_contact
-  double abs = 0, srss = 0, ddc = 0;       ///< [length]
+/// What rules combine at one level, wherever it comes from [length]. NaN: not known.
+struct LevelPeaks {
+  double left = 0, right = 0;                    ///< peak displacements of both faces
+  double left_of_codes = 0, right_of_codes = 0;  ///< those that rules of codes amplify
+  double gap_needed = 0;                         ///< the peak of left less right, not below 0
+  std::optional<double> gap_needed_reversed = {};
+};
+
+/// The gap that one level needs: simulated or by a spectrum, and by the rules [length]. NaN where a rule has nothing to
+/// go by.
+struct LevelSeparation {
+  FacingLevel level;
+  double gap_needed = 0;
+  std::optional<double> gap_needed_reversed = {};
+  double abs = 0, srss = 0, ddc = 0;
   std::vector<CodeSeparation> codes = {};  ///< one per rule of the case's [code], in its order
 };
 
-/// What the rules combine, wherever it comes from.
-struct PeaksForRules {
-  std::vector<Eigen::VectorXd> peaks;     ///< per building, of its floors [length]
-  std::vector<Eigen::VectorXd> of_codes;  ///< those that rules of codes amplify, likewise
-  std::vector<double> needed;             ///< per contact point [length], PointSeparation::simulated
-};
-/// One entry per contact point of the problem. `units` are those of the problem.
-/// @throws InvalidParameter when sizes disagree, or a code rule lacks something.
-[[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const PeaksForRules& peaks,
+/// One entry per facing level of the problem, as facing_levels() has them. `units` are those of the problem. DDC is not
+/// known of buildings whose damping is not, as results read back have them, nor where links tie the two together.
+/// @throws InvalidParameter when a code rule lacks something.
+[[nodiscard]] std::vector<LevelSeparation> separations(const Problem& problem,
+                                                       const std::function<LevelPeaks(const FacingLevel&)>& peaks_at,
                                                        const CodeSpec& code, const Units& units);
 
-/// The same from the free response.
+/// The same from the free response, which has been asked for SolveOptions::levels.
 /// @throws InvalidParameter when the response is not that of the problem, or a code rule lacks something.
-[[nodiscard]] std::vector<PointSeparation> separations(const Problem& problem, const Response& response,
+[[nodiscard]] std::vector<LevelSeparation> separations(const Problem& problem, const Response& response,
                                                        const CodeSpec& code = {}, const Units& units = {});
 
-/// Each number the largest of some points', 0 where there are none; `points`: indices into `separations`, one entry per
-/// contact point of the problem. @throws std::out_of_range when there is no such entry.
-[[nodiscard]] PointSeparation largest_of(const std::vector<PointSeparation>& separations,
-                                         const std::vector<Eigen::Index>& points);
+/// Those of one gap.
+[[nodiscard]] std::vector<LevelSeparation> of_gap(const std::vector<LevelSeparation>& all, Eigen::Index gap);
+
+/// Each number the largest of all levels that are given, 0 where there are none, NaN where it is not known of one.
+[[nodiscard]] LevelSeparation largest_of(const std::vector<LevelSeparation>& levels);
+
+/// What one rule asks of a gap, at the level where it falls short the most or has least to spare.
+struct RuleFinding {
+  /// Why a rule says nothing.
+  enum class Silence {
+    none,       ///< it does
+    no_level,   ///< the neighbours face one another nowhere
+    collapsed,  ///< the free response ends before the motion does
+    linked,     ///< links tie the buildings, so that they have no periods of their own
+    unknown,    ///< what it combines is not known at some level
+  };
+  std::string rule;               ///< "abs", "srss", "ddc", or a name of code_rules()
+  std::string title;              ///< as people call it
+  std::optional<std::size_t> at;  ///< that level, an index into the separations; nothing where the rule is silent
+  double gap = 0;                 ///< asked for there [length]
+  std::optional<double> to_left, to_right;  ///< from the left, right building to a property line [length]
+  bool is_short = false;                    ///< more than is given, beyond round-off
+  bool understates = false;                 ///< at some level less than what is simulated, beyond round-off
+  Silence silence = Silence::none;
+};
+
+/// Of ABS, SRSS, DDC and each rule of [code]. A rule that is short somewhere says so whatever is not known elsewhere;
+/// nothing is "wide enough" that was not looked at on every level.
+/// @param levels of one gap
+/// @param scale displacement_scale() [length], for round-off
+/// @param collapsed whether the free response ended before its time
+[[nodiscard]] std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
+                                                     const CodeSpec& code, double scale, bool collapsed);
+
+/// Whether a link ties the two buildings of a gap, or one of them to a third.
+[[nodiscard]] bool is_linked(const Problem& problem, Eigen::Index gap);
 
 /// Whether each floor of the lower of two neighbours has a floor of the other at its elevation, within a millionth of
 /// the taller one's height.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/core/require.h"
@@ -24,9 +25,17 @@ double spectral_difference(const SpectralModes& left, const Eigen::VectorXd& lef
   return combined_peak(peaks, omega, damping, combination);
 }
 
-/// The row of one degree of freedom.
-Eigen::VectorXd unit_row(const Building& building, Eigen::Index dof) {
-  return Eigen::VectorXd::Unit(building.model.dofs(), dof);
+/// Rows of the left and the right face over the dofs of their buildings.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> face_rows(const Problem& problem, const FacingLevel& level) {
+  if (!level.is_point) {
+    const WatchedFloor& floor = problem.watched[level.index];
+    return {floor.left_row, floor.right_row};
+  }
+  const ContactPoint& point = problem.points[level.index];
+  const auto unit = [&](Eigen::Index b, Eigen::Index dof) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Unit(problem.buildings[b].model.dofs(), dof);
+  };
+  return {unit(level.gap, point.left_floor), unit(level.gap + 1, point.right_floor)};
 }
 
 }  // namespace
@@ -64,34 +73,31 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
                            const Units& units) {
   validate(spectrum.spectrum);
   SpectralGaps gaps;
-  std::vector<Eigen::VectorXd> peaks, of_codes;
   if (!spectrum.reduction.empty()) require_size("reduction", spectrum.reduction.size(), problem.buildings.size());
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const Building& building = problem.buildings[b];
+  for (const Building& building : problem.buildings) {
     gaps.modes.push_back(spectral_modes(building, spectrum.spectrum));
     gaps.peaks.push_back(spectral_peaks(building, gaps.modes.back()));
-    peaks.push_back(gaps.peaks.back().by(spectrum.combination));
-    of_codes.emplace_back(spectrum.reduction.empty() ? peaks.back() : peaks.back() / spectrum.reduction[b]);
   }
-  const auto difference = [&](Eigen::Index left, const Eigen::VectorXd& left_row, const Eigen::VectorXd& right_row) {
-    return spectral_difference(gaps.modes[left], left_row, gaps.modes[left + 1], right_row, spectrum.combination);
+  const auto peaks_at = [&](const FacingLevel& level) {
+    const Eigen::Index left = level.gap, right = level.gap + 1;
+    const auto [left_row, right_row] = face_rows(problem, level);
+    const auto peak = [&](Eigen::Index b, const Eigen::VectorXd& row) {
+      const SpectralModes& modes = gaps.modes[b];
+      return modes.omega.size() == 0
+                 ? 0
+                 : combined_peak(modes.motion.transpose() * row, modes.omega, modes.damping, spectrum.combination);
+    };
+    const auto reduction = [&](Eigen::Index b) { return spectrum.reduction.empty() ? 1 : spectrum.reduction[b]; };
+    const double left_peak = peak(left, left_row), right_peak = peak(right, right_row);
+    return LevelPeaks{.left = left_peak,
+                      .right = right_peak,
+                      .left_of_codes = left_peak / reduction(left),
+                      .right_of_codes = right_peak / reduction(right),
+                      .gap_needed = spectral_difference(gaps.modes[left], left_row, gaps.modes[right], right_row,
+                                                        spectrum.combination)};
   };
-  std::vector<double> differences;
-  for (const ContactPoint& point : problem.points) {
-    differences.push_back(difference(point.left, unit_row(problem.buildings[point.left], point.left_floor),
-                                     unit_row(problem.buildings[point.left + 1], point.right_floor)));
-  }
-  gaps.points = separations(problem, {.peaks = peaks, .of_codes = of_codes, .needed = differences}, code, units);
-  for (const WatchedFloor& floor : problem.watched) {
-    gaps.watched.push_back(difference(floor.left, floor.left_row, floor.right_row));
-  }
+  gaps.levels = separations(problem, peaks_at, code, units);
   return gaps;
-}
-
-std::optional<GoverningLevel> governing_level(const Problem& problem, const SpectralGaps& spectral, const Gap& gap) {
-  return governing_level(
-      problem, gap, 0, [&](Eigen::Index i) { return spectral.points.at(i).simulated; },
-      [&](Eigen::Index i) { return spectral.watched.at(i); });
 }
 
 std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units) {

@@ -36,21 +36,16 @@ struct SpectralPeaks {
 struct SpectralGaps {
   std::vector<SpectralModes> modes;  ///< per building
   std::vector<SpectralPeaks> peaks;  ///< per building
-  /// Per contact point; `simulated` is the spectral difference: the peak of x_left − x_right by the case's combination
-  /// over the modes of both buildings (with one mode each and CQC it is DDC). ABS, SRSS and DDC combine the two peaks.
-  /// Rules of codes take the peaks divided by `reduction` of their buildings.
-  std::vector<PointSeparation> points;
-  std::vector<double> watched;  ///< spectral difference [length] per watched floor
+  /// Per facing level; `gap_needed` is the spectral difference: the peak of x_left − x_right by the case's combination
+  /// over the modes of both buildings (with one mode each and CQC it is DDC). ABS, SRSS and DDC combine the peaks of
+  /// both faces. Rules of codes take these peaks divided by `reduction` of their buildings.
+  std::vector<LevelSeparation> levels;
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.
 /// @throws InvalidParameter where the spectrum does not pass validate(), a period is beyond the last of a table, or a
 /// code rule lacks something.
 [[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
                                          const CodeSpec& code = {}, const Units& units = {});
-
-/// Where a gap falls short of the spectral difference the most; nothing where no floors face one another.
-[[nodiscard]] std::optional<GoverningLevel> governing_level(const Problem& problem, const SpectralGaps& spectral,
-                                                            const Gap& gap);
 
 /// "S_DS 0.8 g, S_D1 0.55 g, T_L 12 s", in every language the same.
 [[nodiscard]] std::string spectrum_parameters(const SpectrumSpec& spectrum, const Units& units);

@@ -69,10 +69,10 @@ TEST(SpectralGap, OneMassHasTheSpectralDisplacement) {
   for (const SpectralPeaks& peaks : gaps.peaks) EXPECT_EQ(peaks.srss, peaks.cqc);
   EXPECT_NEAR(gaps.peaks[0].cqc(0), a, 1e-14);
   EXPECT_NEAR(gaps.peaks[1].cqc(0), b, 1e-14);
-  EXPECT_NEAR(gaps.points[0].abs, a + b, 1e-14);
-  EXPECT_NEAR(gaps.points[0].srss, std::hypot(a, b), 1e-14);
+  EXPECT_NEAR(gaps.levels[0].abs, a + b, 1e-14);
+  EXPECT_NEAR(gaps.levels[0].srss, std::hypot(a, b), 1e-14);
   // One mode each: the difference over the modes of both is DDC.
-  EXPECT_NEAR(gaps.points[0].simulated, gaps.points[0].ddc, 1e-14);
+  EXPECT_NEAR(gaps.levels[0].gap_needed, gaps.levels[0].ddc, 1e-14);
 }
 
 TEST(SpectralGap, AMoatWallDoesNotMove) {
@@ -81,8 +81,8 @@ TEST(SpectralGap, AMoatWallDoesNotMove) {
   c.buildings[1].structure = RigidSpec{{3.0}};
   const SpectralGaps gaps = spectral_gaps(make_still_problem(c), *c.excitation.spectrum);
   EXPECT_EQ(gaps.peaks[1].cqc(0), 0);
-  EXPECT_NEAR(gaps.points[0].simulated, gaps.peaks[0].cqc(0), 1e-15);
-  EXPECT_NEAR(gaps.points[0].abs, gaps.peaks[0].cqc(0), 1e-15);
+  EXPECT_NEAR(gaps.levels[0].gap_needed, gaps.peaks[0].cqc(0), 1e-15);
+  EXPECT_NEAR(gaps.levels[0].abs, gaps.peaks[0].cqc(0), 1e-15);
 }
 
 TEST(SpectralGap, RulesOfCodesTakeReducedPeaks) {
@@ -95,8 +95,8 @@ TEST(SpectralGap, RulesOfCodesTakeReducedPeaks) {
   spectrum.reduction = {8.0, 5.0};
   const SpectralGaps gaps = spectral_gaps(problem, spectrum, c.code, c.units);
   const double a = gaps.peaks[0].cqc(0), b = gaps.peaks[1].cqc(0);
-  EXPECT_NEAR(gaps.points[0].codes[0].gap, std::hypot(a * 5.5 / 8, b * 4.0 / 5), 1e-14);
-  EXPECT_NEAR(gaps.points[0].srss, std::hypot(a, b), 1e-14);  // as it is
+  EXPECT_NEAR(gaps.levels[0].codes[0].gap, std::hypot(a * 5.5 / 8, b * 4.0 / 5), 1e-14);
+  EXPECT_NEAR(gaps.levels[0].srss, std::hypot(a, b), 1e-14);  // as it is
   spectrum.reduction = {8.0};
   EXPECT_THROW((void)spectral_gaps(problem, spectrum, c.code, c.units), InvalidParameter);
 }
@@ -187,7 +187,7 @@ Means means_over(const Case& spectral, int motions) {
     }
     means.gaps.resize(response.points.size(), 0.0);
     for (std::size_t i = 0; i < response.points.size(); ++i) {
-      means.gaps[i] += response.points[i].minimum_gap_no_contact / motions;
+      means.gaps[i] += response.points[i].gap_needed / motions;
     }
   }
   return means;
@@ -213,8 +213,8 @@ TEST(SpectralGap, TimeHistoriesOfACompatibleSetAgree) {
     }
   }
   for (std::size_t i = 0; i < means.gaps.size(); ++i) {
-    EXPECT_NEAR(spectral.points[i].simulated / means.gaps[i], 1, 0.2) << "point " << i;
-    EXPECT_GT(spectral.points[i].abs, means.gaps[i]);
+    EXPECT_NEAR(spectral.levels[i].gap_needed / means.gaps[i], 1, 0.2) << "point " << i;
+    EXPECT_GT(spectral.levels[i].abs, means.gaps[i]);
   }
 }
 

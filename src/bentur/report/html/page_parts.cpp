@@ -23,10 +23,4 @@ std::string motion_json(const RunResults& results, const std::string& language) 
   return html::animation_json(part_of(results, say), listed);
 }
 
-std::string unmodelled_text(const RunResults& results, Eigen::Index gap, const std::string& language) {
-  const Words say(language);
-  const GapOutcome found = gap_outcome(results.problem, results.response, gap);
-  return found.unmodelled.empty() ? "" : html::unmodelled_text(part_of(results, say), found.unmodelled);
-}
-
 }  // namespace bentur

@@ -17,9 +17,4 @@ constexpr std::size_t most_impacts = 1500;
 /// @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::string motion_json(const RunResults& results, const std::string& language);
 
-/// Where a floor met something at this gap (0 the first) that no contact is modelled with, and what to do; empty where
-/// none did.
-/// @throws InvalidParameter for an unknown language.
-[[nodiscard]] std::string unmodelled_text(const RunResults& results, Eigen::Index gap, const std::string& language);
-
 }  // namespace bentur

@@ -9,7 +9,6 @@
 #include "bentur/model/restitution.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
-#include "bentur/report/remark_text.h"
 
 namespace bentur::html {
 
@@ -52,11 +51,6 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   return {between.points.rbegin(), between.points.rend()};
 }
 
-std::size_t table_language(const Words& say) {
-  const auto& languages = report_languages();
-  return static_cast<std::size_t>(std::find(languages.begin(), languages.end(), say.language()) - languages.begin());
-}
-
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
   for (TableColumn& column : columns) {
     for (std::string& cell : column.cells) cell = with_power(cell);
@@ -65,7 +59,7 @@ void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
 }
 
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {
-  add_columns(table, table_columns(owner, report.run, places, table_language(report.say)));
+  add_columns(table, table_columns(owner, report.run, places, report.say.number()));
 }
 
 namespace {
@@ -161,17 +155,6 @@ Html proportions_text(const Report& report, Eigen::Index b) {
 
 }  // namespace
 
-PageSection remarks_section(const Report& report) {
-  Html content;
-  for (const std::string& text : remark_texts(report.remarks, report.say.language())) {
-    content += element("li", Html::text(text));
-  }
-  if (!report.remarks.empty()) content = element("ul", content);
-  content += element("p", Html::text(model_text(report.problem, some_building_yields(report.problem, report.response),
-                                                report.say.language())));
-  return {"remarks", report.say("remarks.heading"), content};
-}
-
 PageSection peaks_section(const Report& report) {
   const Words& say = report.say;
   Html content;
@@ -180,7 +163,7 @@ PageSection peaks_section(const Report& report) {
     const std::string name = gap_name(report.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(report, gap);
   }
-  const std::size_t language = table_language(say);
+  const std::size_t language = say.number();
   content += restitution_table(report);
   for (std::vector<Eigen::Index> links : links_by_spec(report.c.links)) {
     if (links.empty()) continue;
@@ -230,7 +213,7 @@ PageSection impacts_section(const Report& report, const std::vector<Eigen::Index
   if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   table.add(say("column.elevation"), report.c.units.length, elevations);
   if (of_columns) table.add(say("columns.struck"), "", struck, false);
-  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), table_language(say))) {
+  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), say.number())) {
     table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
   }
   Html content;

@@ -32,25 +32,6 @@ std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
   return order;
 }
 
-/// The rules that need no more than the peaks of the free response.
-std::vector<PointSeparation> from_peaks(const Problem& problem, const Response& response) {
-  std::vector<PointSeparation> result;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const ContactPoint& point = problem.points[i];
-    const auto left = static_cast<std::size_t>(point.left);
-    const SeparationInput a{.displacement = response.buildings.at(left).displacement_no_contact(
-                                problem.buildings[left].model.floor_at_or_above(point.left_floor))};
-    const SeparationInput b{.displacement = response.buildings.at(left + 1).displacement_no_contact(
-                                problem.buildings[left + 1].model.floor_at_or_above(point.right_floor))};
-    result.push_back({.point = static_cast<int>(i),
-                      .simulated = response.points.at(i).minimum_gap_no_contact,
-                      .abs = separation_abs(a, b),
-                      .srss = separation_srss(a, b),
-                      .ddc = std::numeric_limits<double>::quiet_NaN()});
-  }
-  return result;
-}
-
 Html button(const Words& say, const std::string& id) {
   return element("button", say("motion." + id), fmt::format("type=\"button\" id=\"{}\"", id));
 }
@@ -153,14 +134,14 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                            "must have the histories of every building");
   }
   const Words say(options.language);
-  const Report report{
-      results.view(),
-      c,
-      problem,
-      response,
-      say,
-      remarks,
-      c.buildings.empty() ? from_peaks(problem, response) : separations(problem, response, c.code, c.units)};
+  const Report report{results.view(),
+                      c,
+                      problem,
+                      response,
+                      say,
+                      run_story(results),
+                      gap_tables_of(results),
+                      separations(problem, response, c.code, c.units)};
   const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 

@@ -17,40 +17,9 @@ using html::Html;
 using html::HtmlTable;
 using html::Report;
 
-html::PageSection spectral_verdict(const Report& report, const SpectralGaps& spectral) {
-  Html blocks;
-  const std::string& length = report.c.units.length;
-  for (const Gap& gap : gaps_of(report.problem)) {
-    const auto worst = governing_level(report.problem, spectral, gap);
-    if (!worst) continue;
-    const bool too_small = worst->is_short();
-    Html block = element(
-        "p", gap_name(report.problem, gap.left) + ": " + report.say(too_small ? "gap.too_close" : "gap.wide_enough"),
-        "class=\"badge\"");
-    block += element("p",
-                     report.say(too_small ? "spectral.short" : "spectral.enough",
-                                {{"needed", html::prose(worst->needed, length)},
-                                 {"elevation", html::prose(worst->elevation, length)},
-                                 {"width", html::prose(worst->width, length)},
-                                 {"difference", html::prose(std::abs(worst->needed - worst->width), length)}}),
-                     "class=\"lead\"");
-    blocks += element("div", block, html::verdict_class(too_small));
-  }
-  return {"verdict", report.say("heading.verdict"), blocks};
-}
-
-html::PageSection spectral_gap_section(const Report& report, const SpectralGaps& spectral) {
+html::PageSection spectral_gap_section(const Report& report) {
   const Words& say = report.say;
-  const std::string difference = say("spectral.difference");
-  Html content;
-  for (const Gap& gap : gaps_of(report.problem)) {
-    const std::vector<Eigen::Index> points = html::points_of(report.problem, gap.left);
-    content += element("h3", gap_name(report.problem, gap.left));
-    if (!points.empty()) content += html::points_table(report, points, difference, std::nullopt);
-    content += html::watched_table(report, gap.watched, spectral.watched, difference, std::nullopt);
-    if (!points.empty() && !report.c.code.rules.empty()) content += html::code_table(report, points);
-    content += html::screening_table(report, gap.left);
-  }
+  Html content = html::gap_tables(report, report.story.tables);
   content += element("p", say("spectral.note"), "class=\"note\"");
   content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p", say(report.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
@@ -98,7 +67,8 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                                  const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const Report report{{problem, none, c.units}, c, problem, none, say, {}, spectral.points};
+  const Report report{{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {},
+                      spectral.levels};
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
   std::vector<std::pair<std::string, std::string>> rows = {
@@ -115,8 +85,9 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   const html::PageBody body{
       .header =
           element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
-      .sections = {spectral_verdict(report, spectral),
-                   spectral_gap_section(report, spectral),
+      .sections = {html::verdict_section(report),
+                   html::remarks_section(report),
+                   spectral_gap_section(report),
                    spectral_peaks_section(report, spectral),
                    {"input", say("heading.input"), input}}};
   return html::page(say, title, body, false);

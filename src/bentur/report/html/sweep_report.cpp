@@ -71,7 +71,7 @@ html::PageSection verdict(const SweepData& sweep, const Words& say) {
   const std::vector<double> forces = by_run(sweep, "peak_force", false);
   const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
   // Results of earlier versions watch no floors.
-  const std::string need = sweep.results().find("gap_needed") != nullptr ? "gap_needed" : "gap_minimum_no_contact";
+  const std::string need = "gap_needed";
   const std::vector<double> needed = by_run(sweep, need, false);
   const auto finished = static_cast<std::size_t>(std::count(status.begin(), status.end(), 0.0));
   std::size_t pounding = 0;
@@ -85,9 +85,9 @@ html::PageSection verdict(const SweepData& sweep, const Words& say) {
     if (forces[run] > 0 && (hardest == status.size() || forces[run] > forces[hardest])) hardest = run;
     if (widest == status.size() || needed[run] > needed[widest]) widest = run;
   }
-  const char* const badge = overlooked > 0 ? "verdict.unmodelled"
-                            : pounding > 0 ? "verdict.pounding"
-                                           : "verdict.no_pounding";
+  const char* const badge = overlooked > 0 ? "story.unmodelled.badge"
+                            : pounding > 0 ? "story.pounding.badge"
+                                           : "story.no_pounding.badge";
   Html block =
       element("p", say(badge), "class=\"badge\"") +
       element("p", say("sweep.pounding", {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}}),
@@ -279,7 +279,7 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_rows = 300;
   const std::vector<double> status = sweep.results().numbers("status");
   const std::vector<double> impacts = by_run(sweep, "impacts", true), forces = by_run(sweep, "peak_force", false);
-  const std::string need = sweep.results().find("gap_needed") != nullptr ? "gap_needed" : "gap_minimum_no_contact";
+  const std::string need = "gap_needed";
   const std::vector<double> needed = by_run(sweep, need, false);
   const std::size_t rows = std::min(status.size(), most_rows);
   html::HtmlTable table;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bentur/io/input_file.h"
@@ -18,23 +19,23 @@ namespace {
 /// for.
 constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
-/// The largest of the points of a gap.
-GapNeed need_of(const Problem& problem, const Response& response, const std::vector<PointSeparation>& separations,
-                const Gap& gap) {
-  const PointSeparation largest = largest_of(separations, gap.points);
-  GapNeed need{gap_needed(problem, response, gap.left), largest.abs, largest.srss, largest.ddc, {}};
+/// The largest of the levels of a gap.
+GapNeed need_of(const std::vector<LevelSeparation>& separations, const Gap& gap) {
+  const LevelSeparation largest = largest_of(of_gap(separations, gap.left));
+  GapNeed need{largest.gap_needed, largest.abs, largest.srss, largest.ddc, {}};
   for (const CodeSeparation& code : largest.codes) need.codes.push_back(code.gap);
   return need;
 }
 
-constexpr double GapNeed::*single_numbers[] = {&GapNeed::simulated, &GapNeed::abs, &GapNeed::srss, &GapNeed::ddc};
+constexpr double GapNeed::*single_numbers[] = {&GapNeed::gap_needed, &GapNeed::abs, &GapNeed::srss, &GapNeed::ddc};
 
 /// The gap that the fraction p [-] of the records does not exceed, each number by itself; p = 1: the largest.
 GapNeed quantile_of_needs(const RecordNeeds& needs, Eigen::Index gap, double p) {
   const auto quantile = [&](auto number_of) {
     std::vector<double> numbers;
     for (const RecordNeed& record : needs.records) numbers.push_back(number_of(record.gaps[gap]));
-    return quantile_of(std::move(numbers), p);
+    const bool known = std::none_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); });
+    return known ? quantile_of(std::move(numbers), p) : not_known;
   };
   GapNeed result;
   for (const auto number : single_numbers) result.*number = quantile([&](const GapNeed& need) { return need.*number; });
@@ -149,22 +150,20 @@ class Work {
           for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
         }
         for (const RecordNeed& record : needs.records) {
-          given.beyond += needs_more(record, problem, static_cast<int>(gap)) ? 1 : 0;
+          given.beyond += needs_more(record, problem, gap) ? 1 : 0;
         }
         needs.gaps[gap].given.push_back(std::move(given));
       }
     }
   }
 
-  static bool needs_more(const RecordNeed& record, const Problem& given, int gap) {
-    const auto more = [&](const PointSeparation& one) {
-      const ContactPoint& point = given.points[static_cast<std::size_t>(one.point)];
-      return point.left == gap && one.simulated > point.width;
-    };
-    const std::vector<Eigen::Index> floors = gap_at(given, gap).watched;
-    return std::any_of(record.separations.begin(), record.separations.end(), more) ||
-           std::any_of(floors.begin(), floors.end(),
-                       [&](Eigen::Index i) { return record.watched.at(i) > given.watched[i].width; });
+  static bool needs_more(const RecordNeed& record, const Problem& given, Eigen::Index gap) {
+    const std::vector<LevelSeparation> levels = of_gap(record.separations, gap);
+    const std::vector<FacingLevel> now = facing_levels(given, gap);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (levels[i].gap_needed > now.at(i).width) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
@@ -196,15 +195,12 @@ class Work {
     const std::string record = record_name(choices, records, read);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     const Problem problem = read.problem();
-    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
+    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps), true);
     const Response& response = free.response();
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
-    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}, {}};
-    for (const WatchedSummary& floor : response.watched) result.watched.push_back(floor.needed);
-    for (const Gap& gap : gaps_of(problem)) {
-      result.gaps.push_back(need_of(problem, response, result.separations, gap));
-    }
+    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
+    for (const Gap& gap : gaps_of(problem)) result.gaps.push_back(need_of(result.separations, gap));
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = read.c.title;
       result_.code = read.c.code;

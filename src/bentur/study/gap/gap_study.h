@@ -15,17 +15,16 @@
 
 namespace bentur {
 
-/// The gap between two neighbours: each number the largest of their contact points' (the simulated one of watched
-/// floors too), or over records the largest or the median of those.
+/// The gap between two neighbours: each number the largest of all levels at which they face one another, or over
+/// records the largest or the median of those. NaN where a rule has nothing to go by.
 struct GapNeed {
-  double simulated = 0, abs = 0, srss = 0, ddc = 0;  ///< [length]
-  std::vector<double> codes;                         ///< [length], one per rule of [code]
+  double gap_needed = 0, abs = 0, srss = 0, ddc = 0;  ///< [length]
+  std::vector<double> codes;                          ///< [length], one per rule of [code]
 };
 
 struct RecordNeed {
   std::string record;                        ///< what the study calls it
-  std::vector<PointSeparation> separations;  ///< per contact point
-  std::vector<double> watched;               ///< [length] needed, per watched floor
+  std::vector<LevelSeparation> separations;  ///< per facing level
   std::vector<GapNeed> gaps;                 ///< per gap
 };
 
@@ -39,7 +38,7 @@ struct GapQuantile {
 struct GivenGap {
   std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
   std::vector<double> widths;  ///< [length], of its contact points, or of its watched floors where it has none
-  std::size_t beyond = 0;      ///< records that need more somewhere, simulated
+  std::size_t beyond = 0;      ///< records that need more somewhere
 };
 
 /// One gap over all records.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bentur/study/gap/gap_study.h"
@@ -13,15 +14,20 @@ Json object_of(const std::vector<std::pair<std::string, std::string>>& named) {
   return json;
 }
 
-/// @param need a GapNeed or a PointSeparation
+Json or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+
+/// @param need a GapNeed or a LevelSeparation
 Json numbers_json(const auto& need) {
-  return {{"simulated", need.simulated}, {"abs", need.abs}, {"srss", need.srss}, {"ddc", need.ddc}};
+  return {{"gap_needed", need.gap_needed},
+          {"abs", or_null(need.abs)},
+          {"srss", or_null(need.srss)},
+          {"ddc", or_null(need.ddc)}};
 }
 
 Json need_json(const GapNeed& need, const CodeSpec& code) {
   Json codes = Json::array();
   for (std::size_t i = 0; i < need.codes.size(); ++i) {
-    codes.push_back({{"rule", code.rules[i].rule}, {"gap", need.codes[i]}});
+    codes.push_back({{"rule", code.rules[i].rule}, {"gap", or_null(need.codes[i])}});
   }
   Json json = numbers_json(need);
   json["codes"] = codes;
@@ -50,18 +56,17 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
 }
 
 Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
-  const auto left = static_cast<int>(gap);
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
     records.push_back({{"record", record.record}});
     records.back().update(need_json(record.gaps[gap], study.code));
-    Json points = Json::array();
-    for (const PointSeparation& one : record.separations) {
-      const ContactPoint& point = study.problem.points.at(static_cast<std::size_t>(one.point));
-      if (point.left != left) continue;
-      points.push_back({{"elevation", point.elevation}});
-      points.back().update(numbers_json(one));
+    Json points = Json::array(), watched = Json::array();
+    for (const LevelSeparation& one : of_gap(record.separations, static_cast<Eigen::Index>(gap))) {
+      Json& list = one.level.is_point ? points : watched;
+      list.push_back({{"elevation", one.level.elevation}});
+      list.back().update(numbers_json(one));
     }
+    records.back()["watched_floors"] = watched;
     records.back()["points"] = points;
   }
   Json json = over_json(study, needs, gap);

@@ -30,9 +30,9 @@ std::optional<GapStudy> needs_of(const std::string& text, std::optional<double> 
   return result;
 }
 
-std::vector<double> simulated(const RecordNeeds& needs) {
+std::vector<double> gap_needed(const RecordNeeds& needs) {
   std::vector<double> result;
-  for (const RecordNeed& record : needs.records) result.push_back(record.gaps[0].simulated);
+  for (const RecordNeed& record : needs.records) result.push_back(record.gaps[0].gap_needed);
   return result;
 }
 
@@ -45,17 +45,17 @@ TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
     values += "{ kind = 'record', file = '../bad_input/good.AT2', scale = " + std::to_string(i) + ".0 },";
   }
   const GapStudy one = needs_of(scales + values + "]\n").value();
-  const std::vector<double> all = simulated(one.needs.at(0));
+  const std::vector<double> all = gap_needed(one.needs.at(0));
   ASSERT_EQ(all.size(), 5U);
   ASSERT_GT(all[0], 0);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(all[i] / all[0], static_cast<double>(i + 1), 1e-9);
   const GapOverRecords& over = one.needs[0].gaps.at(0);
-  EXPECT_EQ(over.largest.simulated, all[4]);
-  EXPECT_EQ(over.median.simulated, all[2]);
+  EXPECT_EQ(over.largest.gap_needed, all[4]);
+  EXPECT_EQ(over.median.gap_needed, all[2]);
   std::vector<double> told;
   for (const GapQuantile& quantile : over.quantiles) {
     told.push_back(quantile.probability);
-    EXPECT_DOUBLE_EQ(quantile.need.simulated, quantile_of(all, quantile.probability));
+    EXPECT_DOUBLE_EQ(quantile.need.gap_needed, quantile_of(all, quantile.probability));
     EXPECT_GT(quantile.need.abs, 0);
   }
   EXPECT_EQ(told, (std::vector<double>{0.16, 0.5, 0.84, 0.9, 0.95}));
@@ -68,7 +68,7 @@ TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
   const std::string widths = "[[vary]]\nparameter = 'gap[0].width'\nvalues = [" + std::to_string(2.5 * all[0]) + ", " +
                              std::to_string(4.5 * all[0]) + "]\n";
   const GapStudy two = needs_of(scales + values + "]\n" + widths).value();
-  EXPECT_EQ(simulated(two.needs.at(0)), all);
+  EXPECT_EQ(gap_needed(two.needs.at(0)), all);
   const std::vector<GivenGap>& given = two.needs[0].gaps[0].given;
   ASSERT_EQ(given.size(), 2U);
   EXPECT_EQ(given[0].beyond, 3U);
@@ -79,7 +79,7 @@ TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
   EXPECT_EQ(json.at("given")[0].at("records_beyond"), 3);
   EXPECT_DOUBLE_EQ(json.at("given")[0].at("share_beyond"), 0.6);
   EXPECT_EQ(json.at("quantiles")[2].at("probability"), 0.84);
-  EXPECT_DOUBLE_EQ(json.at("quantiles")[2].at("simulated"), quantile_of(all, 0.84));
+  EXPECT_DOUBLE_EQ(json.at("quantiles")[2].at("gap_needed"), quantile_of(all, 0.84));
 }
 
 TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
@@ -87,10 +87,10 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
                               "/bad_input/good.AT2', {file = '" + gap_tests +
                               "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
   const std::string ida = "[ida]\nintensity = 'pga'\nlevels = [1.0]\n";
-  const std::vector<double> one_way = simulated(needs_of(records + ida).value().needs.at(0));
+  const std::vector<double> one_way = gap_needed(needs_of(records + ida).value().needs.at(0));
   const GapStudy study = needs_of(records + ida + "polarity = 'both'\n").value();
   ASSERT_EQ(study.needs.size(), 1U);
-  const std::vector<double> both = simulated(study.needs[0]);
+  const std::vector<double> both = gap_needed(study.needs[0]);
   ASSERT_EQ(both.size(), 4U);
   EXPECT_EQ(study.needs[0].records[1].record, "good.AT2, reversed");
   EXPECT_EQ(both[0], one_way[0]);
@@ -102,7 +102,7 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
                                 "values = [{ kind = 'record', file = '../bad_input/good.AT2', scale = -1 }, "
                                 "{ kind = 'record', file = '../bad_input/good.AT2', polarity = 'reversed' }]\n")
                                 .value();
-  const std::vector<double> turned = simulated(reversed.needs.at(0));
+  const std::vector<double> turned = gap_needed(reversed.needs.at(0));
   EXPECT_EQ(turned.at(0), turned.at(1));
 }
 

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "bentur/model/case.h"
-#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/quantities.h"
-#include "bentur/model/remarks.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
+#include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 #include "bentur/solve/response.h"
 
@@ -23,8 +22,9 @@ struct Report {
   const Problem& problem;
   const Response& response;
   const Words& say;
-  std::vector<Remark> remarks;
-  std::vector<PointSeparation> separations;  ///< one per contact point; a rule that cannot be applied has NaN
+  Story story = {};                          ///< what is to be said
+  std::vector<StoryTable> gap_tables = {};   ///< of the gaps
+  std::vector<LevelSeparation> levels = {};  ///< what each level needs
 
   /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
   [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }
@@ -35,9 +35,6 @@ constexpr std::size_t rows_in_print = 30;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] PageSection verdict_section(const Report& report);
-/// Where a floor met something that no contact is modelled with, and what to do. @param floors of a gap, deepest first
-[[nodiscard]] std::string unmodelled_text(const Report& report, const std::vector<Eigen::Index>& floors);
-
 /// Remarks on unusual numbers, and what the model leaves out.
 [[nodiscard]] PageSection remarks_section(const Report& report);
 
@@ -62,22 +59,10 @@ constexpr std::size_t rows_in_print = 30;
 
 // What the sections share.
 
-/// The gap given and needed at contact points, with what rules say.
-/// @param needed_label of Report::separations' `simulated`
-/// @param governing the level that stands out where it is short; without it each level that is short does
-[[nodiscard]] Html points_table(const Report& report, const std::vector<Eigen::Index>& points,
-                                const std::string& needed_label, const std::optional<GoverningLevel>& governing);
-/// The same of floors that face their neighbour where no contact is modelled, given bottom to top; nothing without.
-/// @param needed_at [length], for each of Problem::watched
-[[nodiscard]] Html watched_table(const Report& report, const std::vector<Eigen::Index>& floors,
-                                 const std::vector<double>& needed_at, const std::string& needed_label,
-                                 const std::optional<GoverningLevel>& governing);
-/// The name of the building that a watched floor is of.
-[[nodiscard]] const std::string& floor_owner(const Report& report, const WatchedFloor& floor);
-/// The rules of codes at those points, each at the level where it asks for most over what is given; a point at least.
-[[nodiscard]] Html code_table(const Report& report, const std::vector<Eigen::Index>& points);
-/// What rules of thumb say of how the neighbours of a gap stand; nothing where one of them is a wall.
-[[nodiscard]] Html screening_table(const Report& report, Eigen::Index gap);
+/// A table in words.
+[[nodiscard]] Html table_of(const SaidTable& table);
+/// Tables of gaps, each gap under its name and each table under its heading.
+[[nodiscard]] Html gap_tables(const Report& report, const std::vector<StoryTable>& tables);
 
 /// The attribute of a verdict's box.
 [[nodiscard]] inline const char* verdict_class(bool pounds) {
@@ -104,8 +89,6 @@ void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
 /// Every quantity of an owner that is for tables, at these places.
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places);
 
-/// The number of the report's language in tables of quantities.
-[[nodiscard]] std::size_t table_language(const Words& say);
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
 /// Contact points where a floor strikes a column, the highest first.

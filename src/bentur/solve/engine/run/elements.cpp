@@ -229,34 +229,6 @@ void Elements::forces_at(const State& state, const std::vector<GroundInput>& inp
   }
 }
 
-double Elements::stored_in_contacts(const State& state) const {
-  double sum = 0.0;
-  for (Index i = idle_; i < count(); ++i) {
-    if (branches_[i].touching()) sum += law(i).stored_energy(states_[i], deformation(i, state));
-  }
-  return sum;
-}
-
-double Elements::stored_in_others(const State& state) const {
-  double sum = 0.0;
-  for (Index i = idle_; i < count(); ++i) {
-    if (two_bodies(i)) continue;
-    const double delta = deformation(i, state);
-    sum += law(i).stored_energy(states_[i], delta) - 0.5 * system_->elements[i].stiffness * delta * delta;
-  }
-  return sum;
-}
-
-double Elements::damping_power(const State& state) const {
-  double sum = 0.0;
-  for (const Index i : forces_.pressing) {
-    if (two_bodies(i) || forces_.linear[i].damping == 0.0) continue;
-    const double rate = speed(i, state);
-    sum += forces_.linear[i].damping * rate * rate;
-  }
-  return sum;
-}
-
 double Elements::energy_lost(Index i, const State& state) const {
   const Account& account = accounts_[i];
   if (account.work == 0.0 && account.entered == 0.0) return account.damped;  // always on the line it began on

@@ -12,7 +12,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}) {
+FreeRun::FreeRun(const Setup& setup, const std::vector<ModalSystem::Relation>& levels)
+    : Run(setup, setup.system.switched, {}, levels) {
   for (const SpanWatch::Nearest& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
   result_.speeds.resize(result_.reaches.size(), 0.0);
 }

@@ -25,7 +25,8 @@ struct FreeResult {
 /// Contact switched off: peaks and the gaps that would have been needed.
 class FreeRun final : public Run {
  public:
-  explicit FreeRun(const Setup& setup);
+  /// @param levels watched besides, as level_relations()
+  explicit FreeRun(const Setup& setup, const std::vector<ModalSystem::Relation>& levels = {});
 
   /// After to_end().
   [[nodiscard]] FreeResult take_result();

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/engine/run/balance.h"
-#include "bentur/solve/engine/run/energy_account.h"
+#include "bentur/solve/engine/run/account/balance.h"
+#include "bentur/solve/engine/run/account/energy_account.h"
 #include "bentur/solve/engine/run/run.h"
 #include "bentur/solve/engine/run/sampler.h"
 #include "bentur/solve/engine/run/tracer.h"

@@ -21,7 +21,8 @@ constexpr const char* not_finite = "the response is no longer a finite number";
 
 }  // namespace
 
-Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales)
+Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
+         const std::vector<ModalSystem::Relation>& others)
     : system_(setup.system),
       problem_(setup.problem),
       stepper_(setup.system, offsets_of(setup.problem, setup.system), setup.solver),
@@ -46,6 +47,7 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales)
   watches_.emplace_back(system_, system_.watched, setup.grid);
   watches_.emplace_back(system_, system_.spans, setup.grid);
   watches_.emplace_back(system_, idle_ones, setup.grid);
+  watches_.emplace_back(system_, others, setup.grid);
 }
 
 void Run::resume(const Checkpoint& checkpoint) {

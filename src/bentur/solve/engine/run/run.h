@@ -29,8 +29,10 @@ class Run {
     const FlightPlan& plan;
     long most_steps = 0;  ///< more are a failure; 0: no limit
   };
-  /// The first `idle` elements do nothing; `scales` as Elements takes them.
-  Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales);
+  /// The first `idle` elements do nothing; `scales` as Elements takes them. `others` are watched besides what every run
+  /// watches.
+  Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
+      const std::vector<ModalSystem::Relation>& others = {});
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -54,6 +56,7 @@ class Run {
   [[nodiscard]] const SpanWatch& floors() const { return watches_[0]; }
   [[nodiscard]] const SpanWatch& links() const { return watches_[1]; }
   [[nodiscard]] const SpanWatch& idle() const { return watches_[2]; }
+  [[nodiscard]] const SpanWatch& others() const { return watches_[3]; }
   [[nodiscard]] Elements& elements() { return elements_; }
   /// What ended the run before its time.
   [[nodiscard]] const std::optional<Collapse>& collapse() const { return collapse_; }

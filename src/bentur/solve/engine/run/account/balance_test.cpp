@@ -1,5 +1,5 @@
 // What a run measures of its contacts notices an impulse, a state or a stiffness that is not the one it went by.
-#include "bentur/solve/engine/run/balance.h"
+#include "bentur/solve/engine/run/account/balance.h"
 
 #include <gtest/gtest.h>
 

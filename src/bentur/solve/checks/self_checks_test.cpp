@@ -1,5 +1,5 @@
 // Responses damaged on purpose, each in one number: the check that is for it finds it, and no other number is needed.
-#include "bentur/solve/self_checks.h"
+#include "bentur/solve/checks/self_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(SelfChecks, FindEachDamage) {
       {"the list", near, [](Response& r) { r.points[0].impulse *= 1.001; }},
       {"lasts from", near, [](Response& r) { r.impacts[1].start = r.impacts[0].start; }},
       {"lasts from", near, [](Response& r) { r.impacts.back().end = 3; }},
-      {"impacts, but without contact", near, [](Response& r) { r.points[0].minimum_gap_no_contact = 0.0019; }},
+      {"impacts, but without contact", near, [](Response& r) { r.points[0].gap_needed = 0.0019; }},
       {"0 impacts, but without contact", near,
        [](Response& r) {
          r.impacts.clear();

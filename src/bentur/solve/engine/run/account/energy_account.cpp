@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/energy_account.h"
+#include "bentur/solve/engine/run/account/energy_account.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/balance.h"
+#include "bentur/solve/engine/run/account/balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,19 +77,29 @@ void MomentumBalance::close(const State& state, Elements& elements) {
   double missing = 0.0;
   double largest = 0.0;
   for (const ModalSystem::Block& block : system_->blocks) {
-    if (block.modes == 0) continue;
-    const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
     const Index ground = block.begin + block.modes;
-    const VectorXd moved = modes(state.q) - modes(start_.q);
-    const VectorXd damped = block.damping ? VectorXd(block.damping->topLeftCorner(block.modes, block.modes) * moved)
-                                          : VectorXd(modes(system_->two_sigma).cwiseProduct(moved));
-    const VectorXd sprung = modes(system_->omega_squared).cwiseProduct(modes(shift_));
-    const VectorXd shaken = (state.v(ground) - start_.v(ground)) * modes(system_->gamma);
-    const VectorXd rest = modes(state.v) - modes(start_.v) + sprung + damped - shaken - modes(pushed_);
-    missing = std::max(missing, rest.norm());
-    for (const double size : {modes(state.v).norm(), modes(start_.v).norm(), sprung.norm(), modes(pushed_).norm()}) {
-      largest = std::max(largest, size);
+    const double shaken = state.v(ground) - start_.v(ground);
+    const auto moved = [&](Index mode) { return state.q(mode) - start_.q(mode); };
+    // Squares of what is missing and of the terms, over the modes.
+    double rest = 0.0, after = 0.0, before = 0.0, sprung = 0.0, pushed = 0.0;
+    for (Index i = 0; i < block.modes; ++i) {
+      const Index mode = block.begin + i;
+      double damped = system_->two_sigma(mode) * moved(mode);
+      if (block.damping) {
+        damped = 0.0;
+        for (Index j = 0; j < block.modes; ++j) damped += (*block.damping)(i, j) * moved(block.begin + j);
+      }
+      const double spring = system_->omega_squared(mode) * shift_(mode);
+      const double left =
+          state.v(mode) - start_.v(mode) + spring + damped - shaken * system_->gamma(mode) - pushed_(mode);
+      rest += left * left;
+      after += state.v(mode) * state.v(mode);
+      before += start_.v(mode) * start_.v(mode);
+      sprung += spring * spring;
+      pushed += pushed_(mode) * pushed_(mode);
     }
+    missing = std::max(missing, std::sqrt(rest));
+    largest = std::max(largest, std::sqrt(std::max({after, before, sprung, pushed})));
   }
   if (largest > 0.0) worst_ = std::max(worst_, missing / largest);
 }

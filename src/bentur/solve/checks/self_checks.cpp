@@ -1,4 +1,4 @@
-#include "bentur/solve/self_checks.h"
+#include "bentur/solve/checks/self_checks.h"
 
 #include <fmt/format.h>
 
@@ -99,7 +99,7 @@ void Checks::numbers() {
   }
   for (std::size_t i = 0; i < response_.points.size(); ++i) {
     const PointSummary& p = response_.points[i];
-    finite({p.minimum_gap_no_contact, p.contact_duration, p.peak_force, p.peak_force_time.value_or(0), p.peak_tension,
+    finite({p.gap_needed, p.contact_duration, p.peak_force, p.peak_force_time.value_or(0), p.peak_tension,
             p.peak_penetration, p.peak_closing_speed, p.impulse, p.energy_lost},
            place(i));
   }
@@ -109,7 +109,7 @@ void Checks::numbers() {
            fmt::format("the impact at t = {:.6g} s", one.start));
   }
   for (const WatchedSummary& one : response_.watched) {
-    finite({one.needed, one.least_opening, one.least_time}, "a watched floor");
+    finite({one.gap_needed, one.least_opening, one.least_time}, "a watched floor");
   }
   for (const LinkSummary& one : response_.links) {
     finite({one.peak_compression, one.peak_tension, one.peak_closing, one.peak_opening, one.energy_dissipated},
@@ -161,7 +161,7 @@ void Checks::first_contact() {
   for (std::size_t i = 0; i < response_.points.size(); ++i) {
     const ContactPoint& point = problem_.points[i];
     const auto moves = [&](Eigen::Index b) { return response_.buildings[b].displacement_no_contact.maxCoeff(); };
-    const double needed = response_.points[i].minimum_gap_no_contact;
+    const double needed = response_.points[i].gap_needed;
     const double scale = needed + point.width + moves(point.left) + moves(point.left + 1);
     const double beyond = scale > 0.0 ? (needed - point.width) / scale : 0.0;
     if (i > 0 && beyond <= most) continue;
@@ -171,8 +171,7 @@ void Checks::first_contact() {
   if (response_.points.empty()) return;
   const auto told = [&] {
     return fmt::format("{} impacts, but without contact {} needs {:.9g} and is given {:.9g}", response_.impacts.size(),
-                       place(nearest), response_.points[nearest].minimum_gap_no_contact,
-                       problem_.points[nearest].width);
+                       place(nearest), response_.points[nearest].gap_needed, problem_.points[nearest].width);
   };
   compare("check_first_contact", response_.impacts.empty() ? most : -most, told);
 }

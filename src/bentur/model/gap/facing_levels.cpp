@@ -1,0 +1,46 @@
+#include "bentur/model/gap/facing_levels.h"
+
+#include <algorithm>
+
+#include "bentur/structure/sway.h"
+
+namespace bentur {
+std::optional<Eigen::Index> face_floor(const Problem& problem, const FacingLevel& level, int side) {
+  if (level.is_point) {
+    const ContactPoint& point = problem.points[level.index];
+    const Eigen::Index dof = side == 0 ? point.left_floor : point.right_floor;
+    return dof < problem.buildings[level.gap + side].model.floors() ? std::optional(dof) : std::nullopt;
+  }
+  const WatchedFloor& watched = problem.watched[level.index];
+  return watched.floor_of == level.gap + side ? std::optional(watched.floor) : watched.facing_floor;
+}
+
+std::vector<FacingLevel> facing_levels(const Problem& problem, Eigen::Index gap) {
+  const Gap between = gap_at(problem, gap);
+  std::vector<FacingLevel> levels;
+  for (const Eigen::Index i : between.points) {
+    levels.push_back({gap, true, i, problem.points[i].elevation, problem.points[i].width});
+  }
+  for (const Eigen::Index i : between.watched) {
+    levels.push_back({gap, false, i, problem.watched[i].elevation, problem.watched[i].width});
+  }
+  std::stable_sort(levels.begin(), levels.end(),
+                   [](const FacingLevel& a, const FacingLevel& b) { return a.elevation < b.elevation; });
+  return levels;
+}
+
+std::vector<FacingLevel> facing_levels(const Problem& problem) {
+  std::vector<FacingLevel> all;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    for (const FacingLevel& level : facing_levels(problem, gap)) all.push_back(level);
+  }
+  return all;
+}
+
+double face_height(const Problem& problem, const FacingLevel& level, int side) {
+  const StructuralModel& model = problem.buildings[level.gap + side].model;
+  const auto floor = face_floor(problem, level, side);
+  return (floor ? model.elevations[*floor] : level.elevation) - base_of(model);
+}
+
+}  // namespace bentur

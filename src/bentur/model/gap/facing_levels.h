@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bentur/solve/problem.h"
+
+namespace bentur {
+
+/// A level at which two neighbours face one another: a contact point or a watched floor of a problem.
+struct FacingLevel {
+  Eigen::Index gap = 0;    ///< index of the building to its left
+  bool is_point = true;    ///< a contact point; else a watched floor
+  Eigen::Index index = 0;  ///< into Problem::points or Problem::watched
+  double elevation = 0;    ///< [length]
+  double width = 0;        ///< given [length]
+};
+
+/// The levels of one gap, from the lowest up. @throws InvalidParameter unless there are so many gaps.
+[[nodiscard]] std::vector<FacingLevel> facing_levels(const Problem& problem, Eigen::Index gap);
+/// Those of all gaps, left to right.
+[[nodiscard]] std::vector<FacingLevel> facing_levels(const Problem& problem);
+
+/// Index of the floor that the left (0) or right (1) face is; nothing of a column's.
+[[nodiscard]] std::optional<Eigen::Index> face_floor(const Problem& problem, const FacingLevel& level, int side);
+
+/// Height of the left (0) or right (1) face above its building's base [length]: of a floor its own, of a column that of
+/// the level.
+[[nodiscard]] double face_height(const Problem& problem, const FacingLevel& level, int side);
+
+}  // namespace bentur

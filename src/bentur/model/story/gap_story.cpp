@@ -1,0 +1,286 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+namespace story {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// What is needed at a level under the reversed motion; −1 where that is not known.
+double reversed_at(const LevelSeparation& one) { return one.gap_needed_reversed.value_or(-1); }
+
+/// The level that falls short the most of the reversed motion's need, as a governing level of that need.
+std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> levels, double scale) {
+  if (levels.empty() || std::any_of(levels.begin(), levels.end(), [](const auto& one) { return reversed_at(one) < 0; }))
+    return std::nullopt;
+  for (LevelSeparation& one : levels) one.gap_needed = *one.gap_needed_reversed;
+  return governing_level(levels, scale);
+}
+
+const char* motion_word(const Problem& problem) {
+  if (std::holds_alternative<SampledMotion>(problem.motion)) return "story.this_motion";
+  return std::holds_alternative<HarmonicMotion>(problem.motion) ? "story.this_harmonic" : "story.this_vibration";
+}
+
+Statement need_statement(const GapFacts& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
+  const std::string& length = facts.c.units.length;
+  Statement statement{.kind = std::move(kind),
+                      .severity = level.is_short() ? Severity::warning : Severity::finding,
+                      .gap = gap,
+                      .buildings = {gap, gap + 1},
+                      .level = level.elevation};
+  statement.values = {value_in("needed", level.gap_needed, length), value_in("level", level.elevation, length),
+                      value_in("width", level.width, length),
+                      value_in("difference", std::abs(level.gap_needed - level.width), length)};
+  if (level.watched) {
+    add_faces(facts.problem, facts.problem.watched[*level.watched], statement.values);
+    statement.values.push_back(word_of("faces", "story.faces"));
+  } else {
+    statement.values.push_back(text_of("faces", ""));
+  }
+  return statement;
+}
+
+/// Needs no larger than round-off are none.
+GoverningLevel without_round_off(GoverningLevel level) {
+  if (!falls_short(0, level.gap_needed, level.scale)) level.gap_needed = 0;
+  return level;
+}
+
+void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+                   std::vector<Statement>& statements) {
+  const auto level = governing_reversed(levels, facts.scale(gap));
+  if (level) {
+    const char* const kind = level->is_short() ? "reversed_short" : "reversed_enough";
+    statements.push_back(need_statement(facts, gap, without_round_off(*level), kind));
+  } else if (facts.c.analysis.both_ways && !facts.c.buildings.empty() &&
+             !std::holds_alternative<NoMotion>(facts.problem.motion)) {
+    statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
+  }
+}
+
+const char* silence_word(RuleFinding::Silence silence) {
+  switch (silence) {
+    case RuleFinding::Silence::no_level:
+      return "story.silence.no_level";
+    case RuleFinding::Silence::collapsed:
+      return "story.silence.collapsed";
+    case RuleFinding::Silence::linked:
+      return "story.silence.linked";
+    case RuleFinding::Silence::unknown:
+      return "story.silence.unknown";
+    case RuleFinding::Silence::none:
+      break;
+  }
+  return "gap.wide_enough";
+}
+
+std::vector<RuleFinding> findings_of(const GapFacts& facts, const std::vector<LevelSeparation>& levels,
+                                     Eigen::Index gap) {
+  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed);
+}
+
+/// The level of all items where it is one, else each item's own.
+void tell_levels_once(Statement& statement) {
+  const auto level_of = [](const std::vector<StoryValue>& item) { return std::get<double>(item[2].value); };
+  const auto& items = statement.items;
+  const bool alike = !items.empty() && std::all_of(items.begin(), items.end(), [&](const auto& item) {
+    return level_of(item) == level_of(items.front());
+  });
+  for (auto& item : statement.items) {
+    item.push_back(alike ? text_of("where", "") : word_of("where", "story.at_level"));
+  }
+  if (alike) {
+    statement.level = level_of(statement.items.front());
+    statement.values.push_back(value_in("level", *statement.level, statement.items.front()[2].unit));
+  }
+  statement.values.push_back(alike ? word_of("where", "story.at_level") : text_of("where", ""));
+}
+
+StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
+  const std::string& length = facts.c.units.length;
+  const double scale = facts.scale(gap);
+  const auto governing = governing_level(levels, scale);
+  StoryColumn elevation{"column.elevation", length}, kind{.label = "gap.faces", .are_words = true};
+  StoryColumn owner{.label = "gap.floor_of"}, given{"column.given", length};
+  StoryColumn needed{facts.response != nullptr ? "column.simulated" : "spectral.difference", length};
+  StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
+  StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
+  const auto shown = [&](double value) { return value > 0 && !falls_short(0, value, scale) ? 0 : value; };
+  StoryTable table{.kind = "levels", .gap = gap};
+  for (auto one = levels.rbegin(); one != levels.rend(); ++one) {
+    const FacingLevel& level = one->level;
+    const bool is_governing =
+        governing && (level.is_point ? !governing->watched && governing->elevation == level.elevation
+                                     : governing->watched == level.index);
+    const bool is_short = falls_short(level.width, std::max(one->gap_needed, reversed_at(*one)), scale);
+    if (is_governing && is_short) table.marked.push_back(elevation.numbers.size());
+    elevation.numbers.push_back(level.elevation);
+    given.numbers.push_back(level.width);
+    needed.numbers.push_back(shown(one->gap_needed));
+    reversed.numbers.push_back(one->gap_needed_reversed ? shown(*one->gap_needed_reversed) : none);
+    abs.numbers.push_back(one->abs);
+    srss.numbers.push_back(one->srss);
+    ddc.numbers.push_back(shown(one->ddc));
+    verdict.texts.emplace_back(is_short ? "gap.too_close" : "gap.wide_enough");
+    governs.texts.emplace_back(is_governing ? "gap.governs" : "");
+    const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
+    kind.texts.emplace_back(floor == nullptr ? "gap.contact" : floor->facing_floor ? "gap.floor" : "gap.column");
+    owner.texts.push_back(floor == nullptr ? "" : facts.problem.buildings[floor->floor_of].name);
+  }
+  const auto known = [](const StoryColumn& column) {
+    return std::any_of(column.numbers.begin(), column.numbers.end(), [](double x) { return !std::isnan(x); });
+  };
+  const bool watches = std::any_of(owner.texts.begin(), owner.texts.end(), [](const auto& name) { return name != ""; });
+  table.columns = {elevation, given, needed};
+  if (known(reversed)) table.columns.push_back(reversed);
+  table.columns.insert(table.columns.end(), {abs, srss});
+  if (known(ddc)) table.columns.push_back(ddc);
+  table.columns.push_back(verdict);
+  if (watches) table.columns.insert(table.columns.end(), {owner, kind});
+  table.columns.push_back(governs);
+  return table;
+}
+
+StoryTable rule_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
+  const std::string& length = facts.c.units.length;
+  StoryColumn title{.label = "gap.code"}, clause{.label = "gap.clause"}, asked{"gap.asked", length};
+  StoryColumn level{"column.elevation", length}, verdict{.label = "gap.given_is", .are_words = true};
+  StoryColumn left{"gap.left_to_line", length}, right{"gap.right_to_line", length}, wording{.label = "gap.wording"};
+  bool property_line = false;
+  StoryTable table{.kind = "rules", .gap = gap};
+  for (const RuleFinding& found : findings_of(facts, levels, gap)) {
+    const CodeRule* const code = find_code_rule(found.rule);
+    if (found.is_short && code != nullptr) table.marked.push_back(title.texts.size());
+    title.texts.push_back(found.title);
+    clause.texts.emplace_back(code != nullptr ? code->clause : "–");
+    asked.numbers.push_back(found.at ? found.gap : none);
+    level.numbers.push_back(found.at ? levels[*found.at].level.elevation : none);
+    verdict.texts.emplace_back(found.is_short ? "gap.too_close" : silence_word(found.silence));
+    left.numbers.push_back(found.to_left.value_or(none));
+    right.numbers.push_back(found.to_right.value_or(none));
+    wording.texts.emplace_back(code != nullptr ? code->wording : "–");
+    property_line = property_line || found.to_left || found.to_right;
+  }
+  table.columns = {title, clause, asked, level, verdict};
+  if (property_line) table.columns.insert(table.columns.end(), {left, right});
+  if (!facts.c.code.rules.empty()) table.columns.push_back(wording);
+  return table;
+}
+
+StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
+  using Verdict = ScreeningFinding::Verdict;
+  StoryColumn rule{.label = "screening.rule", .are_words = true}, value{.label = "screening.value"};
+  StoryColumn limit{"screening.limit"}, unit{.label = "screening.unit"};
+  StoryColumn verdict{.label = "screening.verdict", .are_words = true}, source{.label = "screening.source"};
+  StoryTable table{.kind = "screening", .gap = gap};
+  for (const ScreeningFinding& found : screening(facts.problem, gap, facts.c.screening, facts.c.units)) {
+    const bool open = found.rule->yes_or_no && found.verdict == Verdict::needs_seismicity;
+    if (found.verdict == Verdict::attention) table.marked.push_back(rule.texts.size());
+    rule.texts.push_back("screening." + std::string(found.rule->name));
+    value.texts.push_back(open                     ? "–"
+                          : !found.rule->yes_or_no ? number(found.value)
+                          : found.value > 0        ? "word.yes"
+                                                   : "word.no");
+    limit.numbers.push_back(found.limit.value_or(none));
+    unit.texts.push_back(found.rule->unit == "length" ? facts.c.units.length : std::string(found.rule->unit));
+    verdict.texts.emplace_back(found.verdict == Verdict::fine               ? "screening.fine"
+                               : found.verdict == Verdict::attention        ? "screening.attention"
+                               : found.verdict == Verdict::needs_seismicity ? "screening.needs_seismicity"
+                                                                            : "screening.not_applicable");
+    const std::string_view named = found.rule->source.substr(0, found.rule->source.find_first_of(",("));
+    source.texts.push_back(found.rule->wording == "ours" ? "screening.ours" : std::string(named));
+  }
+  value.are_words = source.are_words = true;
+  table.columns = {rule, value, limit, unit, verdict, source};
+  return table;
+}
+
+}  // namespace
+
+double GapFacts::scale(Eigen::Index gap) const {
+  return response != nullptr ? displacement_scale(problem, *response, gap) : 0;
+}
+
+void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  const auto found = governing_level(levels, facts.scale(gap));
+  if (!found) {
+    statements.push_back({.kind = "no_level", .gap = gap, .buildings = {gap, gap + 1}});
+    return;
+  }
+  const GoverningLevel level = without_round_off(*found);
+  if (facts.response == nullptr) {
+    statements.push_back(need_statement(facts, gap, level, level.is_short() ? "spectral_short" : "spectral_enough"));
+    return;
+  }
+  const bool touch = level.width == 0 && level.gap_needed == 0;
+  statements.push_back(need_statement(facts, gap, level,
+                                      touch              ? "gap_touch"
+                                      : level.is_short() ? "gap_short"
+                                                         : "gap_enough"));
+  statements.back().values.push_back(word_of("motion", motion_word(facts.problem)));
+  tell_reversed(facts, gap, levels, statements);
+}
+
+void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::string& length = facts.c.units.length;
+  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  Statement all{.kind = "rules", .gap = gap, .buildings = {gap, gap + 1}};
+  Statement too_close = all, too_small = all, silent = all;
+  too_close.kind = "rules_short";
+  too_close.severity = Severity::warning;
+  too_small.kind = "rules_understate";
+  silent.kind = "rules_silent";
+  for (const RuleFinding& found : findings_of(facts, levels, gap)) {
+    const StoryValue title = text_of("rule", found.title);
+    if (found.at) {
+      const double elevation = levels[*found.at].level.elevation;
+      (found.is_short ? too_close : all)
+          .items.push_back({title, value_in("gap", found.gap, length), value_in("level", elevation, length)});
+    } else {
+      silent.items.push_back({title, word_of("why", silence_word(found.silence))});
+    }
+    if (found.understates && facts.response != nullptr) too_small.items.push_back({title});
+  }
+  tell_levels_once(too_close);
+  tell_levels_once(all);
+  for (Statement* const statement : {&too_close, &all, &too_small, &silent}) {
+    if (!statement->items.empty()) statements.push_back(std::move(*statement));
+  }
+}
+
+std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap) {
+  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  std::vector<StoryTable> tables;
+  if (!levels.empty()) {
+    tables.push_back(level_table(facts, gap, levels));
+    tables.push_back(rule_table(facts, gap, levels));
+  }
+  // Of results read back how the buildings stand is not known.
+  if (facts.c.buildings.empty()) return tables;
+  StoryTable standing = screening_table(facts, gap);
+  if (!standing.columns.front().texts.empty()) tables.push_back(std::move(standing));
+  return tables;
+}
+
+}  // namespace story
+
+Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  const story::GapFacts facts{.c = c, .problem = problem, .levels = spectral.levels};
+  Story told;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    story::tell_need(facts, gap, told.statements);
+    story::tell_rules(facts, gap, told.statements);
+    for (StoryTable& table : story::gap_tables(facts, gap)) told.tables.push_back(std::move(table));
+  }
+  story::sort_by_severity(told.statements);
+  for (Statement& remark : remark_statements(remarks(c, problem))) told.statements.push_back(std::move(remark));
+  return told;
+}
+
+}  // namespace bentur

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/story/story.h"
+
+namespace bentur::story {
+
+/// What the gaps of a story are told from, of a run or by a spectrum.
+struct GapFacts {
+  const Case& c;
+  const Problem& problem;
+  const Response* response = nullptr;                  ///< nothing: by a spectrum
+  std::vector<LevelSeparation> levels;                 ///< of all gaps
+  bool collapsed = false;                              ///< the free response
+  [[nodiscard]] double scale(Eigen::Index gap) const;  ///< displacement_scale() [length]; 0 by a spectrum
+};
+
+[[nodiscard]] inline StoryValue value_in(std::string name, double value, std::string unit = {}) {
+  return {std::move(name), value, std::move(unit)};
+}
+[[nodiscard]] inline StoryValue count_of(std::string name, long value) { return {std::move(name), value}; }
+[[nodiscard]] inline StoryValue text_of(std::string name, std::string value) {
+  return {std::move(name), std::move(value)};
+}
+[[nodiscard]] inline StoryValue word_of(std::string name, std::string key) {
+  return {std::move(name), std::move(key), {}, true};
+}
+
+/// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
+void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
+void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
+[[nodiscard]] std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap);
+
+/// Puts what is gravest first; what is alike stays in order.
+void sort_by_severity(std::vector<Statement>& statements);
+
+/// The building that a watched floor faces.
+[[nodiscard]] const std::string& faced_name(const Problem& problem, const WatchedFloor& floor);
+/// {building}, {faced_building} and the word {faced}.
+void add_faces(const Problem& problem, const WatchedFloor& floor, std::vector<StoryValue>& values);
+
+}  // namespace bentur::story

@@ -1,0 +1,404 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using story::add_faces;
+using story::count_of;
+using story::GapFacts;
+using story::text_of;
+using story::value_in;
+using story::word_of;
+
+constexpr double percent = 100;
+
+std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }
+
+/// {building}, {storey}, {time} and {limit} of a collapse.
+Statement collapse_statement(const RunResults& run, const Collapse& collapse, std::string kind, Severity severity) {
+  const Building& building = run.problem.buildings[collapse.building];
+  return {
+      .kind = std::move(kind),
+      .severity = severity,
+      .buildings = {collapse.building},
+      .values = {text_of("building", building.name), count_of("storey", building.model.storey_number(collapse.storey)),
+                 value_in("time", collapse.time, "s"), value_in("limit", percent * run.problem.collapse_drift, "%")}};
+}
+
+void tell_collapse(const RunResults& run, std::vector<Statement>& statements) {
+  const auto& with = run.response.collapse;
+  const auto& without = run.response.collapse_no_contact;
+  if (with) {
+    statements.push_back(collapse_statement(run, *with, "collapse", Severity::danger));
+    if (!without) statements.push_back({.kind = "collapse_by_contact", .severity = Severity::danger});
+  }
+  if (without) {
+    const char* const kind = with ? "collapse_also_alone" : "collapse_alone";
+    statements.push_back(collapse_statement(run, *without, kind, Severity::danger));
+  }
+}
+
+/// Storeys that drift beyond what counts as collapse where nothing looks for it, since no gravity acts.
+void tell_drifts(const RunResults& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const Eigen::VectorXd& drifts = run.response.buildings[b].drift_ratio;
+    Index worst = -1;
+    for (Index storey = building.model.first_storey(); storey < drifts.size(); ++storey) {
+      if (drifts(storey) > run.problem.collapse_drift && (worst < 0 || drifts(storey) > drifts(worst))) worst = storey;
+    }
+    if (worst < 0 || building.has_gravity_loads) continue;
+    statements.push_back(
+        {.kind = "drift_beyond",
+         .severity = Severity::danger,
+         .buildings = {b},
+         .level = building.model.elevations[worst],
+         .values = {text_of("building", building.name), count_of("storey", building.model.storey_number(worst)),
+                    value_in("drift", percent * drifts(worst), "%"),
+                    value_in("limit", percent * run.problem.collapse_drift, "%")}});
+  }
+}
+
+/// Columns beyond what they bear: of each gap the worst in shear and in moment.
+void tell_columns(const RunResults& run, Index gap, std::vector<Statement>& statements) {
+  const RunView view = run.view();
+  for (const bool shear : {true, false}) {
+    const Quantity& ratio =
+        quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
+    Index worst = -1;
+    double most = 1;
+    long beyond = 0;
+    for (const Index i : gap_at(run.problem, gap).points) {
+      const double value = value_of(ratio, view, {i, 0});
+      beyond += value > 1 ? 1 : 0;
+      if (!(value > most)) continue;
+      most = value;
+      worst = i;
+    }
+    if (worst < 0) continue;
+    const ContactPoint& point = run.problem.points[worst];
+    const ColumnPeaks& column = *run.response.points[worst].column;
+    const Index building = struck_column(run.problem, point)->building;
+    const std::string unit = shear ? run.c.units.force : run.c.units.force + "·" + run.c.units.length;
+    const double demand = shear ? column.shear : column.moment;
+    const double alone = shear ? column.shear_no_contact : column.moment_no_contact;
+    const double capacity = demand / most;
+    statements.push_back({.kind = shear ? "column_shear" : "column_moment",
+                          .severity = Severity::danger,
+                          .gap = gap,
+                          .buildings = {building},
+                          .level = point.elevation,
+                          .values = {text_of("building", run.problem.buildings[building].name),
+                                     value_in("level", point.elevation, run.c.units.length), value_in("ratio", most),
+                                     value_in("demand", demand, unit), value_in("capacity", capacity, unit),
+                                     value_in("alone", alone / capacity)}});
+    if (beyond > 1) statements.back().values.push_back(count_of("beyond", beyond));
+    statements.back().values.push_back(beyond > 1 ? word_of("others", "story.columns_beyond") : text_of("others", ""));
+  }
+}
+
+void tell_unmodelled(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
+  if (found.unmodelled.empty()) return;
+  const std::string& length = run.c.units.length;
+  const WatchedFloor& floor = run.problem.watched[found.unmodelled.front()];
+  const WatchedSummary& summary = run.response.watched[found.unmodelled.front()];
+  const Remedy remedy = remedy_for(run.problem, floor);
+  const auto more = static_cast<long>(found.unmodelled.size()) - 1;
+  Statement statement{.kind = "unmodelled",
+                      .severity = Severity::danger,
+                      .gap = found.gap.left,
+                      .buildings = {found.gap.left, found.gap.left + 1},
+                      .level = floor.elevation};
+  statement.values = {value_in("level", floor.elevation, length), value_in("depth", -summary.least_opening, length),
+                      value_in("time", summary.least_time, "s"), value_in("to_name", remedy.level, length)};
+  add_faces(run.problem, floor, statement.values);
+  if (more > 0) statement.values.push_back(count_of("more_floors", more));
+  statement.values.push_back(more > 0 ? word_of("others", "story.unmodelled_others") : text_of("others", ""));
+  switch (remedy.kind) {
+    case Remedy::Kind::name_elevation:
+      statement.values.push_back(word_of("remedy", "story.remedy.elevation"));
+      break;
+    case Remedy::Kind::raise_tolerance:
+      statement.values.push_back(value_in("tolerance", remedy.tolerance));
+      statement.values.push_back(word_of("remedy", "story.remedy.tolerance"));
+      break;
+    case Remedy::Kind::strike_column:
+      statement.values.push_back(word_of("remedy", "story.remedy.strike"));
+      break;
+    case Remedy::Kind::give_columns:
+      statement.values.push_back(word_of("remedy", "story.remedy.columns"));
+      break;
+  }
+  statements.push_back(std::move(statement));
+}
+
+/// The impact of a point with its peak force, or its fastest where no force is known.
+const Impact* hardest_impact(const Response& response, Index point) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : response.impacts) {
+    if (impact.point != point) continue;
+    if (hardest == nullptr || impact.peak_force > hardest->peak_force ||
+        (impact.peak_force == hardest->peak_force && impact.closing_speed > hardest->closing_speed)) {
+      hardest = &impact;
+    }
+  }
+  return hardest;
+}
+
+void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
+  const std::string& length = run.c.units.length;
+  const Index gap = found.gap.left;
+  Statement statement{.gap = gap, .buildings = {gap, gap + 1}};
+  statement.values = {
+      text_of("left", run.problem.buildings[gap].name), text_of("right", run.problem.buildings[gap + 1].name),
+      value_in("duration", run.response.collapse ? run.response.collapse->time : run.problem.duration, "s")};
+  if (found.impacts == 0) {
+    if (!found.unmodelled.empty() && found.gap.points.empty()) return;
+    statement.kind = found.unmodelled.empty() ? "no_pounding" : "no_impact";
+    statements.push_back(std::move(statement));
+    return;
+  }
+  statement.severity = Severity::warning;
+  statement.level = run.problem.points[*found.hardest].elevation;
+  statement.values.push_back(count_of("times", found.impacts));
+  statement.values.push_back(count_of("touched", found.touched));
+  statement.values.push_back(count_of("points", std::ssize(found.gap.points)));
+  statement.values.push_back(value_in("level", *statement.level, length));
+  const Impact* const hardest = hardest_impact(run.response, *found.hardest);
+  const PointSummary& point = run.response.points[*found.hardest];
+  if (point.peak_force > 0) {
+    statement.kind = "pounding";
+    statement.values.push_back(value_in("force", point.peak_force, run.c.units.force));
+    statement.values.push_back(value_in("time", point.peak_force_time.value_or(0), "s"));
+    if (hardest != nullptr) {
+      statement.values.push_back(value_in("contact", 1e3 * (hardest->end - hardest->start), "ms"));
+      statement.values.push_back(word_of("lasting", "story.lasting"));
+    } else {
+      statement.values.push_back(text_of("lasting", ""));
+    }
+  } else {
+    statement.kind = "pounding_impulse";
+    statement.values.push_back(value_in("speed", point.peak_closing_speed, length + "/s"));
+    statement.values.push_back(value_in("time", hardest != nullptr ? hardest->start : 0, "s"));
+  }
+  statements.push_back(std::move(statement));
+}
+
+/// The largest of a quantity of floors over all buildings; NaN where none has one.
+double largest_floor_value(const RunView& view, const char* key, QuantityPlace& place) {
+  const Quantity& quantity = quantity_named(key, Owner::floor);
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (Index b = 0; b < std::ssize(view.problem.buildings); ++b) {
+    for (const QuantityPlace& at : floors_of(view.problem, b)) {
+      const double value = value_of(quantity, view, at);
+      if (std::isnan(value) || value <= most) continue;
+      most = value;
+      place = at;
+    }
+  }
+  return most;
+}
+
+/// A statement of the largest of a quantity of floors: {building}, {level}.
+Statement floor_statement(const RunResults& run, std::string kind, const QuantityPlace& place) {
+  const Building& building = run.problem.buildings[place.item];
+  const double level = building.model.elevations[place.floor];
+  return {.kind = std::move(kind),
+          .buildings = {place.item},
+          .level = level,
+          .values = {text_of("building", building.name), value_in("level", level, run.c.units.length)}};
+}
+
+/// What contact does to displacements, accelerations and shears.
+void tell_effects(const RunResults& run, std::vector<Statement>& statements) {
+  const RunView view = run.view();
+  QuantityPlace place;
+  if (!run.response.impacts.empty()) {
+    if (const double most = largest_floor_value(view, "amplification", place); most > 1 + 1e-9) {
+      const BuildingPeaks& peaks = run.response.buildings[place.item];
+      statements.push_back(floor_statement(run, "amplified", place));
+      auto& values = statements.back().values;
+      values.push_back(value_in("factor", most));
+      values.push_back(value_in("with", peaks.displacement(place.floor), run.c.units.length));
+      values.push_back(value_in("without", peaks.displacement_no_contact(place.floor), run.c.units.length));
+    } else if (!std::isnan(most)) {
+      statements.push_back({.kind = "not_amplified"});
+    }
+    for (const char* const key : {"acceleration_ratio", "storey_shear_ratio"}) {
+      const double most = largest_floor_value(view, key, place);
+      if (!(most > 0)) continue;
+      constexpr double seen = 1.005;  // with three digits
+      if (most < seen) {
+        statements.push_back({.kind = std::string(key) + "_none"});
+        continue;
+      }
+      statements.push_back(floor_statement(run, key, place));
+      statements.back().values.push_back(value_in("factor", most));
+    }
+  }
+  if (const double fastest = largest_floor_value(view, "peak_acceleration", place); !std::isnan(fastest)) {
+    statements.push_back(floor_statement(run, "acceleration", place));
+    auto& values = statements.back().values;
+    values.push_back(value_in("acceleration", fastest, acceleration_unit(run.c.units)));
+    values.push_back(value_in("in_g", fastest / run.c.units.gravity, "g"));
+  }
+}
+
+/// The largest ductility of each building that can yield.
+void tell_yielding(const RunResults& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.response.buildings); ++b) {
+    const auto& with = run.response.buildings[b].yielding.ductility;
+    const auto& without = run.response.buildings[b].yielding_no_contact.ductility;
+    Index worst = -1;
+    for (Index storey = 0; storey < with.size(); ++storey) {
+      if (with(storey) > 1 && (worst < 0 || with(storey) > with(worst))) worst = storey;
+    }
+    if (worst < 0) continue;
+    const Building& building = run.problem.buildings[b];
+    const bool bearings = worst < building.model.first_storey();
+    Statement statement{.kind = bearings ? "bearings_yield" : "storey_yields", .buildings = {b}};
+    statement.values = {text_of("building", building.name), value_in("ductility", with(worst))};
+    if (!bearings) statement.values.push_back(count_of("storey", building.model.storey_number(worst)));
+    const bool known = worst < without.size() && !std::isnan(without(worst));
+    if (known) statement.values.push_back(value_in("alone", without(worst)));
+    statement.values.push_back(known ? word_of("comparison", "story.ductility_alone") : text_of("comparison", ""));
+    statements.push_back(std::move(statement));
+  }
+}
+
+void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
+  const double pga = peak_acceleration(run.problem.motion);
+  if (!(pga > 0)) return;
+  statements.push_back({.kind = "pga",
+                        .values = {value_in("pga", pga, acceleration_unit(run.c.units)),
+                                   value_in("in_g", pga / run.c.units.gravity, "g")}});
+}
+
+/// Of a row of more than two buildings: how many gaps are too narrow, and the worst of them.
+void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& told) {
+  if (all.size() < 2) return;
+  const std::string& length = run.c.units.length;
+  StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
+  StoryColumn given{"column.given", length}, needed{"column.simulated", length}, lacking{"column.short_by", length};
+  StoryColumn impacts{.label = "column.impacts"}, hardest{"column.hardest", run.c.units.force};
+  StoryTable table{.kind = "row"};
+  const auto lacks = [](const GapOutcome& one) { return one.governing.gap_needed - one.governing.width; };
+  const GapOutcome* worst = &all.front();
+  long tight = 0;
+  for (const GapOutcome& one : all) {
+    const bool is_short = one.governing.is_short();
+    if (is_short) table.marked.push_back(name.texts.size());
+    tight += is_short ? 1 : 0;
+    if (lacks(one) > lacks(*worst)) worst = &one;
+    name.texts.push_back(gap_name(run.problem, one.gap.left));
+    verdict.texts.emplace_back(is_short ? "gap.too_close" : "gap.wide_enough");
+    given.numbers.push_back(one.governing.width);
+    needed.numbers.push_back(one.governing.gap_needed);
+    lacking.numbers.push_back(is_short ? lacks(one) : std::numeric_limits<double>::quiet_NaN());
+    impacts.texts.push_back(std::to_string(one.impacts));
+    const double force = one.hardest ? run.response.points[*one.hardest].peak_force : 0;
+    hardest.numbers.push_back(force > 0 ? force : std::numeric_limits<double>::quiet_NaN());
+  }
+  table.columns = {name, verdict, given, needed, lacking, impacts, hardest};
+  told.tables.push_back(std::move(table));
+  Statement statement{.kind = tight == 0                 ? "row_none"
+                              : tight == std::ssize(all) ? "row_all"
+                                                         : "row_some",
+                      .severity = tight == 0 ? Severity::finding : Severity::warning};
+  statement.values = {count_of("count", std::ssize(all))};
+  if (tight > 0) {
+    statement.values.push_back(count_of("tight", tight));
+    statement.values.push_back(text_of("gap", gap_name(run.problem, worst->gap.left)));
+    statement.values.push_back(value_in("needed", worst->governing.gap_needed, length));
+    statement.values.push_back(value_in("width", worst->governing.width, length));
+  }
+  told.statements.push_back(std::move(statement));
+}
+
+/// What the model leaves out.
+Statement model_statement(const RunResults& run) {
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
+  for (const Building& building : run.problem.buildings) {
+    if (building.is_rigid()) continue;
+    ++counted;
+    loaded += building.has_gravity_loads ? 1 : 0;
+    moved += building.model.has_soil || building.model.has_slab ? 1 : 0;
+  }
+  Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
+                      .severity = Severity::remark};
+  const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
+  if (loaded < counted) leave_out(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of");
+  leave_out("remarks.no_torsion");
+  if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
+  return statement;
+}
+
+GapFacts facts_of(const RunResults& run) {
+  return {.c = run.c,
+          .problem = run.problem,
+          .response = &run.response,
+          .levels = separations(run.problem, run.response, run.c.code, run.c.units),
+          .collapsed = run.response.collapse_no_contact.has_value()};
+}
+
+/// Remarks and what the model leaves out, after all else.
+void tell_remarks(const RunResults& run, Story& told) {
+  story::sort_by_severity(told.statements);
+  for (Statement& remark : remark_statements(run.remarks)) told.statements.push_back(std::move(remark));
+  told.statements.push_back(model_statement(run));
+}
+
+}  // namespace
+
+Story run_story(const RunResults& run) {
+  const GapFacts facts = facts_of(run);
+  std::vector<GapOutcome> all;
+  for (const Gap& gap : gaps_of(run.problem)) all.push_back(gap_outcome(run.problem, run.response, gap.left));
+  Story told;
+  tell_collapse(run, told.statements);
+  for (const GapOutcome& found : all) tell_columns(run, found.gap.left, told.statements);
+  for (const GapOutcome& found : all) tell_unmodelled(run, found, told.statements);
+  tell_drifts(run, told.statements);
+  tell_row(run, all, told);
+  for (const GapOutcome& found : all) {
+    tell_impacts(run, found, told.statements);
+    story::tell_need(facts, found.gap.left, told.statements);
+    story::tell_rules(facts, found.gap.left, told.statements);
+  }
+  tell_effects(run, told.statements);
+  tell_yielding(run, told.statements);
+  tell_motion(run, told.statements);
+  tell_remarks(run, told);
+  return told;
+}
+
+Story gap_story(const RunResults& run) {
+  const GapFacts facts = facts_of(run);
+  Story told;
+  tell_collapse(run, told.statements);
+  for (const Gap& gap : gaps_of(run.problem)) {
+    tell_unmodelled(run, gap_outcome(run.problem, run.response, gap.left), told.statements);
+    story::tell_need(facts, gap.left, told.statements);
+    story::tell_rules(facts, gap.left, told.statements);
+  }
+  tell_motion(run, told.statements);
+  tell_remarks(run, told);
+  told.tables = gap_tables_of(run);
+  return told;
+}
+
+std::vector<StoryTable> gap_tables_of(const RunResults& run) {
+  const GapFacts facts = facts_of(run);
+  std::vector<StoryTable> tables;
+  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
+    for (StoryTable& table : story::gap_tables(facts, gap)) tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+}  // namespace bentur

@@ -1,0 +1,86 @@
+#include "bentur/model/story/story.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+namespace {
+
+constexpr std::size_t most_named = 4;  // buildings or gaps in one sentence
+
+StoryValue usual_range(const Remark& remark) {
+  if (remark.usual_from && remark.usual_to) return story::word_of("usual", "remark.between");
+  return story::word_of("usual", remark.usual_to ? "remark.up_to" : "remark.at_least");
+}
+
+}  // namespace
+
+std::string_view severity_name(Severity severity) {
+  constexpr std::string_view names[] = {"danger", "warning", "finding", "remark"};
+  return names[static_cast<std::size_t>(severity)];
+}
+
+std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
+  std::vector<Statement> statements;
+  std::vector<char> told(remarks.size(), 0);
+  for (std::size_t i = 0; i < remarks.size(); ++i) {
+    const Remark& first = remarks[i];
+    Statement statement{.kind = "remark." + first.key, .severity = Severity::remark};
+    std::vector<std::string> values;
+    long count = 0;
+    for (std::size_t k = i; k < remarks.size(); ++k) {
+      const Remark& other = remarks[k];
+      if (told[k] != 0 || other.key != first.key || other.usual_from != first.usual_from ||
+          other.usual_to != first.usual_to) {
+        continue;
+      }
+      told[k] = 1;
+      if (++count > static_cast<long>(most_named)) continue;
+      statement.subject += (statement.subject.empty() ? "" : ", ") + other.subject;
+      const std::string value = number(other.value);
+      if (values.empty() || value != values.back()) values.push_back(value);
+    }
+    if (count == 0) continue;
+    if (count > static_cast<long>(most_named)) {
+      statement.values.push_back(story::count_of("more", count - static_cast<long>(most_named)));
+      values.emplace_back("…");
+    }
+    if (values.size() == 1) {
+      statement.values.push_back(story::value_in("value", first.value, first.unit));
+    } else {
+      statement.values.push_back(story::text_of(
+          "value", fmt::format("{}{}{}", fmt::join(values, ", "), first.unit.empty() ? "" : "\u00A0", first.unit)));
+    }
+    statement.values.push_back(usual_range(first));
+    if (first.usual_from) statement.values.push_back(story::text_of("from", number(*first.usual_from)));
+    statement.values.push_back(story::text_of("unit", first.unit.empty() ? "" : "\u00A0" + first.unit));
+    if (first.usual_to) statement.values.push_back(story::value_in("to", *first.usual_to, first.unit));
+    statements.push_back(std::move(statement));
+  }
+  return statements;
+}
+
+namespace story {
+
+void sort_by_severity(std::vector<Statement>& statements) {
+  std::stable_sort(statements.begin(), statements.end(),
+                   [](const Statement& a, const Statement& b) { return a.severity < b.severity; });
+}
+
+const std::string& faced_name(const Problem& problem, const WatchedFloor& floor) {
+  return problem.buildings[2 * floor.left + 1 - floor.floor_of].name;
+}
+
+void add_faces(const Problem& problem, const WatchedFloor& floor, std::vector<StoryValue>& values) {
+  values.push_back(text_of("building", problem.buildings[floor.floor_of].name));
+  values.push_back(text_of("faced_building", faced_name(problem, floor)));
+  values.push_back(word_of("faced", floor.facing_floor ? "story.the_floor_of" : "story.the_column_of"));
+}
+
+}  // namespace story
+}  // namespace bentur

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/run_results.h"
+
+namespace bentur {
+
+/// How much a statement matters; what matters most is told first.
+enum class Severity {
+  danger,   ///< something fails, or the run does not tell what happens
+  warning,  ///< buildings collide, or what is given is not enough
+  finding,  ///< any other outcome
+  remark,   ///< a number that is unusual, or what the model leaves out
+};
+/// "danger", "warning", "finding", "remark".
+[[nodiscard]] std::string_view severity_name(Severity severity);
+
+/// What fills a {name} in the text of a statement.
+struct StoryValue {
+  std::string name;
+  std::variant<double, long, std::string> value;  ///< a number, a count, a name
+  std::string unit = {};                          ///< of a number: of the case, s, g, %, ms or none
+  bool is_word = false;  ///< the value is the key of a text of its own, filled with the same values
+};
+
+/// One sentence or two of what is to be said, without words: the catalogue has a text "story." + kind in each language,
+/// and where the statement is the head of a verdict a short one, ".badge". Every door renders them all, in order.
+struct Statement {
+  std::string kind;
+  Severity severity = Severity::finding;
+  std::optional<Eigen::Index> gap = {};  ///< that it is of
+  std::vector<Eigen::Index> buildings = {};
+  std::optional<double> level = {};  ///< [length]
+  std::vector<StoryValue> values = {};
+  std::vector<std::vector<StoryValue>> items = {};  ///< a list, each by the text ".item"; joined they fill {items}
+  std::string subject = {};                         ///< of a remark: whose number it is
+};
+
+/// A column of a table: numbers, names, or words of the catalogue.
+struct StoryColumn {
+  std::string label;                    ///< key of its heading, or where the catalogue has none the heading itself
+  std::string unit = {};                ///< empty: none
+  std::vector<double> numbers = {};     ///< NaN: there is none
+  std::vector<std::string> texts = {};  ///< in place of numbers
+  bool are_words = false;               ///< the texts are keys of the catalogue, or empty
+};
+
+struct StoryTable {
+  std::string kind;  ///< "row", "levels", "rules", "screening"; its heading is the text "story.table." + kind
+  std::optional<Eigen::Index> gap = {};
+  std::vector<StoryColumn> columns = {};
+  std::vector<std::size_t> marked = {};  ///< rows that stand out
+};
+
+/// What is to be said of a run, of gaps or of a spectrum: statements from the gravest on, and tables.
+struct Story {
+  std::vector<Statement> statements;
+  std::vector<StoryTable> tables = {};
+};
+
+/// Of a run: what fails, who collides where and how hard, the gap needed both ways round, the rules at every level,
+/// what contact does to the buildings, the ground motion as applied, remarks. A row of more than two buildings has a
+/// table.
+[[nodiscard]] Story run_story(const RunResults& run);
+
+/// Of the gaps of a run: what is needed and what rules ask, with a table of levels, of rules and of the screening for
+/// each.
+[[nodiscard]] Story gap_story(const RunResults& run);
+
+/// Its tables alone.
+[[nodiscard]] std::vector<StoryTable> gap_tables_of(const RunResults& run);
+
+/// The same by a spectrum.
+[[nodiscard]] Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral);
+
+/// Remarks as statements; those that differ in subject and number alone become one.
+[[nodiscard]] std::vector<Statement> remark_statements(const std::vector<Remark>& remarks);
+
+}  // namespace bentur

@@ -1,0 +1,132 @@
+#include "bentur/report/story_text.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/html/internal/sections.h"
+
+namespace bentur {
+namespace {
+
+using Filled = std::vector<std::pair<std::string, std::string>>;
+
+std::string value_text(const StoryValue& value, const Words& say) {
+  if (const auto* real = std::get_if<double>(&value.value)) {
+    // A ratio has three digits, as prose has them.
+    if (value.unit.empty()) return html::rounded(*real);
+    return html::with_power(number(*real)) + "\u00A0" + value.unit;
+  }
+  if (const auto* count = std::get_if<long>(&value.value)) {
+    const std::string key = "story.count." + value.name;
+    return say.has(key + ".many") ? say.count(key, *count) : std::to_string(*count);
+  }
+  return std::get<std::string>(value.value);
+}
+
+/// Every value as a text; words are filled with the others, in the order in which they stand.
+Filled filled(const std::vector<StoryValue>& values, const Words& say) {
+  Filled texts;
+  for (const bool words : {false, true}) {
+    for (const StoryValue& value : values) {
+      if (value.is_word != words) continue;
+      texts.emplace_back(value.name, words ? say(std::get<std::string>(value.value), texts) : value_text(value, say));
+    }
+  }
+  return texts;
+}
+
+/// "a, b and c".
+std::string joined(const std::vector<std::string>& parts, const Words& say) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == parts.size() ? " " + say("word.and") + " " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+/// What of a rule's wording was checked, in the words of a language.
+std::string wording_text(std::string text, const Words& say) {
+  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("checked", "gap.checked")}) {
+    const std::size_t at = text.find(english);
+    if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<SaidStatement> said(const std::vector<Statement>& statements, const Words& say) {
+  std::vector<SaidStatement> all;
+  for (const Statement& statement : statements) {
+    const bool is_remark = statement.kind.starts_with("remark.");
+    const std::string key = is_remark ? statement.kind : "story." + statement.kind;
+    Filled values = filled(statement.values, say);
+    std::vector<std::string> items;
+    for (const auto& item : statement.items) items.push_back(say(key + ".item", filled(item, say)));
+    values.emplace_back("items", joined(items, say));
+    SaidStatement one{.kind = statement.kind, .severity = statement.severity, .gap = statement.gap};
+    one.text = say(key, values);
+    if (say.has(key + ".badge")) one.badge = say(key + ".badge");
+    if (!statement.subject.empty()) {
+      std::string subject = statement.subject;
+      for (const auto& [name, text] : values) {
+        if (name == "more") subject += say("remark.more", {{"n", text}});
+      }
+      one.text = subject + ": " + one.text;
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+SaidTable said(const StoryTable& table, const Words& say) {
+  SaidTable result{.heading = say("story.table." + table.kind), .columns = {}, .marked = table.marked};
+  const auto word = [&](const std::string& key) { return say.has(key) ? say(key) : key; };
+  for (const StoryColumn& column : table.columns) {
+    TableColumn shown{word(column.label), column.unit, {}};
+    if (column.texts.empty()) {
+      shown.cells = bentur::column(column.numbers);
+    } else {
+      for (const std::string& text : column.texts) {
+        shown.cells.push_back(column.are_words                ? word(text)
+                              : column.label == "gap.wording" ? wording_text(text, say)
+                                                              : text);
+      }
+    }
+    result.are_numbers.push_back(column.texts.empty());
+    result.columns.push_back(std::move(shown));
+  }
+  return result;
+}
+
+std::string with_spaces(std::string text) {
+  constexpr std::string_view no_break = "\u00A0";
+  for (std::size_t at = text.find(no_break); at != std::string::npos; at = text.find(no_break, at)) {
+    text.replace(at, no_break.size(), " ");
+  }
+  return text;
+}
+
+std::string upper_case(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say, Told told) {
+  std::vector<std::string> lines;
+  for (const SaidStatement& one : said(story.statements, say)) {
+    if ((one.severity == Severity::remark) != (told == Told::remarks)) continue;
+    std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
+    if (problem.buildings.size() > 2 && one.gap) line = gap_name(problem, *one.gap) + ": " + line;
+    if (one.kind.starts_with("remark.")) line = say("cli.remark", {{"text", line}});
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace bentur

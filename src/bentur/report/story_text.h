@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/model/story/story.h"
+#include "bentur/report/words.h"
+
+namespace bentur {
+
+/// A statement in words. A number and its unit are kept together by a no-break space.
+struct SaidStatement {
+  std::string kind;
+  Severity severity = Severity::finding;
+  std::optional<Eigen::Index> gap = {};
+  std::string badge;  ///< the verdict in two or three words; empty where the statement is none
+  std::string text;
+};
+
+/// The statements of a story, each in the words of a language. @throws InvalidParameter where the catalogue lacks one.
+[[nodiscard]] std::vector<SaidStatement> said(const std::vector<Statement>& statements, const Words& say);
+
+/// A table with headings and cells in words.
+struct SaidTable {
+  std::string heading;
+  std::vector<TableColumn> columns;
+  std::vector<bool> are_numbers = {};    ///< per column
+  std::vector<std::size_t> marked = {};  ///< rows that stand out
+};
+[[nodiscard]] SaidTable said(const StoryTable& table, const Words& say);
+
+/// With ordinary spaces, as a terminal is searched.
+[[nodiscard]] std::string with_spaces(std::string text);
+
+/// A badge in capitals, as terminals have it.
+[[nodiscard]] std::string upper_case(std::string text);
+
+/// Which statements of a story.
+enum class Told { outcome, remarks };
+/// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as
+/// "remark: text".
+[[nodiscard]] std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say,
+                                                   Told told);
+
+}  // namespace bentur
