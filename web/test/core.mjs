@@ -1,4 +1,5 @@
 // The core as a module for node; where it was built is the environment variable BENTUR_WASM.
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -36,9 +37,29 @@ export function difference(a, b, path = "", ignored = () => false) {
   return { size: a === b ? 0 : Infinity, path };
 }
 
+/**
+ * Known to fewer digits. The time of a maximum is where a slope is zero: it is known to half the digits that the maximum
+ * itself is known to. A restitution is one speed over another, which of a soft touch are small differences of large ones.
+ */
+export const isLoose = (path) => /_time$|\/values\/time\/value$|\/restitution\//.test(path);
+
 /* How far an example's numbers may be from the command line's, as a part of them. */
 // Where storeys yield, a difference in the last digit of when one does moves all that comes after it. Columns that are
 // struck have light nodes: round-off is that of the fastest mode, and the slow ones lose digits to it, 1.2e-12 of the free
 // displacements already, the more in small impacts.
 const tolerances = { "yielding-pair.toml": 1e-11, "struck-column.toml": 5e-11 };
 export const tolerance = (name) => tolerances[name] ?? 1e-12;
+
+/** With ordinary spaces. */
+export const spaced = (text) => text.replaceAll("\u00a0", " ");
+
+/** A statement as a terminal has it: "Gap: BADGE: text", behind the gap's name in a row of several. */
+export const lineOf = ({ gap, badge, text, severity, kind }, row) =>
+  `${row && gap !== null && severity !== "remark" ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") ? "remark: " : ""}${spaced(text)}`;
+
+/** What `bentur run` says in a language: the lines of its verdict and of its remarks, wrapped ones joined. */
+export function terminal(file, language) {
+  const parts = execFileSync(process.env.BENTUR, ["run", file, "--lang", language], { encoding: "utf8" }).split("\n\n").map((part) => part.trimEnd().replaceAll("\n  ", " ").split("\n"));
+  const after = parts.findIndex((lines) => lines.length === 1 && /^(Drift and storey shear|Simpangan dan gaya geser)/.test(lines[0]));
+  return { verdict: parts[1], remarks: parts[after + 1].map((line) => line.replace(/^catatan: /, "remark: ")) };
+}

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch, open, solved } from "./browser.mjs";
-import { difference, tolerance } from "./core.mjs";
+import { difference, isLoose, lineOf, spaced, terminal, tolerance } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
 const editor = "textarea[aria-label]";
@@ -36,13 +36,57 @@ function same(mine, file, name) {
   assert.equal(mine.title, theirs.title, name);
   // Not compared: where the case and its record lie, how long it took, energy not accounted for, which is round-off.
   const unlike = (path) => /^\/case|\/wall_time$|\/energy_residual$|^\/excitation\/file$/.test(path);
-  // Known to fewer digits: the time of a maximum, a speed over another (core.test.mjs says why).
-  const isLoose = (path) => /_time$|\/restitution\//.test(path);
   const values = difference(mine, theirs, "", (path) => unlike(path) || isLoose(path));
   assert.ok(values.size <= tolerance(name), `${name} ${values.path} ${values.size}`);
   const all = difference(mine, theirs, "", unlike);
   assert.ok(all.size < 1e-9, `${name} ${all.path} ${all.size}`);
 }
+
+/** What the page shows of a run: its statements, each with its gap, its badge and whether it is in sight, and its remarks. */
+const shown = (page) => page.evaluate(() => {
+  const statements = [];
+  const badges = new Map();
+  for (const one of document.querySelectorAll(".verdict [data-kind]")) {
+    const folder = one.closest("details"), list = folder ?? document;
+    const badge = one.querySelector(".badge") ?? (badges.has(list) ? null : folder?.querySelector("summary .badge"));
+    if (badge) badges.set(list, badge.textContent);
+    const text = one.querySelector("p:not(.badge)");
+    statements.push({ kind: one.dataset.kind, gap: folder?.dataset.gap ?? null, badge: text.className === "lead" ? badges.get(list) ?? "" : "", text: text.textContent, inSight: text.checkVisibility() });
+  }
+  return { statements, remarks: document.querySelector("[data-remarks]").textContent };
+});
+
+test("every example is told of as in a terminal, in both languages", async () => {
+  const { page, complaints, requests, close } = await opened();
+  const names = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
+  for (const name of names) {
+    for (const language of ["en", "id"]) {
+      await page.selectOption("#language", language);
+      const { statements: theirs, gaps } = await summary(page, readFileSync(`${source}/examples/${name}`, "utf8"));
+      const { statements, remarks } = await shown(page);
+      const said = terminal(`${source}/examples/${name}`, language);
+      // Of a row what each gap has is under its name, in the terminal's order there too.
+      const lines = statements.map((one) => lineOf({ ...one, severity: "" }, gaps.length > 1));
+      const gapNames = gaps.length > 1 ? gaps.map(({ between }) => `${between.join(" | ")}: `) : [];
+      for (const begins of [...gapNames.map((gap) => (line) => line.startsWith(gap)), (line) => !gapNames.some((gap) => line.startsWith(gap))]) {
+        assert.deepEqual(lines.filter(begins), said.verdict.filter(begins), `${name} ${language}`);
+      }
+      assert.deepEqual(statements.map(({ kind }) => kind).sort(), theirs.filter(({ severity }) => severity !== "remark").map(({ kind }) => kind).sort());
+      assert.equal(spaced(remarks), said.remarks.map((line) => line.replace(/^remark: /, "")).join(" "));
+      // What fails is in sight, and of every gap whether it collides.
+      const grades = new Map(theirs.map(({ kind, severity }) => [kind, severity]));
+      for (const { kind, gap, inSight } of statements) assert.ok(inSight || gap !== null || grades.get(kind) === "finding", kind);
+      for (const gap of await page.$$(".verdict summary .badge")) assert.ok(await gap.isVisible());
+      assert.equal(statements[0].kind, theirs[0].kind);
+      if (name === "struck-column.toml") {
+        assert.ok(lines[0].includes(language === "en" ? "column of Office at level 19.4 m" : "kolom Office di elevasi 19.4 m") && lines[0].includes("2.42"), lines[0]);
+        assert.ok(statements[0].inSight);
+      }
+    }
+  }
+  assert.deepEqual([...requests, ...complaints], []);
+  await close();
+});
 
 test("every example, written into the page, gives the command line's numbers", async () => {
   const { page, complaints, requests, close } = await opened();

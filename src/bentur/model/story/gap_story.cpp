@@ -21,9 +21,12 @@ std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> le
   return governing_level(levels, scale);
 }
 
-const char* motion_word(const Problem& problem) {
-  if (std::holds_alternative<SampledMotion>(problem.motion)) return "story.this_motion";
-  return std::holds_alternative<HarmonicMotion>(problem.motion) ? "story.this_harmonic" : "story.this_vibration";
+const char* motion_word(const GapFacts& facts) {
+  // Of results read back the record's numbers are not known.
+  if (std::holds_alternative<SampledMotion>(facts.problem.motion) || facts.c.excitation.record) {
+    return "story.this_motion";
+  }
+  return std::holds_alternative<HarmonicMotion>(facts.problem.motion) ? "story.this_harmonic" : "story.this_vibration";
 }
 
 Statement need_statement(const GapFacts& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
@@ -223,7 +226,7 @@ void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& 
                                       touch              ? "gap_touch"
                                       : level.is_short() ? "gap_short"
                                                          : "gap_enough"));
-  statements.back().values.push_back(word_of("motion", motion_word(facts.problem)));
+  statements.back().values.push_back(word_of("motion", motion_word(facts)));
   tell_reversed(facts, gap, levels, statements);
 }
 

@@ -272,7 +272,8 @@ void tell_yielding(const RunResults& run, std::vector<Statement>& statements) {
 }
 
 void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
-  const double pga = peak_acceleration(run.problem.motion);
+  const auto& record = run.c.excitation.record;  // of results read back the motion itself is not known
+  const double pga = record ? record->pga : peak_acceleration(run.problem.motion);
   if (!(pga > 0)) return;
   statements.push_back({.kind = "pga",
                         .values = {value_in("pga", pga, acceleration_unit(run.c.units)),

@@ -1,0 +1,282 @@
+"""What is said of a run is the same at every door: terminal, report, Python; web/test has the studio.
+
+Every example, in English and Indonesian. The statements of summary.json, numbers and names without words, are held against
+the sentences kind by kind and value by value, by the texts that translators have; the sentences of one door against those of
+another letter by letter, with ordinary spaces and wrapped lines joined. Environment as tests/python.
+"""
+
+import html.parser
+import json
+import os
+import re
+import subprocess
+import tomllib
+
+import doors
+import pytest
+
+import bentur
+
+PROGRAM = os.environ.get("BENTUR_PROGRAM", "")
+TEXTS = tomllib.loads((doors.ROOT / "src/bentur/report/html/texts.toml").read_text(encoding="utf-8"))
+LANGUAGES = TEXTS["languages"]
+GRAVE = ["danger", "warning", "finding", "remark"]
+CASES = [*doors.EXAMPLES, *doors.CASES]
+
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="BENTUR_PROGRAM does not name the command line to compare with")
+
+
+@pytest.fixture(scope="module", params=CASES, ids=lambda case: case.stem)
+def case(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def summary(case):
+    return doors.command_line(PROGRAM, case)
+
+
+def output(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True, text=True, encoding="utf-8").stdout
+
+
+def spaced(text):
+    return text.replace("\u00a0", " ")
+
+
+def text_of(key, language):
+    """The text of a key of the catalogue, None where it has none."""
+    table = TEXTS
+    for part in key.split("."):
+        table = table.get(part, {}) if isinstance(table, dict) else {}
+    return table.get(language) if isinstance(table, dict) else None
+
+
+# Statements against sentences.
+
+
+def counted(name, n, language):
+    form = text_of(f"story.count.{name}.{'one' if n == 1 else 'many'}", language)
+    return str(n) if form is None else form.replace("{n}", str(n))
+
+
+NUMBER = "(-?[0-9.]+(?:e[-+]?[0-9]+| × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|–)"
+SUPERSCRIPT = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def as_number(text):
+    return float(text.replace(" × 10", "e").translate(SUPERSCRIPT))
+
+
+def pattern(key, statement, language, numbers):
+    """A regular expression of the text of a key filled with values, whose groups are the given numbers, in order."""
+    template = text_of(key, language)
+    assert template is not None, f"{key} has no text in {language}"
+    found = ""
+    for literal, name in re.findall(r"([^{]*)(?:\{(\w+)\})?", template):
+        found += re.escape(spaced(literal))
+        value = statement["values"].get(name)
+        if name == "items":
+            all_items = [pattern(f"{key}.item", {"values": one}, language, numbers) for one in statement["items"]]
+            last = f" {text_of('word.and', language)} "
+            found += re.escape(last).join([", ".join(all_items[:-1]), all_items[-1]] if len(all_items) > 1 else all_items)
+        elif isinstance(value, dict):
+            numbers.append((name, value))
+            found += NUMBER + (re.escape(" " + value["unit"]) if value["unit"] else "")
+        elif isinstance(value, int):
+            found += re.escape(counted(name, value, language))
+        elif isinstance(value, str):
+            found += pattern(value, statement, language, numbers) if text_of(value, language) else re.escape(spaced(value))
+    return found
+
+
+def agrees(statement, sentence, language):
+    """Fails where a sentence does not say what a statement has: its kind by its words, its values by their digits."""
+    kind, numbers = statement["kind"], []
+    expected = pattern(kind if kind.startswith("remark.") else f"story.{kind}", statement, language, numbers)
+    if "subject" in statement:
+        more = statement["values"].get("more")
+        after = text_of("remark.more", language).replace("{n}", str(more)) if more else ""
+        expected = re.escape(statement["subject"] + after + ": ") + expected
+    found = re.fullmatch(expected, sentence)
+    assert found, f"{kind}: {sentence!r} is not {expected!r}"
+    for (name, value), text in zip(numbers, found.groups(), strict=True):
+        if value["value"] is None:
+            assert text == "–", f"{kind}, {name}"
+            continue
+        digits = 4 if value["unit"] else 3  # a ratio has three
+        assert as_number(text) == pytest.approx(value["value"], rel=0.51 * 10 ** (1 - digits), abs=1e-12), f"{kind}, {name}: {sentence}"
+    return len(numbers)
+
+
+def badge_of(statement, language):
+    return text_of(f"story.{statement['kind']}.badge", language)
+
+
+# Doors: each gives (gap or None, badge or None, sentence) of every statement that is no remark, and the remarks' sentences.
+
+
+def line_parts(line, summary, language):
+    """A line of a terminal apart: "Gap: BADGE: text"."""
+    names = [gap_name(gap) for gap in summary["gaps"]] if len(summary["gaps"]) > 1 else []
+    gap = next((name for name in names if line.startswith(name + ": ")), None)
+    line = line[len(gap) + 2 :] if gap else line
+    badges = {badge_of(one, language).upper() for one in summary["statements"] if badge_of(one, language)}
+    badge = next((one for one in sorted(badges, key=len, reverse=True) if line.startswith(one + ": ")), None)
+    return gap, badge, line[len(badge) + 2 :] if badge else line
+
+
+def gap_name(gap):
+    return " | ".join(gap["between"])
+
+
+def terminal(case, summary, language):
+    said = output("run", case, "--lang", language)
+    assert "\u00a0" not in said
+    paragraphs = [part.replace("\n  ", " ").splitlines() for part in said.split("\n\n")]
+    after = paragraphs.index([text_of("cli.storeys", language)]) + 1
+    before = text_of("cli.remark", language).replace("{text}", "")
+    remarks = [line.removeprefix(before) for line in paragraphs[after]]
+    return [line_parts(line, summary, language) for line in paragraphs[1]], remarks
+
+
+def python(result, summary, language):
+    lines = result.verdict(language)
+    assert not any("\u00a0" in line for line in lines)
+    return [line_parts(line, summary, language) for line in lines]
+
+
+class Page(html.parser.HTMLParser):
+    """Paragraphs of the verdict and the remarks of a report: (gap, class, text)."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.section, self.gap, self.open, self.found = None, None, None, {"verdict": [], "remarks": []}
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag == "section":
+            self.section = attributes.get("id")
+        elif self.section in self.found and tag in ("p", "li", "summary"):
+            self.open = [tag, attributes.get("class", ""), ""]
+
+    def handle_data(self, text):
+        if self.open:
+            self.open[2] += text
+
+    def handle_endtag(self, tag):
+        if tag in ("section", "details"):
+            self.gap = None
+            self.section = None if tag == "section" else self.section
+        elif self.open and tag == self.open[0]:
+            text = spaced(self.open[2])
+            if tag == "summary":
+                self.gap = text
+            elif self.open[1] != "note":
+                self.found[self.section].append((self.gap, self.open[1], text))
+            self.open = None
+
+
+def report(text, summary, language):
+    """A badge stands once above what it is of."""
+    page, told, badges, row = Page(text), [], {}, len(summary["gaps"]) > 1
+    for gap, style, line in page.found["verdict"]:
+        if style == "badge":
+            badges[gap] = line.upper()
+            continue
+        inner, none, sentence = line_parts(line, summary, language) if row and gap is None else (gap, None, line)
+        assert none is None
+        told.append((inner, badges.get(gap) if style == "lead" else None, sentence))
+    return told, [line for _, _, line in page.found["remarks"]]
+
+
+# What is to be told.
+
+
+def outcome(summary):
+    return [one for one in summary["statements"] if one["severity"] != "remark"]
+
+
+def remarks(summary):
+    return [one for one in summary["statements"] if one["severity"] == "remark"]
+
+
+def test_statements_are_ordered_and_whole(summary):
+    grades = [GRAVE.index(one["severity"]) for one in summary["statements"]]
+    dangers = grades.count(0)
+    assert grades[:dangers] == [0] * dangers
+    assert outcome(summary) and remarks(summary)
+    for one in summary["statements"]:
+        for language in LANGUAGES:
+            assert text_of(one["kind"] if one["kind"].startswith("remark.") else "story." + one["kind"], language)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_terminal_says_the_statements(case, summary, language):
+    told, noted = terminal(case, summary, language)
+    compared = 0
+    for statement, (gap, badge, sentence) in zip(outcome(summary), told, strict=True):
+        compared += agrees(statement, sentence, language)
+        assert (badge or "") == (badge_of(statement, language) or "").upper()
+        if "left" in statement["values"] and len(summary["gaps"]) > 1:
+            assert gap == f"{statement['values']['left']} | {statement['values']['right']}"
+    for statement, sentence in zip(remarks(summary), noted, strict=True):
+        compared += agrees(statement, sentence, language)
+    assert compared > 5
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_python_says_what_the_terminal_says(case, summary, language):
+    result = bentur.run(case)
+    assert list(doors.differences(summary["statements"], result.summary["statements"])) == []
+    assert python(result, summary, language) == terminal(case, summary, language)[0]
+
+
+def in_order_of_a_report(told, summary):
+    """In a row each gap has what is of it folded away below what is of the whole row and below all dangers."""
+    if len(summary["gaps"]) == 1:
+        return told
+    grave = [one["severity"] == "danger" for one in outcome(summary)]
+    first = [one for one, danger in zip(told, grave, strict=True) if danger or one[0] is None]
+    gaps = [gap_name(gap) for gap in summary["gaps"]]
+    return first + [one for gap in gaps for one, danger in zip(told, grave, strict=True) if one[0] == gap and not danger]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("source", ["case", "results"])
+def test_report_says_what_the_terminal_says(source, case, summary, language, tmp_path):
+    if source == "results":
+        subprocess.run([PROGRAM, "run", case, "-q", "-o", tmp_path / "results"], check=True)
+    page = output("report", tmp_path / "results" if source == "results" else case, "-o", "-", "--lang", language)
+    told, noted = report(page, summary, language)
+    expected, expected_notes = terminal(case, summary, language)
+    assert told == in_order_of_a_report(expected, summary)
+    assert noted == expected_notes
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_python_makes_the_page_that_says_so(case, summary, language):
+    told, noted = report(bentur.run(case).report(language), summary, language)
+    expected, expected_notes = terminal(case, summary, language)
+    assert told == in_order_of_a_report(expected, summary)
+    assert noted == expected_notes
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_column_that_fails_is_told_first(language):
+    case = doors.ROOT / "examples" / "struck-column.toml"
+    summary = doors.command_line(PROGRAM, case)
+    first = summary["statements"][0]
+    assert first["kind"] == "column_shear" and first["severity"] == "danger"
+    assert (first["values"]["building"], first["values"]["level"]["value"]) == ("Office", 19.4)
+    told = [
+        terminal(case, summary, language)[0],
+        report(output("report", case, "-o", "-", "--lang", language), summary, language)[0],
+        python(bentur.run(case), summary, language),
+    ]
+    column = {"en": "column of Office at level 19.4 m", "id": "kolom Office di elevasi 19.4 m"}[language]
+    for door in told:
+        _, badge, sentence = door[0]
+        assert badge == text_of("story.column_shear.badge", language).upper()
+        assert column in sentence and "2.42" in sentence
