@@ -153,7 +153,7 @@ const Impact* hardest_impact(const Response& response, Index point) {
 void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
   const std::string& length = run.c.units.length;
   const Index gap = found.gap.left;
-  Statement statement{.gap = gap, .buildings = {gap, gap + 1}};
+  Statement statement{.kind = {}, .gap = gap, .buildings = {gap, gap + 1}};
   statement.values = {
       text_of("left", run.problem.buildings[gap].name), text_of("right", run.problem.buildings[gap + 1].name),
       value_in("duration", run.response.collapse ? run.response.collapse->time : run.problem.duration, "s")};
