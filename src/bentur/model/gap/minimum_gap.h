@@ -60,13 +60,13 @@ struct RuleFinding {
     linked,     ///< links tie the buildings, so that they have no periods of their own
     unknown,    ///< what it combines is not known at some level
   };
-  std::string rule;               ///< "abs", "srss", "ddc", or a name of code_rules()
-  std::string title;              ///< as people call it
-  std::optional<std::size_t> at;  ///< that level, an index into the separations; nothing where the rule is silent
-  double gap = 0;                 ///< asked for there [length]
-  std::optional<double> to_left, to_right;  ///< from the left, right building to a property line [length]
-  bool is_short = false;                    ///< more than is given, beyond round-off
-  bool understates = false;                 ///< at some level less than what is simulated, beyond round-off
+  std::string rule;                    ///< "abs", "srss", "ddc", or a name of code_rules()
+  std::string title;                   ///< as people call it
+  std::optional<std::size_t> at = {};  ///< that level, an index into the separations; nothing where the rule is silent
+  double gap = 0;                      ///< asked for there [length]
+  std::optional<double> to_left = {}, to_right = {};  ///< from the left, right building to a line [length]
+  bool is_short = false;                              ///< more than is given, beyond round-off
+  bool understates = false;                           ///< at some level less than what is simulated, beyond round-off
   Silence silence = Silence::none;
 };
 
