@@ -16,7 +16,7 @@ struct SourcePosition {
 
 /// One finding about a user's input.
 struct Diagnostic {
-  SourcePosition position;
+  SourcePosition position = {};
   std::string key = {};    ///< the way to it, `gap[0].contact.restitution`; empty: of the file as a whole
   std::string value = {};  ///< as a message shows it, `1.4`, `"hertzz"`, `a list`; empty: what is wrong is no value
   std::string rule = {};   ///< "must be in (0, 1]", or a sentence whose subject is the key

@@ -14,8 +14,8 @@ struct SaidStatement {
   std::string kind;
   Severity severity = Severity::finding;
   std::optional<Eigen::Index> gap = {};
-  std::string badge;  ///< the verdict in two or three words; empty where the statement is none
-  std::string text;
+  std::string badge = {};  ///< the verdict in two or three words; empty where the statement is none
+  std::string text = {};
 };
 
 /// The statements of a story, each in the words of a language. @throws InvalidParameter where the catalogue lacks one.
