@@ -54,7 +54,7 @@ class Result:
     @property
     def remarks(self) -> list[str]:
         """Numbers of case and response that are unusual, in words."""
-        return [line.replace("\u00a0", " ") for line in self._run.remarks("en")]
+        return self._run.remarks("en")
 
     @property
     def units(self) -> dict[str, str]:
@@ -217,7 +217,7 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        return [line.replace("\u00a0", " ") for line in self._run.lines(language)]
+        return self._run.lines(language)
 
     def __str__(self) -> str:
         title = [self.summary["title"]] if self.summary["title"] else []

@@ -174,13 +174,17 @@ void bind_run(py::module_& module) {
       .def("impacts", &impacts)
       .def("lines",
            [](const PyRun& run, const std::string& language) {
-             return story_lines(run.results.problem, run_story(run.results), Words(language), Told::outcome);
+             const Words say(language);
+             std::vector<std::string> lines =
+                 story_lines(run.results.problem, run_story(run.results), say, Told::outcome);
+             for (std::string& line : lines) line = with_spaces(std::move(line));
+             return lines;
            })
       .def("remarks",
            [](const PyRun& run, const std::string& language) {
              std::vector<std::string> texts;
              for (const SaidStatement& one : said(remark_statements(run.results.remarks), Words(language))) {
-               texts.push_back(one.text);
+               texts.push_back(with_spaces(one.text));
              }
              return texts;
            })

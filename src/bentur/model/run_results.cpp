@@ -31,6 +31,10 @@ bool some_building_yields(const Problem& problem, const Response& response) {
                      [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
 }
 
+double applied_pga(const Case& c) {
+  return c.excitation.record ? c.excitation.record->pga : peak_acceleration(c.excitation.motion);
+}
+
 RunResults run_results(Case c, Problem problem, Response response) {
   std::vector<Remark> found = remarks(c, problem, response);
   return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};

@@ -39,6 +39,9 @@ struct RunResults {
 /// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
 [[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);
 
+/// Largest |a_g| as applied [length/s²]; of results read back the record says it, whose values they do not hold.
+[[nodiscard]] double applied_pga(const Case& c);
+
 /// Those of a run that has been solved, without data for figures.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 

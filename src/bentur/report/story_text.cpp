@@ -122,7 +122,7 @@ std::vector<std::string> story_lines(const Problem& problem, const Story& story,
   for (const SaidStatement& one : said(story.statements, say)) {
     if ((one.severity == Severity::remark) != (told == Told::remarks)) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
-    if (problem.buildings.size() > 2 && one.gap) line = gap_name(problem, *one.gap) + ": " + line;
+    if (problem.buildings.size() > 2 && one.gap) line.insert(0, gap_name(problem, *one.gap) + ": ");
     if (one.kind.starts_with("remark.")) line = say("cli.remark", {{"text", line}});
     lines.push_back(std::move(line));
   }

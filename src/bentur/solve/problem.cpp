@@ -185,6 +185,15 @@ double delay_of(const Problem& problem, std::size_t building) {
   return problem.delays.empty() ? 0.0 : problem.delays.at(building);
 }
 
+std::optional<Eigen::Index> face_floor(const Problem& problem, const ContactPoint& point, int side) {
+  const Eigen::Index dof = side == 0 ? point.left_floor : point.right_floor;
+  return dof < problem.buildings[point.left + side].model.floors() ? std::optional(dof) : std::nullopt;
+}
+
+std::optional<Eigen::Index> face_floor(const WatchedFloor& floor, int side) {
+  return floor.floor_of == floor.left + side ? std::optional(floor.floor) : floor.facing_floor;
+}
+
 std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point) {
   for (const Eigen::Index b : {point.left, point.left + 1}) {
     const StructuralModel& model = problem.buildings.at(b).model;

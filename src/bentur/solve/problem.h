@@ -70,6 +70,10 @@ struct Problem {
 struct StruckColumn {
   Eigen::Index building = 0, node = 0;
 };
+/// Index of the floor that the left (0) or right (1) face is; nothing of a column's.
+[[nodiscard]] std::optional<Eigen::Index> face_floor(const Problem& problem, const ContactPoint& point, int side);
+[[nodiscard]] std::optional<Eigen::Index> face_floor(const WatchedFloor& floor, int side);
+
 /// The one at a contact point; nothing where floors meet.
 [[nodiscard]] std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point);
 

@@ -42,14 +42,20 @@ bool agrees(const std::string& line, const std::string& expected) {
   return line.starts_with(expected.substr(0, expected.size() - 3));
 }
 
+/// Below 2.2e-308 a number is none for the stream that toml++ reads with where there is no from_chars.
+bool is_tried_here(const std::string& file) {
+#ifdef __EMSCRIPTEN__
+  return file != "harmonic-period-tiny.toml";
+#else
+  return !file.empty();
+#endif
+}
+
 TEST(CaseToml, EachBadInputGivesItsMessages) {
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(bad_input)) {
     if (entry.path().extension() != ".toml") continue;
-#ifdef __EMSCRIPTEN__  // below 2.2e-308 a number is none for the stream that toml++ reads with where there is no
-                       // from_chars
-    if (entry.path().filename() == "harmonic-period-tiny.toml") continue;
-#endif
+    if (!is_tried_here(entry.path().filename().string())) continue;
     ++cases;
     SCOPED_TRACE(entry.path().filename().string());
     Diagnostics diagnostics;
@@ -76,9 +82,7 @@ TEST(CaseToml, EachMessageOfBadInputHasItsKey) {
   }
   std::vector<std::string> keys;
   for (const std::string& file : files) {
-#ifdef __EMSCRIPTEN__
-    if (file == "harmonic-period-tiny.toml") continue;
-#endif
+    if (!is_tried_here(file)) continue;
     Diagnostics diagnostics;
     (void)read_case(bad_input / file, diagnostics);
     for (const Diagnostic& one : diagnostics.errors()) {
@@ -86,7 +90,9 @@ TEST(CaseToml, EachMessageOfBadInputHasItsKey) {
       EXPECT_TRUE(one.message().starts_with(one.key)) << one.text();
     }
   }
-  EXPECT_EQ(keys, lines(content(bad_input / "keys.txt")));
+  std::vector<std::string> expected = lines(content(bad_input / "keys.txt"));
+  std::erase_if(expected, [](const std::string& line) { return !is_tried_here(line.substr(0, line.find(':'))); });
+  EXPECT_EQ(keys, expected);
 }
 
 TEST(CaseToml, EachExpectedFileHasItsCase) {

@@ -5,14 +5,10 @@
 #include "bentur/structure/sway.h"
 
 namespace bentur {
+
 std::optional<Eigen::Index> face_floor(const Problem& problem, const FacingLevel& level, int side) {
-  if (level.is_point) {
-    const ContactPoint& point = problem.points[level.index];
-    const Eigen::Index dof = side == 0 ? point.left_floor : point.right_floor;
-    return dof < problem.buildings[level.gap + side].model.floors() ? std::optional(dof) : std::nullopt;
-  }
-  const WatchedFloor& watched = problem.watched[level.index];
-  return watched.floor_of == level.gap + side ? std::optional(watched.floor) : watched.facing_floor;
+  return level.is_point ? face_floor(problem, problem.points[level.index], side)
+                        : face_floor(problem.watched[level.index], side);
 }
 
 std::vector<FacingLevel> facing_levels(const Problem& problem, Eigen::Index gap) {

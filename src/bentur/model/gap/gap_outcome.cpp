@@ -58,6 +58,7 @@ std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>
                scale};
     }
   }
+  if (worst && !falls_short(0, worst->gap_needed, scale)) worst->gap_needed = 0;  // round-off
   return worst;
 }
 
@@ -83,9 +84,7 @@ std::vector<LevelSeparation> needs_of(const Problem& problem, const Response& re
 
 GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index number) {
   const double scale = displacement_scale(problem, response, number);
-  GoverningLevel level = governing_level(needs_of(problem, response, number), scale).value_or(GoverningLevel{});
-  if (!falls_short(0, level.gap_needed, scale)) level.gap_needed = 0;  // round-off
-  return level;
+  return governing_level(needs_of(problem, response, number), scale).value_or(GoverningLevel{});
 }
 
 double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {
@@ -103,6 +102,18 @@ std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Resp
     return response.watched[a].least_opening < response.watched[b].least_opening;
   });
   return floors;
+}
+
+bool is_harder(const Impact& a, const Impact& b) {
+  return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.closing_speed > b.closing_speed;
+}
+
+const Impact* hardest_impact(const Response& response, Eigen::Index point) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : response.impacts) {
+    if (impact.point == point && (hardest == nullptr || is_harder(impact, *hardest))) hardest = &impact;
+  }
+  return hardest;
 }
 
 GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::Index gap) {

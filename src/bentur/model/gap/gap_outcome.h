@@ -32,7 +32,8 @@ struct GoverningLevel {
 /// The scale of a gap's round-off: the largest displacements of both neighbours together [length].
 [[nodiscard]] double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap);
 
-/// Of the levels of one gap; of those that are alike the highest contact point. Nothing where there are none.
+/// Of the levels of one gap; of those that are alike the highest contact point. A need no larger than round-off is
+/// none. Nothing where there are no levels.
 [[nodiscard]] std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>& levels, double scale);
 
 /// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
@@ -47,6 +48,11 @@ struct GoverningLevel {
 /// Indices into Problem::watched of those floors that met what they face in the run, the deepest first.
 [[nodiscard]] std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response,
                                                             Eigen::Index gap);
+
+/// By peak force, then, as where no force is known, by closing speed.
+[[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
+/// The hardest impact of a contact point, the first of those that are alike; nothing where it has none.
+[[nodiscard]] const Impact* hardest_impact(const Response& response, Eigen::Index point);
 
 /// What is told first of a gap.
 struct GapOutcome {

@@ -130,12 +130,16 @@ std::vector<LevelSeparation> of_gap(const std::vector<LevelSeparation>& all, Eig
 
 LevelSeparation largest_of(const std::vector<LevelSeparation>& levels) {
   LevelSeparation largest;
-  const auto raise = [](auto& to, const auto& by) {
-    if (by > to || by != by) to = by;  // NaN stays
+  const auto raise = [](double& to, double by) {
+    if (by > to || std::isnan(by)) to = by;  // NaN stays
   };
   for (const LevelSeparation& one : levels) {
     raise(largest.gap_needed, one.gap_needed);
-    if (one.gap_needed_reversed) raise(largest.gap_needed_reversed, one.gap_needed_reversed);
+    if (one.gap_needed_reversed) {
+      double reversed = largest.gap_needed_reversed.value_or(*one.gap_needed_reversed);
+      raise(reversed, *one.gap_needed_reversed);
+      largest.gap_needed_reversed = reversed;
+    }
     raise(largest.abs, one.abs);
     raise(largest.srss, one.srss);
     raise(largest.ddc, one.ddc);

@@ -48,18 +48,12 @@ Statement need_statement(const GapFacts& facts, Eigen::Index gap, const Governin
   return statement;
 }
 
-/// Needs no larger than round-off are none.
-GoverningLevel without_round_off(GoverningLevel level) {
-  if (!falls_short(0, level.gap_needed, level.scale)) level.gap_needed = 0;
-  return level;
-}
-
 void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
                    std::vector<Statement>& statements) {
   const auto level = governing_reversed(levels, facts.scale(gap));
   if (level) {
     const char* const kind = level->is_short() ? "reversed_short" : "reversed_enough";
-    statements.push_back(need_statement(facts, gap, without_round_off(*level), kind));
+    statements.push_back(need_statement(facts, gap, *level, kind));
   } else if (facts.c.analysis.both_ways && !facts.c.buildings.empty() &&
              !std::holds_alternative<NoMotion>(facts.problem.motion)) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
@@ -216,7 +210,7 @@ void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& 
     statements.push_back({.kind = "no_level", .gap = gap, .buildings = {gap, gap + 1}});
     return;
   }
-  const GoverningLevel level = without_round_off(*found);
+  const GoverningLevel& level = *found;
   if (facts.response == nullptr) {
     statements.push_back(need_statement(facts, gap, level, level.is_short() ? "spectral_short" : "spectral_enough"));
     return;

@@ -137,19 +137,6 @@ void tell_unmodelled(const RunResults& run, const GapOutcome& found, std::vector
   statements.push_back(std::move(statement));
 }
 
-/// The impact of a point with its peak force, or its fastest where no force is known.
-const Impact* hardest_impact(const Response& response, Index point) {
-  const Impact* hardest = nullptr;
-  for (const Impact& impact : response.impacts) {
-    if (impact.point != point) continue;
-    if (hardest == nullptr || impact.peak_force > hardest->peak_force ||
-        (impact.peak_force == hardest->peak_force && impact.closing_speed > hardest->closing_speed)) {
-      hardest = &impact;
-    }
-  }
-  return hardest;
-}
-
 void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
   const std::string& length = run.c.units.length;
   const Index gap = found.gap.left;
@@ -272,8 +259,7 @@ void tell_yielding(const RunResults& run, std::vector<Statement>& statements) {
 }
 
 void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
-  const auto& record = run.c.excitation.record;  // of results read back the motion itself is not known
-  const double pga = record ? record->pga : peak_acceleration(run.problem.motion);
+  const double pga = applied_pga(run.c);
   if (!(pga > 0)) return;
   statements.push_back({.kind = "pga",
                         .values = {value_in("pga", pga, acceleration_unit(run.c.units)),
@@ -347,6 +333,15 @@ GapFacts facts_of(const RunResults& run) {
           .collapsed = run.response.collapse_no_contact.has_value()};
 }
 
+/// Of every gap.
+std::vector<StoryTable> tables_of(const GapFacts& facts) {
+  std::vector<StoryTable> tables;
+  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
+    for (StoryTable& table : story::gap_tables(facts, gap)) tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
 /// Remarks and what the model leaves out, after all else.
 void tell_remarks(const RunResults& run, Story& told) {
   story::sort_by_severity(told.statements);
@@ -389,17 +384,10 @@ Story gap_story(const RunResults& run) {
   }
   tell_motion(run, told.statements);
   tell_remarks(run, told);
-  told.tables = gap_tables_of(run);
+  told.tables = tables_of(facts);
   return told;
 }
 
-std::vector<StoryTable> gap_tables_of(const RunResults& run) {
-  const GapFacts facts = facts_of(run);
-  std::vector<StoryTable> tables;
-  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
-    for (StoryTable& table : story::gap_tables(facts, gap)) tables.push_back(std::move(table));
-  }
-  return tables;
-}
+std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(facts_of(run)); }
 
 }  // namespace bentur

@@ -379,7 +379,7 @@ Html motion_echo(const Report& report) {
   } else {
     rows.emplace_back(say("motion.kind"), say("motion.none"));
   }
-  const double pga = c.excitation.record ? c.excitation.record->pga : measures.pga;
+  const double pga = applied_pga(c);
   if (pga > 0) {
     rows.emplace_back(say("motion.pga"), quantity(pga, acceleration) + " = " + quantity(pga / c.units.gravity, "g"));
   }

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "bentur/core/errors.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/internal/page.h"
@@ -27,7 +28,7 @@ std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
   std::vector<Eigen::Index> order(impacts.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return html::is_harder(impacts[a], impacts[b]); });
+                   [&](std::size_t a, std::size_t b) { return is_harder(impacts[a], impacts[b]); });
   order.resize(std::min(order.size(), most_impacts));
   return order;
 }
@@ -109,10 +110,6 @@ Html identity(const Report& report) {
 }
 
 }  // namespace
-
-bool html::is_harder(const Impact& a, const Impact& b) {
-  return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.closing_speed > b.closing_speed;
-}
 
 double report_output_step(const Problem& problem) {
   Eigen::Index floors = 0;

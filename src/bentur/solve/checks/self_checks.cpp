@@ -22,7 +22,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 double bound_of(const Solver& solver) {
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver))
     return std::max(exact_bound, over_tolerance * adaptive->tolerance);
-  return std::holds_alternative<ExactSolver>(solver) ? exact_bound : infinite;
+  if (std::holds_alternative<ExactSolver>(solver)) return exact_bound;
+  return infinite;
 }
 
 class Checks {

@@ -82,8 +82,6 @@ constexpr std::size_t rows_in_print = 30;
 [[nodiscard]] std::string building_key(const Report& report);
 [[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Case& c);          ///< "t", "kgf·s²/cm"
-/// By peak force, then, as where no force is known, by closing speed.
-[[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
 /// Columns of quantities, behind those that say where they are.
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
 /// Every quantity of an owner that is for tables, at these places.

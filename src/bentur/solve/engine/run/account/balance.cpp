@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr long most_steps = 1024;  // of one contact: a longer one, that rests, is let go
+constexpr long most_steps_of_contact = 1024;  // of one contact: a longer one, that rests, is let go
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void MomentumBalance::take(const Expansion& motion, double end, const State& fro
     shift_.setZero();
     pushed_.setZero();
   }
-  if (++steps_ > most_steps) {
+  if (++steps_ > most_steps_of_contact) {
     under_way_ = false;
     return;
   }

@@ -1,37 +1,13 @@
 #include "bentur/solve/engine/run/watch/levels.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <optional>
 
 namespace bentur::engine {
 namespace {
 
+using Eigen::Index;
 using Relation = ModalSystem::Relation;
-
-/// A face of a level: of which building, and its floor; nothing where it is no floor, but a column.
-struct FloorFace {
-  Eigen::Index building = 0;
-  std::optional<Eigen::Index> floor;
-};
-
-/// Left and right.
-using Faces = std::array<FloorFace, 2>;
-
-Faces faces_of(const Problem& problem, const ContactPoint& point) {
-  const auto face = [&](Eigen::Index building, Eigen::Index dof) -> FloorFace {
-    const bool is_floor = dof < problem.buildings[building].model.floors();
-    return {building, is_floor ? std::optional(dof) : std::nullopt};
-  };
-  return {face(point.left, point.left_floor), face(point.left + 1, point.right_floor)};
-}
-
-Faces faces_of(const Problem& /*problem*/, const WatchedFloor& floor) {
-  Faces faces = {FloorFace{floor.left, floor.facing_floor}, FloorFace{floor.left + 1, floor.facing_floor}};
-  faces[static_cast<std::size_t>(floor.floor_of - floor.left)].floor = floor.floor;
-  return faces;
-}
 
 Relation times(Relation relation, double sign) {
   relation.left_row *= sign;
@@ -50,14 +26,12 @@ Relation one_side(const ModalSystem& system, const Relation& both, bool left) {
   return one;
 }
 
-/// Calls `each` with the faces and the relation of every level.
-template <typename Each>
-void for_each_level(const Problem& problem, const ModalSystem& system, const Each& each) {
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    each(faces_of(problem, problem.points[i]), system.elements[i].relation);
-  }
-  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-    each(faces_of(problem, problem.watched[i]), system.watched[i]);
+/// Adds the sways of faces that are no floors, there and back; `floor_of`: the floor that a side is.
+void add_sways(const ModalSystem& system, const Relation& both, const auto& floor_of,
+               std::vector<Relation>& relations) {
+  for (const int side : {0, 1}) {
+    if (floor_of(side)) continue;
+    for (const double sign : {1.0, -1.0}) relations.push_back(times(one_side(system, both, side == 0), sign));
   }
 }
 
@@ -65,13 +39,17 @@ void for_each_level(const Problem& problem, const ModalSystem& system, const Eac
 
 std::vector<Relation> level_relations(const Problem& problem, const ModalSystem& system) {
   std::vector<Relation> relations;
-  for_each_level(problem, system, [&](const Faces&, const Relation& both) { relations.push_back(times(both, -1.0)); });
-  for_each_level(problem, system, [&](const Faces& faces, const Relation& both) {
-    for (const bool left : {true, false}) {
-      if (faces[left ? 0 : 1].floor) continue;
-      for (const double sign : {1.0, -1.0}) relations.push_back(times(one_side(system, both, left), sign));
-    }
-  });
+  const auto points = static_cast<Index>(problem.points.size());
+  for (Index i = 0; i < points; ++i) relations.push_back(times(system.elements[i].relation, -1.0));
+  for (const Relation& both : system.watched) relations.push_back(times(both, -1.0));
+  for (Index i = 0; i < points; ++i) {
+    const auto floor_of = [&](int side) { return face_floor(problem, problem.points[i], side); };
+    add_sways(system, system.elements[i].relation, floor_of, relations);
+  }
+  for (Index i = 0; i < std::ssize(problem.watched); ++i) {
+    const auto floor_of = [&](int side) { return face_floor(problem.watched[i], side); };
+    add_sways(system, system.watched[i], floor_of, relations);
+  }
   return relations;
 }
 
@@ -79,25 +57,28 @@ void report_levels(const Problem& problem, const std::vector<SpanWatch::Nearest>
                    Response& response) {
   auto at = nearest.begin();
   auto sway = at + std::ssize(problem.points) + std::ssize(problem.watched);
-  const auto report = [&](const Faces& faces, auto& summary) {
+  const auto report = [&](Index left, const auto& floor_of, auto& summary) {
     if (reversed) summary.gap_needed_reversed = at->reach;
     ++at;
-    for (const bool left : {true, false}) {
-      const FloorFace& face = faces[left ? 0 : 1];
-      double& peak = left ? summary.peak_left : summary.peak_right;
-      if (face.floor) {
-        peak = response.buildings[face.building].displacement_no_contact(*face.floor);
+    for (const int side : {0, 1}) {
+      double& peak = side == 0 ? summary.peak_left : summary.peak_right;
+      if (const std::optional<Index> floor = floor_of(side)) {
+        peak = response.buildings[left + side].displacement_no_contact(*floor);
       } else {
         peak = std::max(sway[0].reach, sway[1].reach);
         sway += 2;
       }
     }
   };
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    report(faces_of(problem, problem.points[i]), response.points[i]);
+  for (Index i = 0; i < std::ssize(problem.points); ++i) {
+    const ContactPoint& point = problem.points[i];
+    report(
+        point.left, [&](int side) { return face_floor(problem, point, side); }, response.points[i]);
   }
-  for (std::size_t i = 0; i < problem.watched.size(); ++i) {
-    report(faces_of(problem, problem.watched[i]), response.watched[i]);
+  for (Index i = 0; i < std::ssize(problem.watched); ++i) {
+    const WatchedFloor& floor = problem.watched[i];
+    report(
+        floor.left, [&](int side) { return face_floor(floor, side); }, response.watched[i]);
   }
 }
 
