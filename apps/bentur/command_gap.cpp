@@ -13,9 +13,9 @@
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/story/story.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/gap/gap_study_story.h"
 #include "commands.h"
 #include "session.h"
-#include "text/gap_study_text.h"
 #include "text/table.h"
 
 namespace bentur::cli {
@@ -109,7 +109,22 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   print(fitted(text));
 }
 
+/// The gaps over all records of a study.
+std::string study_text(const GapStudy& study, const Words& say) {
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  if (study.at) {
+    text += say("cli.scaled_records",
+                {{"value", number(*study.at)}, {"unit", study.intensity_unit}, {"intensity", study.intensity}}) +
+            "\n";
+  }
+  text += "\n" + story_text(study.problem, gap_study_story(study), say, Told::outcome);
+  text += "\n" + wrapped(say("cli.gap_study_note")) + "\n";
+  if (!study.code.rules.empty()) text += wrapped(say("cli.gap_study_codes")) + "\n";
+  return text;
+}
+
 void run_study(const GapArguments& arguments) {
+  const Words say(arguments.language);
   Diagnostics diagnostics;
   std::optional<GapStudy> study;
   try {
@@ -120,7 +135,7 @@ void run_study(const GapArguments& arguments) {
     throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
   }
   if (!study) throw Failure(diagnostics);
-  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(gap_study_text(*study)));
+  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(study_text(*study, say)));
 }
 
 void run(const GapArguments& arguments) {

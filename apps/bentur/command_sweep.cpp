@@ -9,6 +9,8 @@
 #include <string>
 
 #include "arguments.h"
+#include "bentur/model/story/study_story.h"
+#include "bentur/report/story_text.h"
 #include "bentur/runner/sweep.h"
 #include "commands.h"
 #include "output.h"
@@ -70,6 +72,8 @@ void outline(const SweepArguments& arguments) {
                     found->is_grid ? "" : " sampled", text, found->values));
 }
 
+long count(std::size_t runs) { return static_cast<long>(runs); }
+
 void report_end(const SweepArguments& arguments, const SweepReport& report) {
   if (!report.finished) {
     throw Failure(exit_other, fmt::format("Stopped: {} of {} runs are done and kept in {}.part; the same command with "
@@ -77,11 +81,11 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
                                           report.done, report.runs, arguments.output));
   }
   if (report.failed > 0) message("warning: " + report.first_failure);
-  if (report.unmodelled > 0) {
-    message(
-        fmt::format("warning: in {} of {} runs a floor meets a column or a floor where no contact is modelled "
-                    "(unmodelled_contacts in the results); bentur run with such a case says how to model it",
-                    report.unmodelled, report.runs));
+  // What else is to be said of the runs a report says; this must not be missed.
+  const StudyOutcome outcome{
+      .runs = count(report.runs), .failed = count(report.failed), .unmodelled = count(report.unmodelled)};
+  for (const SaidStatement& one : said(study_story(outcome).statements, Words("en"))) {
+    if (one.severity == Severity::danger) message("warning: " + one.text);
   }
   if (arguments.quiet) return;
   if (report.before) {

@@ -341,7 +341,7 @@ class Gap(Ida):
             self.assertEqual(gap["largest"][name], max(first, second))
             self.assertEqual(gap["median"][name], (first + second) / 2)
         text = self.bentur("gap", STUDIES / "m12-gaps.toml").stdout
-        for word in "El Centro", "harmonic", "largest", "median", "simulated", "DDC", "Model 1 | Model 2":
+        for word in "El Centro", "harmonic", "largest", "median", "Simulated", "DDC", "Model 1 | Model 2":
             self.assertIn(word, text)
 
     def test_a_neighbour_of_whom_little_is_known(self):
@@ -363,7 +363,18 @@ class Gap(Ida):
         self.assertAlmostEqual(quantile[0.9], each[low] + (place - low) * (each[low + 1] - each[low]), delta=1e-12)
         self.assertEqual(gap["largest"]["gap_needed"], each[-1])
         given, = gap["given"]
-        self.assertEqual(given["records_beyond"], sum(one > 0.1 for one in each))
+        beyond = sum(one > 0.1 for one in each)
+        self.assertEqual(given["records_beyond"], beyond)
+        # What it comes to stands first, at both doors and in both languages.
+        first, second = document["statements"]
+        self.assertEqual([first["kind"], first["severity"]], ["runs_short", "warning"])
+        self.assertEqual([first["values"]["beyond"], first["values"]["runs"]], [beyond, 30])
+        self.assertEqual(second["kind"], "gaps_over_runs")
+        self.assertEqual(second["values"]["median"]["value"], gap["median"]["gap_needed"])
+        self.assertEqual(second["values"]["most"]["value"], quantile[0.84])
+        self.assertTrue(text.split("\n\n")[1].startswith(f"{beyond} of 30 runs (33.3 %) need more than the 0.1 m given."))
+        said = self.bentur("gap", study, "--lang", "id").stdout.split("\n\n")[1]
+        self.assertTrue(said.startswith(f"{beyond} dari 30 hitungan (33.3 %) memerlukan lebih dari 0.1 m"), said)
 
     def test_codes_other_axes_and_levels(self):
         case = (STUDIES / "eight-and-six.toml").read_text().replace('"../../data/', f'"{SOURCE}/data/')

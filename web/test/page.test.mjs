@@ -409,7 +409,7 @@ test("hostile texts give a message and the page goes on", async () => {
       within(await page.evaluate(() => window.longest), 3000, `${what}: ms that the page stood still`);
     }
     assert.match(await page.textContent(".errors"), /width = -1/);
-    await write(page, good.replace("width = 0.05", "width = 1e308"), "fine", true);
+    await write(page, good.replace("width = 0.05", "width = 1e9"), "fine", true);
     // A million lines are refused before they come in.
     await page.setInputFiles("#take input[type=file]", { name: "long.toml", mimeType: "text/plain", buffer: Buffer.from("\n".repeat(1e6)) });
     await page.waitForFunction(() => /50000 lines/.test(document.querySelector(".errors").textContent));

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "bentur/io/results/internal/record_json.h"
+#include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
@@ -158,39 +159,6 @@ Json remarks_json(const std::vector<Remark>& remarks) {
   return json;
 }
 
-Json values_json(const std::vector<StoryValue>& values) {
-  Json json = Json::object();
-  for (const StoryValue& value : values) {
-    if (const auto* real = std::get_if<double>(&value.value)) {
-      json[value.name] = {{"value", or_null_if_unknown(*real)}, {"unit", value.unit}};
-    } else if (const auto* count = std::get_if<long>(&value.value)) {
-      json[value.name] = *count;
-    } else if (!std::get<std::string>(value.value).empty()) {
-      json[value.name] = std::get<std::string>(value.value);
-    }
-  }
-  return json;
-}
-
-/// What is said of a run or of its gaps, without words: the gravest first.
-Json statements_json(const Problem& problem, const std::vector<Statement>& statements) {
-  Json json = Json::array();
-  for (const Statement& statement : statements) {
-    Json buildings = Json::array(), items = Json::array();
-    for (const Eigen::Index b : statement.buildings) buildings.push_back(problem.buildings.at(b).name);
-    for (const auto& item : statement.items) items.push_back(values_json(item));
-    Json one = {{"kind", statement.kind},
-                {"severity", severity_name(statement.severity)},
-                {"buildings", buildings},
-                {"level", or_null(statement.level)},
-                {"values", values_json(statement.values)}};
-    if (!statement.subject.empty()) one["subject"] = statement.subject;
-    if (!items.empty()) one["items"] = items;
-    json.push_back(one);
-  }
-  return json;
-}
-
 /// The law with everything it works with, given or derived, and the choices that apply.
 Json contact_json(const ContactLaw& law, const ContactSpec& spec) {
   Json json = {{"law", law.name()}};
@@ -311,7 +279,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
                {"status", run.response.collapse ? "collapsed" : "completed"},
                {"solver", solver_json(c.analysis.solver, run.response)},
                {"excitation", excitation_json(c.excitation)},
-               {"statements", statements_json(run.problem, run_story(results).statements)},
+               {"statements", Json::parse(statements_json(run.problem, run_story(results).statements))},
                {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
                {"gaps", gaps}};
@@ -457,7 +425,7 @@ std::string gap_json(const RunResults& results, std::string_view version) {
                {"units", units_json(results.c.units)},
                {"version", version},
                {"excitation", excitation_json(results.c.excitation)},
-               {"statements", statements_json(problem, gap_story(results).statements)},
+               {"statements", Json::parse(statements_json(problem, gap_story(results).statements))},
                {"code_rules", rules_json(results.c.code)},
                {"gaps", gaps}});
 }
@@ -483,7 +451,7 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
                {"units", units_json(c.units)},
                {"version", version},
                {"excitation", excitation_json(c.excitation)},
-               {"statements", statements_json(problem, spectral_story(c, problem, spectral).statements)},
+               {"statements", Json::parse(statements_json(problem, spectral_story(c, problem, spectral).statements))},
                {"code_rules", rules_json(c.code)},
                {"buildings", buildings},
                {"gaps", gaps}});

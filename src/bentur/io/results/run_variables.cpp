@@ -367,8 +367,10 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       const auto curves = [&](const std::string& name, auto& list, const ResultDimension& along,
                               const std::string& units, const std::string& of) {
         fit(list, problem_.buildings.size());
-        const ResultVariable variable{
-            fmt::format("exact/{}{}", name, number), {time, along}, units, fmt::format("{} of building \"{}\"", of, building.name)};
+        const ResultVariable variable{fmt::format("exact/{}{}", name, number),
+                                      {time, along},
+                                      units,
+                                      fmt::format("{} of building \"{}\"", of, building.name)};
         if (file_.has(variable.name, along.size > 0 && list[b].size() > 0)) pass(variable, list[b]);
       };
       curves("displacement", course.displacement, floors, length_,

@@ -275,7 +275,7 @@ Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& 
     story::tell_rules(facts, gap, told.statements);
     for (StoryTable& table : story::gap_tables(facts, gap)) told.tables.push_back(std::move(table));
   }
-  story::sort_by_severity(told.statements);
+  sort_by_severity(told.statements);
   for (Statement& remark : remark_statements(remarks(c, problem))) told.statements.push_back(std::move(remark));
   return told;
 }

@@ -344,7 +344,7 @@ std::vector<StoryTable> tables_of(const GapFacts& facts) {
 
 /// Remarks and what the model leaves out, after all else.
 void tell_remarks(const RunResults& run, Story& told) {
-  story::sort_by_severity(told.statements);
+  sort_by_severity(told.statements);
   for (Statement& remark : remark_statements(run.remarks)) told.statements.push_back(std::move(remark));
   told.statements.push_back(model_statement(run));
 }

@@ -65,12 +65,12 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
   return statements;
 }
 
-namespace story {
-
 void sort_by_severity(std::vector<Statement>& statements) {
   std::stable_sort(statements.begin(), statements.end(),
                    [](const Statement& a, const Statement& b) { return a.severity < b.severity; });
 }
+
+namespace story {
 
 const std::string& faced_name(const Problem& problem, const WatchedFloor& floor) {
   return problem.buildings[2 * floor.left + 1 - floor.floor_of].name;

@@ -40,7 +40,7 @@ struct Statement {
   std::optional<double> level = {};  ///< [length]
   std::vector<StoryValue> values = {};
   std::vector<std::vector<StoryValue>> items = {};  ///< a list, each by the text ".item"; joined they fill {items}
-  std::string subject = {};                         ///< of a remark: whose number it is
+  std::string subject = {};  ///< of a remark whose number it is, of a study what varies; told before it
 };
 
 /// A column of a table: numbers, names, or words of the catalogue.
@@ -53,8 +53,9 @@ struct StoryColumn {
 };
 
 struct StoryTable {
-  std::string kind;  ///< "row", "levels", "rules", "screening"; its heading is the text "story.table." + kind
+  std::string kind;  ///< "row", "levels", "rules", "screening", "records"; its heading is "story.table." + kind
   std::optional<Eigen::Index> gap = {};
+  std::vector<StoryValue> values = {};  ///< that fill the heading
   std::vector<StoryColumn> columns = {};
   std::vector<std::size_t> marked = {};  ///< rows that stand out
 };
@@ -64,6 +65,9 @@ struct Story {
   std::vector<Statement> statements;
   std::vector<StoryTable> tables = {};
 };
+
+/// Puts what is gravest first; what is alike stays in order.
+void sort_by_severity(std::vector<Statement>& statements);
 
 /// Of a run: what fails, who collides where and how hard, the gap needed both ways round, the rules at every level,
 /// what contact does to the buildings, the ground motion as applied, remarks. A row of more than two buildings has a

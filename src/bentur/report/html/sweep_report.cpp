@@ -6,15 +6,18 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "bentur/core/number_text.h"
 #include "bentur/files/ida_reading.h"
+#include "bentur/model/story/study_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/report/story_text.h"
 #include "bentur/study/fragility/fragility_report.h"
 
 namespace bentur {
@@ -41,9 +44,8 @@ std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, 
   return values;
 }
 
-/// ", at width = 0.2, excitation = El Centro": where a run stands, without the directions in which `values` does not
-/// change.
-std::string where(const SweepData& sweep, std::size_t run, const std::vector<double>& values, const Words& say) {
+/// "width = 0.2, excitation = El Centro": where a run stands, without the directions in which `values` does not change.
+std::string where(const SweepData& sweep, std::size_t run, const std::vector<double>& values) {
   std::vector<std::string> places;
   std::size_t stride = values.size();
   for (const SweepDimension& one : sweep.dimensions()) {
@@ -58,55 +60,46 @@ std::string where(const SweepData& sweep, std::size_t run, const std::vector<dou
   for (const SweepDimension& one : sweep.sample_coordinates()) {
     places.push_back(one.choice(run));
   }
-  return places.empty() ? "" : say("sweep.where", {{"where", fmt::format("{}", fmt::join(places, ", "))}});
+  return fmt::format("{}", fmt::join(places, ", "));
 }
 
-std::string with_unit_of(const SweepData& sweep, double value, const std::string& variable) {
-  return html::prose(value, unit_text(sweep.results().at(variable).units));
-}
-
-html::PageSection verdict(const SweepData& sweep, const Words& say) {
+StudyOutcome outcome_of(const SweepData& sweep) {
   const std::vector<double> status = sweep.results().numbers("status");
   const std::vector<double> impacts = by_run(sweep, "impacts", true);
   const std::vector<double> forces = by_run(sweep, "peak_force", false);
-  const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
   // Results of earlier versions watch no floors.
-  const std::string need = "gap_needed";
-  const std::vector<double> needed = by_run(sweep, need, false);
-  const auto finished = static_cast<std::size_t>(std::count(status.begin(), status.end(), 0.0));
-  std::size_t pounding = 0;
-  std::size_t overlooked = 0;
-  std::size_t hardest = status.size();
-  std::size_t widest = status.size();
+  const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
+  const std::vector<double> needed = by_run(sweep, "gap_needed", false);
+  StudyOutcome outcome{.runs = std::ssize(status)};
+  std::optional<std::size_t> hardest, widest;
   for (std::size_t run = 0; run < status.size(); ++run) {
-    if (status[run] != 0) continue;
-    pounding += impacts[run] > 0 || unmodelled[run] > 0 ? 1 : 0;
-    overlooked += unmodelled[run] > 0 ? 1 : 0;
-    if (forces[run] > 0 && (hardest == status.size() || forces[run] > forces[hardest])) hardest = run;
-    if (widest == status.size() || needed[run] > needed[widest]) widest = run;
+    if (status[run] != 0) {
+      ++outcome.failed;
+      continue;
+    }
+    if (unmodelled[run] > 0) ++outcome.unmodelled;
+    if (impacts[run] > 0 || unmodelled[run] > 0) ++outcome.pounding;
+    if (forces[run] > 0 && (!hardest || forces[run] > forces[*hardest])) hardest = run;
+    if (!widest || needed[run] > needed[*widest]) widest = run;
   }
-  const char* const badge = overlooked > 0 ? "story.unmodelled.badge"
-                            : pounding > 0 ? "story.pounding.badge"
-                                           : "story.no_pounding.badge";
-  Html block =
-      element("p", say(badge), "class=\"badge\"") +
-      element("p", say("sweep.pounding", {{"pounding", std::to_string(pounding)}, {"runs", std::to_string(finished)}}),
-              "class=\"lead\"");
-  if (overlooked > 0) {
-    block += element("p", say("sweep.unmodelled", {{"runs", std::to_string(overlooked)}}), "class=\"lead\"");
+  const auto placed = [&](std::size_t run, const std::vector<double>& values, const std::string& variable) {
+    return PlacedValue{values[run], unit_text(sweep.results().at(variable).units), where(sweep, run, values)};
+  };
+  if (hardest) outcome.hardest_force = placed(*hardest, forces, "peak_force");
+  if (widest) outcome.gap_needed = placed(*widest, needed, "gap_needed");
+  return outcome;
+}
+
+html::PageSection verdict(const SweepData& sweep, const Words& say) {
+  Html block;
+  bool grave = false;
+  for (const SaidStatement& one : said(study_story(outcome_of(sweep)).statements, say)) {
+    // The gravest has its badge first.
+    if (block.str().empty() && !one.badge.empty()) block += element("p", one.badge, "class=\"badge\"");
+    block += element("p", one.text, one.badge.empty() ? "" : "class=\"lead\"");
+    grave = grave || one.severity <= Severity::warning;
   }
-  if (hardest < status.size()) {
-    block += element("p", say("sweep.hardest", {{"force", with_unit_of(sweep, forces[hardest], "peak_force")},
-                                                {"where", where(sweep, hardest, forces, say)}}));
-  }
-  if (widest < status.size()) {
-    block += element("p", say("sweep.needed", {{"gap", with_unit_of(sweep, needed[widest], need)},
-                                               {"where", where(sweep, widest, needed, say)}}));
-  }
-  if (finished < status.size()) {
-    block += element("p", say("sweep.failed", {{"failed", std::to_string(status.size() - finished)}}));
-  }
-  return {"verdict", say("heading.verdict"), element("div", block, html::verdict_class(pounding > 0))};
+  return {"verdict", say("heading.verdict"), element("div", block, html::verdict_class(grave))};
 }
 
 /// What varies, and within which bounds.

@@ -58,9 +58,11 @@ class Checks {
       fail(fmt::format("{} {} of {} is {}", what, i + 1, problem_.buildings[building].name, values(i)));
     }
   }
-  void finite(std::initializer_list<double> values, const std::string& what) {
+  /// `owner` names whose the values are; it is asked only where one is no number.
+  template <class Owner>
+  void finite(std::initializer_list<double> values, const Owner& owner) {
     for (const double value : values) {
-      if (!std::isfinite(value)) fail(fmt::format("a number of {} is {}", what, value));
+      if (!std::isfinite(value)) fail(fmt::format("a number of {} is {}", owner(), value));
     }
   }
   [[nodiscard]] std::string place(std::size_t point) const {
@@ -102,21 +104,22 @@ void Checks::numbers() {
     const PointSummary& p = response_.points[i];
     finite({p.gap_needed, p.contact_duration, p.peak_force, p.peak_force_time.value_or(0), p.peak_tension,
             p.peak_penetration, p.peak_closing_speed, p.impulse, p.energy_lost},
-           place(i));
+           [&] { return place(i); });
   }
   for (const Impact& one : response_.impacts) {
     finite({one.start, one.end, one.closing_speed, one.separation_speed, one.peak_force, one.peak_force_time,
             one.peak_penetration, one.impulse, one.peak_tension, one.energy_lost},
-           fmt::format("the impact at t = {:.6g} s", one.start));
+           [&] { return fmt::format("the impact at t = {:.6g} s", one.start); });
   }
   for (const WatchedSummary& one : response_.watched) {
-    finite({one.gap_needed, one.least_opening, one.least_time}, "a watched floor");
+    finite({one.gap_needed, one.least_opening, one.least_time}, [] { return "a watched floor"; });
   }
   for (const LinkSummary& one : response_.links) {
     finite({one.peak_compression, one.peak_tension, one.peak_closing, one.peak_opening, one.energy_dissipated},
-           "a link");
+           [] { return "a link"; });
   }
-  if (response_.energy) finite({response_.energy->peak_input, response_.energy->residual}, "the energies");
+  if (response_.energy)
+    finite({response_.energy->peak_input, response_.energy->residual}, [] { return "the energies"; });
   for (const Histories* of : {&response_.histories, &response_.course}) {
     bool all = of->opening.allFinite() && of->force.allFinite();
     for (const auto* list : {&of->displacement, &of->velocity, &of->acceleration}) {

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bentur/io/results/story_json.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/gap/gap_study_story.h"
 
 namespace bentur {
 namespace {
@@ -94,9 +96,13 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
   }
   Json intensity = nullptr;
   if (study.at) intensity = {{"name", study.intensity}, {"unit", study.intensity_unit}, {"value", *study.at}};
-  Json json = {{"title", study.title}, {"units", {{"length", study.units.length}, {"force", study.units.force}}},
-               {"version", version},   {"intensity", intensity},
-               {"code_rules", rules},  {"studied", all}};
+  Json json = {{"title", study.title},
+               {"units", {{"length", study.units.length}, {"force", study.units.force}}},
+               {"version", version},
+               {"intensity", intensity},
+               {"statements", Json::parse(statements_json(study.problem, gap_study_story(study).statements))},
+               {"code_rules", rules},
+               {"studied", all}};
   if (study.together) {
     Json gaps = Json::array();
     for (std::size_t gap = 0; gap < study.together->gaps.size(); ++gap) {

@@ -37,9 +37,6 @@ void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>&
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap);
 
-/// Puts what is gravest first; what is alike stays in order.
-void sort_by_severity(std::vector<Statement>& statements);
-
 /// The building that a watched floor faces.
 [[nodiscard]] const std::string& faced_name(const Problem& problem, const WatchedFloor& floor);
 /// {building}, {faced_building} and the word {faced}.

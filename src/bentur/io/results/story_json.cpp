@@ -1,0 +1,45 @@
+#include "bentur/io/results/story_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json values_json(const std::vector<StoryValue>& values) {
+  Json json = Json::object();
+  for (const StoryValue& value : values) {
+    if (const auto* real = std::get_if<double>(&value.value)) {
+      json[value.name] = {{"value", std::isnan(*real) ? Json(nullptr) : Json(*real)}, {"unit", value.unit}};
+    } else if (const auto* count = std::get_if<long>(&value.value)) {
+      json[value.name] = *count;
+    } else if (!std::get<std::string>(value.value).empty()) {
+      json[value.name] = std::get<std::string>(value.value);
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string statements_json(const Problem& problem, const std::vector<Statement>& statements) {
+  Json json = Json::array();
+  for (const Statement& statement : statements) {
+    Json buildings = Json::array(), items = Json::array();
+    for (const Eigen::Index b : statement.buildings) buildings.push_back(problem.buildings.at(b).name);
+    for (const auto& item : statement.items) items.push_back(values_json(item));
+    Json one = {{"kind", statement.kind},
+                {"severity", severity_name(statement.severity)},
+                {"buildings", buildings},
+                {"level", statement.level ? Json(*statement.level) : Json(nullptr)},
+                {"values", values_json(statement.values)}};
+    if (!statement.subject.empty()) one["subject"] = statement.subject;
+    if (!items.empty()) one["items"] = items;
+    json.push_back(one);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace bentur

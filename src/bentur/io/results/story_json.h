@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/model/story/story.h"
+
+namespace bentur {
+
+/// What is said, without words, as a list in JSON (docs/result-files.md#statements). `problem` names the buildings.
+[[nodiscard]] std::string statements_json(const Problem& problem, const std::vector<Statement>& statements);
+
+}  // namespace bentur

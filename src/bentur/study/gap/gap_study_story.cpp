@@ -1,0 +1,180 @@
+#include "bentur/study/gap/gap_study_story.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace bentur {
+namespace {
+
+constexpr long fewest = 5;           // records whose quantiles are told in a sentence
+constexpr double most_asked = 0.84;  // the part of the records that engineers ask of [-]
+
+/// Records of one choice of whatever else varies, or of all choices together.
+struct Told {
+  const GapStudy& study;
+  const RecordNeeds& needs;
+  bool together = false;
+  std::string others = {};  ///< "stiffness = 2, period = 0.4"
+
+  [[nodiscard]] long count() const { return std::ssize(needs.records); }
+};
+
+std::string others_of(const RecordNeeds& needs) {
+  std::string text;
+  for (const auto& [name, value] : needs.others) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+double width_of(const GivenGap& given) { return *std::min_element(given.widths.begin(), given.widths.end()); }
+
+std::string share_text(const Told& told, const GivenGap& given) {
+  return fmt::format("{:.3g}\u00A0%", 100.0 * static_cast<double>(given.beyond) / static_cast<double>(told.count()));
+}
+
+const GapNeed& quantile(const GapOverRecords& over, double probability) {
+  const auto found = std::find_if(over.quantiles.begin(), over.quantiles.end(),
+                                  [&](const GapQuantile& one) { return one.probability == probability; });
+  return found->need;
+}
+
+/// The count of records, or of runs where they are of all choices.
+StoryValue count_value(const Told& told) { return {told.together ? "runs" : "records", told.count()}; }
+
+Statement statement_of(const Told& told, Eigen::Index gap, std::string kind) {
+  return {.kind = std::move(kind), .gap = gap, .buildings = {gap, gap + 1}, .subject = told.others};
+}
+
+void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::string& length = told.study.units.length;
+  const GapOverRecords& over = told.needs.gaps[gap];
+  if (over.given.size() == 1) {
+    const GivenGap& given = over.given.front();
+    Statement statement = statement_of(told, gap, told.together ? "runs_short" : "records_short");
+    if (given.beyond > 0) statement.severity = Severity::warning;
+    statement.values = {{"beyond", static_cast<long>(given.beyond)},
+                        count_value(told),
+                        {"share", share_text(told, given)},
+                        {"width", width_of(given), length}};
+    statements.push_back(std::move(statement));
+  }
+  // Quantiles of a few say nothing.
+  const bool few = told.count() < fewest;
+  Statement statement = statement_of(told, gap,
+                                     few             ? "gaps_over_few"
+                                     : told.together ? "gaps_over_runs"
+                                                     : "gaps_over_records");
+  statement.values = {few ? StoryValue{"records", told.count()} : count_value(told),
+                      {"largest", over.largest.gap_needed, length}};
+  if (!few) {
+    statement.values.push_back({"median", over.median.gap_needed, length});
+    statement.values.push_back({"most", quantile(over, most_asked).gap_needed, length});
+  }
+  statements.push_back(std::move(statement));
+}
+
+std::vector<StoryValue> heading(const Told& told, Eigen::Index gap) {
+  return {{"between", gap_name(told.study.problem, gap)},
+          {"others", told.others},
+          {"with", std::string(told.others.empty() ? "" : "story.with"), {}, !told.others.empty()},
+          count_value(told)};
+}
+
+/// A row a record, unless they are of all choices, and what holds over all of them.
+StoryTable record_table(const Told& told, Eigen::Index gap) {
+  StoryColumn name{.label = told.together ? "" : "column.record", .are_words = true};
+  std::vector<const GapNeed*> rows;
+  for (const RecordNeed& record : told.needs.records) {
+    if (told.together) break;
+    name.texts.push_back(record.record);
+    rows.push_back(&record.gaps[gap]);
+  }
+  const GapOverRecords& over = told.needs.gaps[gap];
+  if (told.count() > 1) {
+    name.texts.emplace_back("story.largest_of_records");
+    rows.push_back(&over.largest);
+    for (auto one = over.quantiles.rbegin(); one != over.quantiles.rend(); ++one) {
+      name.texts.push_back(one->probability == 0.5 ? "story.median_of_records"
+                                                   : fmt::format("◄ {:.4g} %", 100 * one->probability));
+      rows.push_back(&one->need);
+    }
+  }
+  StoryTable table{.kind = told.together ? "records_together" : "records", .gap = gap, .values = heading(told, gap)};
+  table.columns.push_back(std::move(name));
+  const std::string& length = told.study.units.length;
+  const auto add = [&](std::string label, auto number_of) {
+    StoryColumn column{std::move(label), length};
+    for (const GapNeed* row : rows) column.numbers.push_back(number_of(*row));
+    table.columns.push_back(std::move(column));
+  };
+  add("column.simulated", [](const GapNeed& need) { return need.gap_needed; });
+  add("ABS", [](const GapNeed& need) { return need.abs; });
+  add("SRSS", [](const GapNeed& need) { return need.srss; });
+  add("DDC", [](const GapNeed& need) { return need.ddc; });
+  for (std::size_t i = 0; i < told.study.code.rules.size(); ++i) {
+    add(std::string(find_code_rule(told.study.code.rules[i].rule)->title),
+        [i](const GapNeed& need) { return need.codes[i]; });
+  }
+  return table;
+}
+
+/// How many need more than is given, a row a width.
+StoryTable given_table(const Told& told, Eigen::Index gap) {
+  StoryColumn width{"column.given", told.study.units.length}, beyond{"column.beyond"}, share{"column.share"};
+  for (const GivenGap& one : told.needs.gaps[gap].given) {
+    width.numbers.push_back(width_of(one));
+    beyond.texts.push_back(fmt::format("{} / {}", one.beyond, told.count()));
+    share.texts.push_back(share_text(told, one));
+  }
+  return {.kind = "given", .gap = gap, .values = heading(told, gap), .columns = {width, beyond, share}};
+}
+
+/// A row for each choice of what else varies.
+StoryTable choice_table(const GapStudy& study, Eigen::Index gap) {
+  const std::string& length = study.units.length;
+  StoryColumn choice{.label = "column.choice"}, median{"column.half", length}, most{"column.most_records", length};
+  StoryColumn largest{"column.hardest_record", length}, beyond{.label = "column.beyond"};
+  StoryTable table{.kind = "choices", .gap = gap, .values = {{"between", gap_name(study.problem, gap)}}};
+  for (const RecordNeeds& needs : study.needs) {
+    const GapOverRecords& over = needs.gaps[gap];
+    const std::size_t most_beyond = over.given.front().beyond;
+    if (over.given.size() == 1 && most_beyond > 0) table.marked.push_back(choice.texts.size());
+    choice.texts.push_back(others_of(needs));
+    median.numbers.push_back(over.median.gap_needed);
+    most.numbers.push_back(quantile(over, most_asked).gap_needed);
+    largest.numbers.push_back(over.largest.gap_needed);
+    beyond.texts.push_back(fmt::format("{} / {}", most_beyond, needs.records.size()));
+  }
+  table.columns = {choice, median, most, largest};
+  if (study.needs.front().gaps[gap].given.size() == 1) table.columns.push_back(beyond);
+  return table;
+}
+
+/// Sentences of all records, and their tables.
+void tell(const Told& told, bool in_words, Story& story) {
+  for (Eigen::Index gap = 0; gap < std::ssize(told.needs.gaps); ++gap) {
+    if (in_words) tell_gap(told, gap, story.statements);
+    story.tables.push_back(record_table(told, gap));
+    if (told.needs.gaps[gap].given.size() > 1) story.tables.push_back(given_table(told, gap));
+  }
+}
+
+}  // namespace
+
+Story gap_study_story(const GapStudy& study) {
+  Story story;
+  const bool are_choices = study.together.has_value();
+  for (const RecordNeeds& needs : study.needs) tell({study, needs, false, others_of(needs)}, !are_choices, story);
+  if (are_choices) {
+    for (Eigen::Index gap = 0; gap < std::ssize(study.together->gaps); ++gap) {
+      story.tables.push_back(choice_table(study, gap));
+    }
+    tell({study, *study.together, true}, true, story);
+  }
+  sort_by_severity(story.statements);
+  return story;
+}
+
+}  // namespace bentur
