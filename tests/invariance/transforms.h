@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -34,6 +35,10 @@ inline Case mirrored(Case c) {
     }
   }
   std::reverse(c.gaps.begin(), c.gaps.end());
+  for (LinkSpec& link : c.links) {
+    const std::size_t last = c.buildings.size() - 1;
+    std::tie(link.left, link.right) = std::pair(last - link.right, last - link.left);
+  }
   std::reverse(c.excitation.delays.begin(), c.excitation.delays.end());
   c.excitation.motion = scaled(c.excitation.motion, -1);
   for (auto* initial : {&c.initial.displacements, &c.initial.velocities}) {
@@ -98,35 +103,81 @@ struct UnitChange {
   double length = 1, force = 1;
 };
 
-inline Case in_units(Case c, const UnitChange& units) {
-  const double mass = units.force / units.length, stiffness = units.force / units.length;
-  const double area = units.length * units.length;
-  const auto member = [&](Section& section) {
+/// Of structures, their supports and links.
+struct InUnits {
+  UnitChange units;
+  double mass = units.force / units.length, stiffness = units.force / units.length;
+  double area = units.length * units.length;
+
+  void member(Section& section) const {
     section.area *= area;
     section.inertia *= area * area;
     section.mass *= mass;
     section.line_mass *= mass / units.length;
-  };
-  for (BuildingSpec& building : c.buildings) {
-    if (auto* frame = std::get_if<PlaneFrame>(&building.structure)) {
-      frame->elastic_modulus *= units.force / area;
-      scale(frame->storey_heights, units.length);
-      scale(frame->bay_widths, units.length);
-      std::for_each(frame->columns.begin(), frame->columns.end(), member);
-      std::for_each(frame->beams.begin(), frame->beams.end(), member);
-      scale(frame->floor_masses, mass);
-    } else if (auto* stick = std::get_if<Stick>(&building.structure)) {
-      scale(stick->storey_heights, units.length);
-      scale(stick->masses, mass);
-      scale(stick->stiffnesses, stiffness);
-    } else {
-      auto& matrices = std::get<MatricesSpec>(building.structure);
-      scale(matrices.elevations, units.length);
-      matrices.mass *= mass;
-      matrices.stiffness *= stiffness;
+  }
+  void operator()(PlaneFrame& frame) const {
+    frame.elastic_modulus *= units.force / area;
+    scale(frame.storey_heights, units.length);
+    scale(frame.bay_widths, units.length);
+    for (Section& column : frame.columns) member(column);
+    for (Section& beam : frame.beams) member(beam);
+    scale(frame.floor_masses, mass);
+  }
+  void operator()(Stick& stick) const {
+    scale(stick.storey_heights, units.length);
+    scale(stick.masses, mass);
+    scale(stick.stiffnesses, stiffness);
+    scale(stick.yield_forces, units.force);
+  }
+  void operator()(MatricesSpec& matrices) const {
+    scale(matrices.elevations, units.length);
+    matrices.mass *= mass;
+    matrices.stiffness *= stiffness;
+  }
+  void operator()(RigidSpec& rigid) const { scale(rigid.elevations, units.length); }
+  void operator()(ModalBuilding& modal) const {
+    scale(modal.elevations, units.length);
+    scale(modal.masses, mass);
+  }
+  void operator()(GenericBuilding& generic) const {
+    scale(generic.storey_heights, units.length);
+    scale(generic.floor_masses, mass);
+  }
+  void operator()(IsolationSpec& isolation) const {
+    Isolation& bearings = isolation.bearings;
+    bearings.mass *= mass;
+    bearings.stiffness *= stiffness;
+    bearings.characteristic_strength *= units.force;
+    bearings.yield_displacement *= units.length;
+    bearings.damping *= stiffness;
+  }
+  void operator()(SoilSpec& spec) const {
+    Soil& soil = spec.soil;
+    for (double* x : {&soil.sway.stiffness, &soil.sway.damping}) *x *= stiffness;
+    for (double* x : {&soil.rocking.stiffness, &soil.rocking.damping}) *x *= units.force * units.length;
+    soil.mass *= mass;
+    soil.inertia *= mass * area;
+  }
+  void operator()(LinkSpec& link) const {
+    scale(link.elevations, units.length);
+    for (auto& [key, values] : link.numbers) {
+      scale(values, key == "slack" ? units.length : key == "yield_force" ? units.force : stiffness);
     }
+  }
+};
+
+inline Case in_units(Case c, const UnitChange& units) {
+  const InUnits changed{units};
+  const double stiffness = changed.stiffness;
+  for (BuildingSpec& building : c.buildings) {
+    std::visit(changed, building.structure);
+    if (building.isolation) changed(*building.isolation);
+    if (building.soil) changed(*building.soil);
+    building.gravity *= units.length;
+    scale(building.gravity_loads, units.force);
     if (auto* damping = std::get_if<MatrixDamping>(&building.damping)) damping->matrix *= stiffness;
   }
+  for (LinkSpec& link : c.links) changed(link);
   for (GapSpec& gap : c.gaps) {
     scale(gap.widths, units.length);
     scale(gap.elevations, units.length);

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 constexpr double round_off = 1e-9;      // of the largest: what is further apart is told
 constexpr double exact_bound = 1e-7;    // likewise: what is further apart contradicts itself
 constexpr double over_tolerance = 100;  // of a solver with a tolerance, what all its steps may add up to
-constexpr double of_impulse = 10;       // times as much: steps are long against a contact whose force they integrate
+constexpr double of_impulse = 1000;     // times as much: between its ends a step of `adaptive` is known less well
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double bound_of(const Solver& solver) {
