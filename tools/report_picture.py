@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-WIDTH, LEAST, MOST = 960, 700, 1400  # CSS pixels
+WIDTH, LEAST, MOST = 960, 700, 1800  # CSS pixels
 
 
 def main():
@@ -28,7 +28,7 @@ def main():
         try:
             driver.resize(WIDTH, 900)
             driver.open(page)
-            driver.evaluate("document.getElementById('remarks').remove(); new Promise(r => setTimeout(r, 300))")
+            driver.evaluate("new Promise(r => setTimeout(r, 300))")
             end = driver.evaluate("document.querySelector('#motion .controls').getBoundingClientRect().bottom + scrollY")
             driver.screenshot(output / "report.png", max(LEAST, min(MOST, end + 20)))
         finally:

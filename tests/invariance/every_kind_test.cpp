@@ -21,6 +21,7 @@
 #include "tests/invariance/difference.h"
 #include "tests/invariance/every_kind.h"
 #include "tests/invariance/transforms.h"
+#include "tests/invariance/unit_change.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {

@@ -19,6 +19,7 @@
 #include "tests/invariance/difference.h"
 #include "tests/invariance/random_case.h"
 #include "tests/invariance/transforms.h"
+#include "tests/invariance/unit_change.h"
 
 namespace bentur {
 namespace {

@@ -99,7 +99,7 @@ SaidTable said(const StoryTable& table, const Words& say) {
                                                               : text);
       }
     }
-    result.are_numbers.push_back(column.texts.empty());
+    result.are_numbers.push_back(column.texts.empty() || column.are_counts);
     result.columns.push_back(std::move(shown));
   }
   return result;

@@ -272,7 +272,7 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
   const std::string& length = run.c.units.length;
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, lacking{"column.short_by", length};
-  StoryColumn impacts{.label = "column.impacts"}, hardest{"column.hardest", run.c.units.force};
+  StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", run.c.units.force};
   StoryTable table{.kind = "row"};
   const auto lacks = [](const GapOutcome& one) { return one.governing.gap_needed - one.governing.width; };
   const GapOutcome* worst = &all.front();

@@ -50,6 +50,7 @@ struct StoryColumn {
   std::vector<double> numbers = {};     ///< NaN: there is none
   std::vector<std::string> texts = {};  ///< in place of numbers
   bool are_words = false;               ///< the texts are keys of the catalogue, or empty
+  bool are_counts = false;              ///< the texts are counts and shares, set as numbers are
 };
 
 struct StoryTable {

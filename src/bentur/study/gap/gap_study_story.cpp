@@ -122,7 +122,8 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
 
 /// How many need more than is given, a row a width.
 StoryTable given_table(const Told& told, Eigen::Index gap) {
-  StoryColumn width{"column.given", told.study.units.length}, beyond{"column.beyond"}, share{"column.share"};
+  StoryColumn width{"column.given", told.study.units.length}, beyond{.label = "column.beyond", .are_counts = true};
+  StoryColumn share{.label = "column.share", .are_counts = true};
   for (const GivenGap& one : told.needs.gaps[gap].given) {
     width.numbers.push_back(width_of(one));
     beyond.texts.push_back(fmt::format("{} / {}", one.beyond, told.count()));
@@ -135,7 +136,7 @@ StoryTable given_table(const Told& told, Eigen::Index gap) {
 StoryTable choice_table(const GapStudy& study, Eigen::Index gap) {
   const std::string& length = study.units.length;
   StoryColumn choice{.label = "column.choice"}, median{"column.half", length}, most{"column.most_records", length};
-  StoryColumn largest{"column.hardest_record", length}, beyond{.label = "column.beyond"};
+  StoryColumn largest{"column.hardest_record", length}, beyond{.label = "column.beyond", .are_counts = true};
   StoryTable table{.kind = "choices", .gap = gap, .values = {{"between", gap_name(study.problem, gap)}}};
   for (const RecordNeeds& needs : study.needs) {
     const GapOverRecords& over = needs.gaps[gap];

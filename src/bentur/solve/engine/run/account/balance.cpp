@@ -16,13 +16,14 @@ constexpr long most_steps_of_contact = 1024;  // of one contact: a longer one, t
 
 MomentumBalance::MomentumBalance(const ModalSystem& system) : system_(&system) {
   for (VectorXd* x : {&start_.q, &start_.v, &shift_, &pushed_, &of_step_, &end_}) x->setZero(system.size);
+  weights_.setZero(highest_degree + 1);
 }
 
 void MomentumBalance::take(const Expansion& motion, double end, const State& from, Elements& elements, bool meets) {
   if (!under_way_) {
     if (!meets || elements.any_touching()) return;
-    ++seen_;
-    if ((seen_ & (seen_ - 1)) != 0) return;
+    if (++seen_ < next_) return;
+    next_ *= 4;
     under_way_ = true;
     steps_ = 0;
     impacts_before_ = elements.impacts().size();
@@ -34,16 +35,20 @@ void MomentumBalance::take(const Expansion& motion, double end, const State& fro
     under_way_ = false;
     return;
   }
-  const Eigen::MatrixXd& c = motion.coefficients();
-  of_step_.setZero();
-  end_.setZero();
+  const auto c = motion.coefficients().leftCols(motion.degree() + 1);
+  auto weights = weights_.head(c.cols());
   double power = 1.0;
-  for (int k = 0; k <= motion.degree(); ++k) {
-    end_ += power * c.col(k);
+  for (Index k = 0; k < c.cols(); ++k) {
     power *= end;
-    of_step_ += (motion.h() * power / (k + 1.0)) * c.col(k);
+    weights(k) = motion.h() * power / static_cast<double>(k + 1);
   }
+  of_step_.noalias() = c * weights;
   shift_ += of_step_;
+  const ElementForces& forces = elements.forces();
+  if (forces.constant.empty() && forces.pressing.empty()) return;
+  power = 1.0;
+  for (Index k = 0; k < c.cols(); ++k, power *= end) weights(k) = power;
+  end_.noalias() = c * weights;
   push_others(motion, end * motion.h(), elements);
 }
 
