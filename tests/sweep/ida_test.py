@@ -369,12 +369,13 @@ class Gap(Ida):
         first, second = document["statements"]
         self.assertEqual([first["kind"], first["severity"]], ["runs_short", "warning"])
         self.assertEqual([first["values"]["beyond"], first["values"]["runs"]], [beyond, 30])
+        self.assertEqual(first["values"]["share"], {"value": 100 * beyond / 30, "unit": "%"})
         self.assertEqual(second["kind"], "gaps_over_runs")
         self.assertEqual(second["values"]["median"]["value"], gap["median"]["gap_needed"])
         self.assertEqual(second["values"]["most"]["value"], quantile[0.84])
-        self.assertTrue(text.split("\n\n")[1].startswith(f"{beyond} of 30 runs (33.3 %) need more than the 0.1 m given."))
+        self.assertTrue(text.split("\n\n")[1].startswith(f"{beyond} of 30 runs (33.33 %) need more than the 0.1 m given."))
         said = self.bentur("gap", study, "--lang", "id").stdout.split("\n\n")[1]
-        self.assertTrue(said.startswith(f"{beyond} dari 30 hitungan (33.3 %) memerlukan lebih dari 0.1 m"), said)
+        self.assertTrue(said.startswith(f"{beyond} dari 30 hitungan (33.33 %) memerlukan lebih dari 0.1 m"), said)
 
     def test_codes_other_axes_and_levels(self):
         case = (STUDIES / "eight-and-six.toml").read_text().replace('"../../data/', f'"{SOURCE}/data/')

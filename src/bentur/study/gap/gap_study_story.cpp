@@ -28,10 +28,15 @@ std::string others_of(const RecordNeeds& needs) {
   return text;
 }
 
-double width_of(const GivenGap& given) { return *std::min_element(given.widths.begin(), given.widths.end()); }
+/// NaN where no floors face one another.
+double width_of(const GivenGap& given) {
+  const auto least = std::min_element(given.widths.begin(), given.widths.end());
+  return least == given.widths.end() ? not_known : *least;
+}
 
-std::string share_text(const Told& told, const GivenGap& given) {
-  return fmt::format("{:.3g}\u00A0%", 100.0 * static_cast<double>(given.beyond) / static_cast<double>(told.count()));
+/// Of the records that need more [%].
+double share_of(const Told& told, const GivenGap& given) {
+  return 100.0 * static_cast<double>(given.beyond) / static_cast<double>(told.count());
 }
 
 const GapNeed& quantile(const GapOverRecords& over, double probability) {
@@ -50,13 +55,17 @@ Statement statement_of(const Told& told, Eigen::Index gap, std::string kind) {
 void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::string& length = told.study.units.length;
   const GapOverRecords& over = told.needs.gaps[gap];
+  if (over.given.front().widths.empty()) {
+    statements.push_back(statement_of(told, gap, "no_level"));
+    return;
+  }
   if (over.given.size() == 1) {
     const GivenGap& given = over.given.front();
     Statement statement = statement_of(told, gap, told.together ? "runs_short" : "records_short");
     if (given.beyond > 0) statement.severity = Severity::warning;
     statement.values = {{"beyond", static_cast<long>(given.beyond)},
                         count_value(told),
-                        {"share", share_text(told, given)},
+                        {"share", share_of(told, given), "%"},
                         {"width", width_of(given), length}};
     statements.push_back(std::move(statement));
   }
@@ -123,11 +132,11 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
 /// How many need more than is given, a row a width.
 StoryTable given_table(const Told& told, Eigen::Index gap) {
   StoryColumn width{"column.given", told.study.units.length}, beyond{.label = "column.beyond", .are_counts = true};
-  StoryColumn share{.label = "column.share", .are_counts = true};
+  StoryColumn share{"column.share", "%"};
   for (const GivenGap& one : told.needs.gaps[gap].given) {
     width.numbers.push_back(width_of(one));
     beyond.texts.push_back(fmt::format("{} / {}", one.beyond, told.count()));
-    share.texts.push_back(share_text(told, one));
+    share.numbers.push_back(share_of(told, one));
   }
   return {.kind = "given", .gap = gap, .values = heading(told, gap), .columns = {width, beyond, share}};
 }

@@ -77,7 +77,10 @@ Html HtmlTable::markup(std::string_view attributes) const {
   for (const Column& column : columns_) {
     Html name = Html::text(column.name);
     if (units) name += Html::markup("<br>") + element("small", column.unit.empty() ? no_unit : column.unit);
-    head += element("th", name, std::string("scope=\"col\"") + (column.numeric ? "" : " class=\"t\""));
+    // A heading without a word would be read out as one.
+    const bool is_heading = !column.name.empty();
+    head += element(is_heading ? "th" : "td", name,
+                    std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
   const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
