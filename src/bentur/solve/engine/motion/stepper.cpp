@@ -147,10 +147,7 @@ Eigen::VectorXd Stepper::hold(const std::vector<Eigen::Index>& resting, Eigen::V
 
 bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& motion, State& to) {
   const bool all = range_.first == 0 && range_.end == std::ssize(system_->blocks);
-  // Others advance by power series; and where damping sets the pace the interpolant is worse than the step.
-  const auto damps = [&](Eigen::Index i) { return start.forces.linear[i].damping > 0.0; };
-  const bool damped = std::any_of(start.forces.pressing.begin(), start.forces.pressing.end(), damps);
-  if (!all || damped) longest = std::min(longest, series_reach / start.forces.rate);
+  if (!all) longest = std::min(longest, series_reach / start.forces.rate);  // others advance by power series
   const bool first = fresh_;
   if (first) {
     fresh_ = false;
@@ -166,12 +163,15 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
     if (parting_scale_ > 0.0) h = longest_before_parting(start, h);
     const bool last = h >= longest * (1.0 - remainder_slack);
     if (last) h = longest;
-    const double error = pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
+    double error = pair_.step(start.state, start.inputs, h, range_, start.force_at, to);
+    if (error <= 1.0) {
+      expand_pair(start, h, motion, to);
+      error = std::max(error, pair_.defect(start.force_at, motion));
+    }
     const double next = control_.next(h, error);
     if (error <= 1.0) {
       if (first && !last) first_guess_ = h;
       guess_ = last ? std::max(next, guess_) : next;
-      expand_pair(start, h, motion, to);
       return true;
     }
     if (!first && parting_scale_ == 0.0) parting_scale_ = h;

@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 // Coefficients of DOP853 [HairerNorsettWanner1993]: row i of `weights` makes stage i + 1 of those before it; row 11 is
 // the result of order 8 (stage 12 its slope), rows 12 to 14 are for the interpolant alone.
@@ -96,6 +97,8 @@ constexpr std::array<std::array<double, 16>, 4> interpolant = {
 constexpr int stages = 12;
 constexpr int all_stages = 16;
 constexpr int speed_degree = kernels::powers - 1;  // of the interpolant of v
+constexpr double worst_place = 0.7;                // of a step: there the interpolant is farthest from (T-1)
+constexpr double defect_over_error = 100.0;        // what is allowed there, over the error of a step
 
 /// What follows from the coefficients for q̈ = a(t, q, v).
 struct Tables {
@@ -169,7 +172,8 @@ EmbeddedPair::EmbeddedPair(const ModalSystem& system, double tolerance)
     : system_(&system),
       tolerance_(tolerance),
       rate_(MatrixXd::Zero(system.size, all_stages)),
-      forces_(std::ssize(system.elements)) {}
+      forces_(std::ssize(system.elements)),
+      slope_(VectorXd::Zero(system.size)) {}
 
 /// Slope of stage i, from those before it.
 void EmbeddedPair::stage(int i, const ForceFunction& forces) {
@@ -215,6 +219,7 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
     five += h * h * (of_mode * (five_q.square() + five_v.square())).sum();
     three += h * h * (of_mode * (three_q.square() + three_v.square())).sum();
   });
+  size_ = 0.0;
   if (five == 0.0 && three == 0.0) return 0.0;
   const auto of_mode = system_->of_mode.segment(begin_, count_).array();
   const auto omega_squared = system_->omega_squared.segment(begin_, count_).array();
@@ -224,8 +229,13 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
         .sum();
   };
   const double change = h * h * (of_mode * rate_.col(0).segment(begin_, count_).array().square()).sum();
-  const double size = std::sqrt(std::max({energy(from), energy(to), change}));
-  return five / std::sqrt(five + 0.01 * three) / (tolerance_ * size);
+  double driven = 0.0;  // by the ground, even where contacts hold what it drives
+  for (Index b = range.first; b < range.end; ++b) {
+    const ModalSystem::Block& block = system_->blocks[b];
+    driven += system_->gamma.segment(block.begin, block.modes).squaredNorm() * inputs[b].value * inputs[b].value;
+  }
+  size_ = std::sqrt(std::max({energy(from), energy(to), change, h * h * driven}));
+  return five / std::sqrt(five + 0.01 * three) / (tolerance_ * size_);
 }
 
 void EmbeddedPair::expand(const ForceFunction& forces, Expansion& motion) {
@@ -240,6 +250,18 @@ void EmbeddedPair::expand(const ForceFunction& forces, Expansion& motion) {
                        c.col(1).data() + begin_);
   c.col(0).segment(begin_, count_) = start_.q.segment(begin_, count_);
   c.col(1).segment(begin_, count_) = h_ * start_.v.segment(begin_, count_);
+}
+
+double EmbeddedPair::defect(const ForceFunction& forces, const Expansion& motion) {
+  if (size_ == 0.0) return 0.0;
+  motion.evaluate(worst_place, at_, &slope_);
+  inputs_at_ = *inputs_;
+  system_->advance(inputs_at_, worst_place * h_);
+  forces(at_, inputs_at_, forces_);
+  system_->acceleration(at_, inputs_at_, forces_, acceleration_);
+  const auto apart = (slope_ - acceleration_).segment(begin_, count_).array();
+  const double square = (system_->of_mode.segment(begin_, count_).array() * apart.square()).sum();
+  return h_ * std::sqrt(square) / (defect_over_error * tolerance_ * size_);
 }
 
 }  // namespace bentur::engine

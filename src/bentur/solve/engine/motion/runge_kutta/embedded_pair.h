@@ -21,9 +21,9 @@ struct BuildingRange {
 /// = v the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the
-/// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends and the change of v. As coordinates are
-/// normalised by mass this is an error of the square root of energy; ground coordinates, which are not, have
-/// no part in it.
+/// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends, the change of v, and what the ground alone
+/// would change of it: a building that is held still against its neighbour has no other. As coordinates are normalised
+/// by mass this is an error of the square root of energy; ground coordinates, which are not, have no part in it.
 class EmbeddedPair {
  public:
   EmbeddedPair(const ModalSystem& system, double tolerance);
@@ -37,6 +37,11 @@ class EmbeddedPair {
   /// range of the expansion are for its owner to set.
   void expand(const ForceFunction& forces, Expansion& motion);
 
+  /// How far the interpolant of the step last tried is from (T-1) where it is worst, over what is allowed: 100 times
+  /// the tolerance; more than 1 is a step not to be accepted. As the interpolant is one order lower than the step,
+  /// where a force damps strongly it can be much worse. @param motion the expansion that expand() has filled
+  double defect(const ForceFunction& forces, const Expansion& motion);
+
   static constexpr int degree = 8;
 
  private:
@@ -47,12 +52,13 @@ class EmbeddedPair {
   // The step last tried.
   const std::vector<GroundInput>* inputs_ = nullptr;
   double h_ = 0;
+  double size_ = 0;                     ///< of the motion
   Eigen::Index begin_ = 0, count_ = 0;  ///< coordinates of the range
   State start_;
   Eigen::MatrixXd rate_;  ///< v̇ of each stage, coordinates × stages
   State at_;              ///< of a stage
   std::vector<GroundInput> inputs_at_;
-  Eigen::VectorXd forces_, acceleration_;
+  Eigen::VectorXd forces_, acceleration_, slope_;
 };
 
 }  // namespace bentur::engine
