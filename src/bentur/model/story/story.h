@@ -21,6 +21,8 @@ enum class Severity {
 };
 /// "danger", "warning", "finding", "remark".
 [[nodiscard]] std::string_view severity_name(Severity severity);
+/// Whether a verdict with such a statement is a warning.
+[[nodiscard]] inline bool is_grave(Severity severity) { return severity <= Severity::warning; }
 
 /// What fills a {name} in the text of a statement.
 struct StoryValue {

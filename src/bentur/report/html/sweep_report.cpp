@@ -97,7 +97,7 @@ html::PageSection verdict(const SweepData& sweep, const Words& say) {
     // The gravest has its badge first.
     if (block.str().empty() && !one.badge.empty()) block += element("p", one.badge, "class=\"badge\"");
     block += element("p", one.text, one.badge.empty() ? "" : "class=\"lead\"");
-    grave = grave || one.severity <= Severity::warning;
+    grave = grave || is_grave(one.severity);
   }
   return {"verdict", say("heading.verdict"), element("div", block, html::verdict_class(grave))};
 }

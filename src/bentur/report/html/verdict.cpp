@@ -8,8 +8,6 @@
 namespace bentur::html {
 namespace {
 
-bool is_grave(Severity severity) { return severity == Severity::danger || severity == Severity::warning; }
-
 /// A statement as paragraphs: its badge where the one before has another, and its text.
 Html paragraphs(const Report& report, const SaidStatement& statement, std::string& badge, bool names_gap) {
   Html block;
