@@ -17,6 +17,7 @@
 #include "bentur/solve/solver.h"
 #include "tests/invariance/case_text.h"
 #include "tests/invariance/difference.h"
+#include "tests/invariance/movement.h"
 #include "tests/invariance/random_case.h"
 #include "tests/invariance/transforms.h"
 #include "tests/invariance/unit_change.h"
@@ -25,27 +26,6 @@ namespace bentur {
 namespace {
 
 using namespace bentur::test;
-
-/// How far perturbations move a case.
-class Movement {
- public:
-  Movement(const RandomCase& random_case, const Response& base) : case_(&random_case), base_(&base) {}
-
-  /// As many are tried, those before included, as it takes to move it by `enough`, up to twenty.
-  double reach(double enough) {
-    for (; tried_ < 20 && most_ < enough; ++tried_) {
-      const Response moved = solve(make_problem(perturbed(*case_, tried_, farthest_displacement(*base_))));
-      most_ = std::max(most_, difference(*base_, moved, case_->c.analysis.duration).size);
-    }
-    return most_;
-  }
-
- private:
-  const RandomCase* case_;
-  const Response* base_;
-  unsigned tried_ = 0;
-  double most_ = 0;
-};
 
 struct Transform {
   std::string name;
@@ -99,6 +79,52 @@ std::pair<unsigned, unsigned> chosen_cases() {
 
 constexpr unsigned parts = 4;  // run at the same time
 
+/// Rebounds without loss at a gap of next to nothing follow one another without end.
+bool has_too_many_events(const Response& response) {
+  return response.status == Status::failed && response.message.starts_with("more than 100000 events");
+}
+
+struct Tally {
+  long impacts = 0, compared = 0, sensitive = 0, unexplained = 0, endless = 0;
+};
+
+/// Compares a random case with all its transforms; those that differ are written into `folder`.
+void examine(unsigned seed, const std::filesystem::path& folder, Tally& tally) {
+  const RandomCase random_case = CaseGenerator(seed).make();
+  const Problem problem = make_problem(random_case.c);
+  const Response base = solve(problem);
+  tally.impacts += static_cast<long>(base.impacts.size());
+  Movement movement(problem, base,
+                    [&](unsigned of) { return make_problem(perturbed(random_case, of, farthest_displacement(base))); });
+  bool is_sensitive = false, is_unexplained = false;
+  for (const Transform& transform : transforms(random_case, problem, seed)) {
+    const Response other = starting_as(base, transform.back(solve(make_problem(transform.c))), problem);
+    ++tally.compared;
+    const Difference apart = difference(base, other, problem.duration);
+    if (base.status == Status::done && apart.size <= same) continue;
+    if (has_too_many_events(base) && has_too_many_events(other)) {
+      ++tally.endless;
+      continue;
+    }
+    const double moved = base.status == Status::done ? movement.reach(apart.size) : 0;
+    if (10 * moved >= apart.size && base.status == Status::done) {
+      is_sensitive = true;
+      continue;
+    }
+    is_unexplained = true;
+    const std::string name = fmt::format("case-{}", seed);
+    write_case(random_case.c, folder, name);
+    ADD_FAILURE() << (folder / (name + ".toml")).string() << ", " << transform.name << ": " << apart.what
+                  << ", apart by " << apart.size << "; by perturbations " << moved;
+  }
+  tally.sensitive += is_sensitive && !is_unexplained ? 1 : 0;
+  tally.unexplained += is_unexplained ? 1 : 0;
+}
+
+std::filesystem::path folder_of(unsigned first) {
+  return std::filesystem::path(BENTUR_BINARY_DIR) / fmt::format("invariance-{}", first);
+}
+
 class Invariance : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Invariance, OfRandomCasesHoweverTheyAreDescribed) {
@@ -106,40 +132,22 @@ TEST_P(Invariance, OfRandomCasesHoweverTheyAreDescribed) {
   const unsigned first = all_first + all * GetParam() / parts;
   const unsigned count = all_first + all * (GetParam() + 1) / parts - first;
   if (count == 0) GTEST_SKIP() << "fewer cases than parts";
-  const std::filesystem::path folder = std::filesystem::path(BENTUR_BINARY_DIR) / fmt::format("invariance-{}", first);
-  std::filesystem::remove_all(folder);
-  long impacts = 0, compared = 0, sensitive = 0, unexplained = 0;
-  for (unsigned seed = first; seed < first + count; ++seed) {
-    const RandomCase random_case = CaseGenerator(seed).make();
-    const double duration = random_case.c.analysis.duration;
-    const Problem problem = make_problem(random_case.c);
-    const Response base = solve(problem);
-    impacts += static_cast<long>(base.impacts.size());
-    Movement movement(random_case, base);
-    bool is_sensitive = false, is_unexplained = false;
-    for (const Transform& transform : transforms(random_case, problem, seed)) {
-      const Response other = transform.back(solve(make_problem(transform.c)));
-      ++compared;
-      const Difference apart = difference(base, other, duration);
-      if (base.status == Status::done && apart.size <= same) continue;
-      const double moved = base.status == Status::done ? movement.reach(apart.size) : 0;
-      if (10 * moved >= apart.size && base.status == Status::done) {
-        is_sensitive = true;
-        continue;
-      }
-      is_unexplained = true;
-      const std::string name = fmt::format("case-{}", seed);
-      write_case(random_case.c, folder, name);
-      ADD_FAILURE() << (folder / (name + ".toml")).string() << ", " << transform.name << ": " << apart.what
-                    << ", apart by " << apart.size << "; by perturbations " << moved;
-    }
-    sensitive += is_sensitive && !is_unexplained ? 1 : 0;
-    unexplained += is_unexplained ? 1 : 0;
-  }
-  fmt::print("{} cases, {} impacts, {} comparisons: {} cases sensitive to 1e-12, {} not explained\n", count, impacts,
-             compared, sensitive, unexplained);
-  EXPECT_GT(impacts, 3 * count);
-  EXPECT_LT(sensitive, 0.15 * count + 1);  // of rows that touch, many are
+  std::filesystem::remove_all(folder_of(first));
+  Tally tally;
+  for (unsigned seed = first; seed < first + count; ++seed) examine(seed, folder_of(first), tally);
+  fmt::print("{} cases, {} impacts, {} comparisons: {} cases sensitive, {} not explained\n", count, tally.impacts,
+             tally.compared, tally.sensitive, tally.unexplained);
+  EXPECT_GT(tally.impacts, 3 * count);
+  EXPECT_LT(tally.sensitive, 0.15 * count + 1);                       // of rows that touch, many are
+  EXPECT_LE(tally.endless, 4 + 4 * static_cast<long>(count) / 1000);  // up to four descriptions of each
+}
+
+// Peak forces between the ends of long steps were off by 1e-6 to 1e-4: the damping of the force is faster than the
+// step.
+TEST(Integration, KnowsPeaksWhereDampingSetsThePace) {
+  Tally tally;
+  for (const unsigned seed : {2323U, 3772U, 3791U, 4636U}) examine(seed, folder_of(0), tally);
+  EXPECT_GT(tally.impacts, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, Invariance, testing::Range(0U, parts));

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "bentur/solve/solver.h"
+#include "tests/invariance/difference.h"
+
+// What two descriptions of one case may differ by: what its numbers and the solver's tolerance leave open.
+
+namespace bentur::test {
+
+/// Where floors touch and rest, the opening leaves zero with the second to the eighth power of time (the second or
+/// third of the ground's, two more for each storey or neighbour between), and round-off leaves open when. A contact of
+/// such a point that is its first one, or that begins without speed, starts as in `base`, if that is near.
+inline Response starting_as(const Response& base, Response response, const Problem& problem) {
+  constexpr double near = 1e-2;  // of the duration: the eighth root of round-off
+  const double slow = 1e-7 * largest(base, &Impact::closing_speed);
+  std::vector<std::vector<Impact>> of_base;
+  for (int point = 0; point < static_cast<int>(base.points.size()); ++point) of_base.push_back(impacts_at(base, point));
+  std::vector<std::size_t> met(of_base.size(), 0);
+  for (Impact& impact : response.impacts) {
+    const auto point = static_cast<std::size_t>(impact.point);
+    const std::size_t n = met[point]++;
+    if (problem.points[point].width != 0 || n >= of_base[point].size()) continue;
+    const Impact& like = of_base[point][n];
+    const bool known = n > 0 && std::max(impact.closing_speed, like.closing_speed) > slow;
+    if (!known && std::abs(impact.start - like.start) < near * problem.duration) impact.start = like.start;
+  }
+  return response;
+}
+
+/// Whether some contact's force is integrated, by steps that have a tolerance.
+inline bool is_integrated(const Problem& problem) {
+  return std::any_of(problem.points.begin(), problem.points.end(), [](const ContactPoint& point) {
+    const LawState closed = point.law->next({}, 0, 0.0, 0.0, 1.0);
+    return !point.law->restitution() && !point.law->branch(closed).linear;
+  });
+}
+
+/// How far a case is moved by perturbations of its numbers and, where contacts are integrated, by other steps of the
+/// same tolerance.
+class Movement {
+ public:
+  /// `perturbed`: the case with its numbers changed a little, another way for each seed.
+  Movement(const Problem& problem, const Response& base, std::function<Problem(unsigned)> perturbed)
+      : problem_(&problem), base_(&base), perturbed_(std::move(perturbed)) {}
+
+  /// Relative, as `difference` has it. Perturbations are tried until it is `enough`, up to twenty.
+  double reach(double enough) {
+    if (tried_ == 0 && is_integrated(*problem_)) note(solve(*problem_, AdaptiveSolver{1e-10}));
+    for (; tried_ < 20 && most_ < enough; ++tried_) note(solve(perturbed_(tried_)));
+    return most_;
+  }
+
+ private:
+  void note(const Response& moved) {
+    if (moved.status != Status::done) return;
+    most_ = std::max(most_, difference(*base_, starting_as(*base_, moved, *problem_), problem_->duration).size);
+  }
+
+  const Problem* problem_;
+  const Response* base_;
+  std::function<Problem(unsigned)> perturbed_;
+  unsigned tried_ = 0;
+  double most_ = 0;
+};
+
+}  // namespace bentur::test
