@@ -380,7 +380,7 @@ void Elements::change(const Event& event, double time, State& state) {
   double closing = speed(i, state);
   const bool awaited = awaits(i);
   if (awaited && touches_[i].time >= 0.0) {
-    start = touches_[i].time;
+    start = std::min(touches_[i].time, time);  // both are sums, to their round-off
     closing = touches_[i].closing_speed;
     touches_[i] = {};
   }
@@ -474,7 +474,7 @@ void Elements::collide(Index element, double time, State& state) {
     const bool rests = pressed && slow[n] != 0;
     if (!was_resting && p(n) > 0.0) {
       const bool touched_before = touches_[i].time >= 0.0;
-      log_.begin(i, touched_before ? touches_[i].time : time, before(n));
+      log_.begin(i, touched_before ? std::min(touches_[i].time, time) : time, before(n));
     }
     log_.under_way(i).impulse += p(n);
     log_.under_way(i).energy_lost += lost;
