@@ -64,7 +64,7 @@ function(bentur_embed module function header)
     DEPENDS ${ARGN} ${script}
     COMMENT "Embedding files in ${module}" VERBATIM)
   bentur_alone(${source})
-  set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -Wno-overlength-strings)
   target_sources(bentur_${module} PRIVATE ${source})
 endfunction()
 

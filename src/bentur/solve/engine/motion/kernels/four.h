@@ -7,7 +7,8 @@
 
 #include "bentur/solve/engine/motion/kernels/power_factors.h"
 
-#if defined(__x86_64__) && defined(__linux__)
+// clang++ inlines no vectors of four into a function for another processor: there is one version of each, for all.
+#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
 #define BENTUR_FOR_ALL_PROCESSORS __attribute__((target_clones("avx2", "default")))
 #else
 #define BENTUR_FOR_ALL_PROCESSORS
