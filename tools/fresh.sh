@@ -84,6 +84,36 @@ variables=(HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb)
 for name in http_proxy https_proxy no_proxy; do
   if [ -n "${!name:-}" ]; then variables+=("$name=${!name}"); fi
 done
+# What the package that was built in there does in another such Debian, where nothing else is.
+try_package() {
+  local other=$folder/$suite-installed
+  rm -rf --one-file-system "$other"
+  mkdir "$other"
+  tar -C "$other" -xf "$base"
+  cp -L /etc/resolv.conf /etc/hosts "$other/etc/"
+  cp -r "$tree/etc/apt/apt.conf.d/." "$other/etc/apt/apt.conf.d/"
+  mkdir -p "$other/etc/ssl/certs"
+  cp -r "$tree/etc/ssl/certs/." "$other/etc/ssl/certs/"
+  cp "$tree"/root/bentur/build/package/*.deb "$other/root"
+  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$other" \
+    /usr/bin/env -i "${variables[@]}" bash -euc '
+      cd ~
+      export DEBIAN_FRONTEND=noninteractive
+      apt-get update -q
+      apt-get install -y -q --no-install-recommends ./bentur_*.deb
+      bentur --version
+      bentur example m12-el-centro -o own.toml
+      bentur run own.toml -o results
+      ls results/summary.json
+      apt-get install -y -q --no-install-recommends ./libbentur-dev_*.deb
+      ls /usr/include/bentur/solve/solver.h' >"$folder/$suite-installed.log" 2>&1 || {
+    tail -n 30 "$folder/$suite-installed.log" >&2
+    echo "$suite: the package cannot be installed or does not run; all of it: $folder/$suite-installed.log"
+    exit 1
+  }
+  rm -rf --one-file-system "$other"
+}
+
 for name in "$@"; do
   say "./dev $name in a bare $suite"
   command="cd ~/bentur && time ./dev $name"
@@ -110,6 +140,7 @@ for name in "$@"; do
   processor=$(awk '/^(user|sys)\t/ { split($2, part, /[ms]/); sum += 60 * part[1] + part[2] } END { print int(sum + 0.5) }' "$log")
   summary=$(grep -E '^[0-9]+ passed, ' "$log" | tail -n 1 || true)
   grep -E '^(first case|package installed|what the examples) ' "$log" | sed "s/^/$suite: /" || true
+  if [ "$name" = package ]; then try_package; fi
   echo "$suite: ./dev $name passed in $seconds s ($processor s of processors)${summary:+: $summary}"
 done
 rm -rf --one-file-system "$tree"

@@ -164,7 +164,20 @@ def alone(root):
                 yield f"{path}:{number}: names a file beside the repository"
 
 
-RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone)}
+def version(root):
+    """One version: that of CMakeLists.txt. CITATION.cff repeats it; CHANGELOG.md has an entry for it or begins one after."""
+    told = re.search(r"^project\(bentur VERSION ([0-9.]+) ", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+    cited = re.search(r"^version: (.*)$", (root / "CITATION.cff").read_text(), re.MULTILINE)[1]
+    if cited != told:
+        yield f"CITATION.cff: version {cited}, but CMakeLists.txt has {told}; ./dev release writes both"
+    entries = re.findall(r"^## ([0-9.]+)(.*)$", (root / "CHANGELOG.md").read_text(), re.MULTILINE)
+    if told not in dict(entries):
+        yield f"CHANGELOG.md: no entry for {told}"
+    elif entries[0][0] != told and entries[0][1] != " (unreleased)":
+        yield f"CHANGELOG.md: begins with {entries[0][0]}, but CMakeLists.txt has {told}"
+
+
+RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, version)}
 
 
 def main():

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# release.sh ROOT VERSION: writes the version where it stands, commits that, and puts into build/release-VERSION what is
+# published: the source archive, from which the program is built and run here, the wheels that ./dev wheels has made of the
+# same version, and their checksums. It says what is left to do; it sends nothing anywhere.
+set -euo pipefail
+say() { echo "release: $*" >&2; }
+root=$1 version=${2:-}
+[[ $version =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]] || { say "which version? ./dev release 1.2.3"; exit 1; }
+cd "$root"
+[ -z "$(git status --porcelain)" ] || { say "there are changes that are not committed"; exit 1; }
+date=$(date +%F)
+if ! grep -q "^## $version (.*)$" CHANGELOG.md; then
+  say "CHANGELOG.md has no entry '## $version (unreleased)'"
+  exit 1
+fi
+sed -i "s/^## $version (unreleased)$/## $version ($date)/" CHANGELOG.md
+sed -i "s/^project(bentur VERSION [0-9.]* /project(bentur VERSION $version /" CMakeLists.txt
+sed -i -e "s/^version: .*/version: $version/" -e "s/^date-released: .*/date-released: $date/" CITATION.cff
+if [ -n "$(git status --porcelain)" ]; then
+  git commit -qm "Version $version" -- CHANGELOG.md CMakeLists.txt CITATION.cff
+fi
+
+out=$root/build/release-$version
+rm -rf "$out"
+mkdir -p "$out"
+archive=$out/bentur-$version.tar.gz
+git archive --prefix="bentur-$version/" -o "$archive" HEAD
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+tar -C "$scratch" -xf "$archive"
+say "building the program from the archive"
+(cd "$scratch/bentur-$version" && ./dev build) >"$out/build.log" 2>&1 || { tail -n 20 "$out/build.log" >&2; exit 1; }
+"$scratch/bentur-$version/build/release/apps/bentur/bentur" run >"$out/run.txt"
+tail -n 1 "$out/run.txt"
+rm "$out/run.txt" "$out/build.log"
+if ls build/wheels/bentur-"$version"-*.whl >/dev/null 2>&1; then
+  cp build/wheels/bentur-"$version"-*.whl "$out"
+else
+  say "no wheels of $version: ./dev wheels makes them, then ./dev release $version again"
+fi
+(cd "$out" && sha256sum -- * >SHA256SUMS && sha512sum "bentur-$version.tar.gz")
+ls "$out"
+say "left to do: git tag -a v$version, push it, and publish build/release-$version with the entry of CHANGELOG.md"
