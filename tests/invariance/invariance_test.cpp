@@ -106,8 +106,7 @@ void examine(unsigned seed, const std::filesystem::path& folder, Tally& tally) {
       ++tally.endless;
       continue;
     }
-    const double moved = base.status == Status::done ? movement.reach(apart.size) : 0;
-    if (10 * moved >= apart.size && base.status == Status::done) {
+    if (base.status == Status::done && other.status == Status::done && movement.explains(apart)) {
       is_sensitive = true;
       continue;
     }
@@ -115,7 +114,7 @@ void examine(unsigned seed, const std::filesystem::path& folder, Tally& tally) {
     const std::string name = fmt::format("case-{}", seed);
     write_case(random_case.c, folder, name);
     ADD_FAILURE() << (folder / (name + ".toml")).string() << ", " << transform.name << ": " << apart.what
-                  << ", apart by " << apart.size << "; by perturbations " << moved;
+                  << ", apart by " << apart.size << "; by perturbations " << movement.most();
   }
   tally.sensitive += is_sensitive && !is_unexplained ? 1 : 0;
   tally.unexplained += is_unexplained ? 1 : 0;

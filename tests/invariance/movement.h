@@ -50,6 +50,16 @@ class Movement {
   Movement(const Problem& problem, const Response& base, std::function<Problem(unsigned)> perturbed)
       : problem_(&problem), base_(&base), perturbed_(std::move(perturbed)) {}
 
+  /// Whether it is moved by a tenth of what two descriptions are apart. One impact more or less counts as 1: where a
+  /// case is moved by a tenth of itself, some contact is grazed.
+  bool explains(const Difference& apart) {
+    const double size = std::min(apart.size, 1.0);
+    return 10 * reach(0.1 * size) >= size;
+  }
+  /// By how much it was, as far as was tried.
+  [[nodiscard]] double most() const { return most_; }
+
+ private:
   /// Relative, as `difference` has it. Perturbations are tried until it is `enough`, up to twenty.
   double reach(double enough) {
     if (tried_ == 0 && is_integrated(*problem_)) note(solve(*problem_, AdaptiveSolver{1e-10}));
@@ -57,7 +67,6 @@ class Movement {
     return most_;
   }
 
- private:
   void note(const Response& moved) {
     if (moved.status != Status::done) return;
     most_ = std::max(most_, difference(*base_, starting_as(*base_, moved, *problem_), problem_->duration).size);
