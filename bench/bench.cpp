@@ -47,9 +47,9 @@ Problem m12_with(const LawEntry& law) {
   const std::vector<double> spring = contact.numbers.at("stiffness");
   contact.law = law.name;
   contact.numbers.clear();
-  for (const LawKey& key : law.keys) {
-    if (key.need == LawKey::Need::one_of && key.name != "restitution") continue;
-    contact.numbers[std::string(key.name)] = key.axial ? spring : std::vector<double>{values.at(key.name)};
+  for (const Key& key : law.keys) {
+    if (key.need == Need::one_of && key.name != "restitution") continue;
+    contact.numbers[std::string(key.name)] = !key.words.empty() ? spring : std::vector<double>{values.at(key.name)};
   }
   return make_problem(c);
 }

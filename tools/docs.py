@@ -114,6 +114,7 @@ docs/howto/add_element
 
 docs/case-file
 docs/result-files
+docs/editor
 docs/record-files
 docs/separation-rules
 docs/response-spectrum

@@ -15,6 +15,7 @@ struct ExampleArguments {
   std::string name;
   std::string directory = ".";
   bool force = false;
+  bool no_schema = false;
 };
 
 void list_examples() {
@@ -34,7 +35,8 @@ void run(const ExampleArguments& arguments) {
   if (example == all.end()) {
     throw Failure(exit_bad_input, "no example \"" + arguments.name + "\"; `bentur example` lists them");
   }
-  const std::filesystem::path file = write_example(*example, arguments.directory, {.force = arguments.force});
+  const std::filesystem::path file =
+      write_example(*example, arguments.directory, {.force = arguments.force}, !arguments.no_schema);
   print(file.string() + "\n");
   message("Run it: bentur run " + file.string());
 }
@@ -50,6 +52,8 @@ void add_example_command(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str()
       ->check(not_empty())
+      ->needs(name);
+  command->add_flag("--no-schema", arguments->no_schema, "without the schema for editors and the line that names it")
       ->needs(name);
   add_force(*command, arguments->force);
   command->footer(

@@ -41,8 +41,8 @@ std::string codes_note(const CodeSpec& code, const Words& say) {
       continue;
     }
     std::vector<std::string_view> keys;
-    for (const CodeKey& key : rule.keys) {
-      if (key.kind != CodeKey::Kind::flag) keys.push_back(key.name);
+    for (const Key& key : rule.keys) {
+      if (key.is_required()) keys.push_back(key.name);
     }
     others.push_back(fmt::format("  code.{}: {}\n", rule.name, fmt::join(keys, ", ")));
   }

@@ -16,5 +16,6 @@ void add_fragility_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_spectrum_command(CLI::App& app);
 void add_plot_command(CLI::App& app);
+void add_schema_command(CLI::App& app);
 
 }  // namespace bentur::cli

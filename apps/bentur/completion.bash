@@ -4,12 +4,12 @@ _bentur() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      run | report | gap | sweep | ida | fragility | modes | check | spectrum | plot | example) command=$word && break ;;
+      run | report | gap | sweep | ida | fragility | modes | check | spectrum | plot | example | schema) command=$word && break ;;
     esac
   done
   COMPREPLY=()
   if [[ $previous == -o || $previous == --output ]]; then
-    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|spectrum|plot|report) ]] && echo -f || echo -d)" -- "$current")
+    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|spectrum|plot|report|schema) ]] && echo -f || echo -d)" -- "$current")
     compopt -o filenames 2>/dev/null
     return
   fi
@@ -26,7 +26,7 @@ _bentur() {
     return
   fi
   case $command in
-    '') options='run report gap sweep ida fragility modes check spectrum plot example --help --version' ;;
+    '') options='run report gap sweep ida fragility modes check spectrum plot example schema --help --version' ;;
     run) options='--output --figures --json --quiet --force --help' ;;
     report) options='--output --lang --force --help' ;;
     gap) options='--at --json --help' ;;
@@ -36,7 +36,8 @@ _bentur() {
     check) options='--help' ;;
     spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --force --json --help' ;;
     plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --help' ;;
-    example) options='--output --force --help' ;;
+    example) options='--output --no-schema --force --help' ;;
+    schema) options='--output --force --help' ;;
   esac
   if [[ -z $command || $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
@@ -50,6 +51,8 @@ _bentur() {
   elif [[ $command == plot ]]; then
     mapfile -t COMPREPLY < <(compgen -f -X '!*.nc' -- "$current"; compgen -d -- "$current")
     compopt -o filenames 2>/dev/null
+  elif [[ $command == schema ]]; then
+    mapfile -t COMPREPLY < <(compgen -W 'case study' -- "$current")
   elif [[ $command == example ]]; then
     local names=''
     while read -r word _; do names+=" $word"; done < <("${COMP_WORDS[0]}" example 2>/dev/null)

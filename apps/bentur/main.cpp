@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   add_spectrum_command(app);
   add_plot_command(app);
   add_example_command(app);
+  add_schema_command(app);
   app.require_subcommand(1);
 
   if (argc == 1) {

@@ -11,7 +11,10 @@ HardeningSpring::HardeningSpring(double stiffness, double hardening) : stiffness
 
 LawEntry HardeningSpring::entry() {
   return {"hardening-spring",
-          {{"stiffness"}, {"hardening", LawKey::Range::not_negative}},
+          "k δ + k₃ δ³",
+          {spring_stiffness(),
+           Key::number("hardening", {-3, 1, 0}, Range::not_negative, {"Hardening", "Pengerasan"}, "k₃ of k δ + k₃ δ³")
+               .for_each("one per contact point")},
           {},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<HardeningSpring>(in.number("stiffness"), in.number("hardening"));

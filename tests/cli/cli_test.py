@@ -30,7 +30,7 @@ EXAMPLES = ["m12-el-centro", "free-impact", "generic-neighbour", "isolated-moat"
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
-COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example"]
+COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example", "schema"]
 
 
 def bentur(*arguments, cwd=None, env=None):
@@ -399,8 +399,20 @@ class Example(CommandLine):
                 self.assertEqual(*summaries)
 
     def test_default_folder_is_the_current_one(self):
-        self.done("example", "free-impact", cwd=self.folder)
+        self.done("example", "free-impact", "--no-schema", cwd=self.folder)
         self.assertEqual([file.name for file in self.folder.iterdir()], ["free-impact.toml"])
+        self.assertEqual((self.folder / "free-impact.toml").read_text(), (SOURCE / "examples" / "free-impact.toml").read_text())
+
+    def test_a_case_names_the_schema_beside_it(self):
+        case = self.written("free-impact").read_text().split("\n")
+        head = next(n for n, line in enumerate(case) if not line.startswith("#"))
+        self.assertEqual(case[head - 1], "#:schema ./bentur.schema.json")
+        schema = (self.folder / "bentur.schema.json").read_text()
+        self.assertEqual(schema, self.done("schema").stdout)
+        self.done("schema", "case", "-o", self.folder / "other.json")
+        self.assertEqual((self.folder / "other.json").read_text(), schema)
+        self.assertNotEqual(self.done("schema", "study").stdout, schema)
+        self.assertIn("not written", self.fails(2, "schema", "-o", self.folder / "free-impact.toml").stderr)
 
     def test_never_overwrites_an_edited_case(self):
         case = self.written("m12-el-centro")

@@ -31,6 +31,8 @@ PRINTS = re.compile(r"\A\n+prints\n+```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # What another test or command runs, by language or by the first words of a command.
 ELSEWHERE = {
     "cpp": "tests/consumer builds it",
+    "json": "settings of an editor",
+    "lua": "settings of an editor",
     "cmake": "tests/consumer",
     "console": "tests/worked",
     "console records": "tests/worked",

@@ -1,42 +1,45 @@
-"""Classes and docstrings have the keys of docs/case-file.md, and the reader knows them."""
+"""Classes have the keys of the schema, and the reader knows them; docstrings are what headers say."""
 
 import dataclasses
+import json
+import pathlib
 import re
 import types
 import typing
 
 import docstrings
 import pytest
+import python_classes
 from doors import ROOT
 
 import bentur
 
-REFERENCE = (ROOT / "docs" / "case-file.md").read_text()
 # What is of Python alone: a record given as an array.
 OWN = {"Excitation": {"values"}}
-CLASSES = list(docstrings.SECTIONS)
+CLASSES = list(python_classes.CLASSES)
+
+
+@pytest.fixture(scope="module")
+def schema():
+    return json.loads(bentur._core.schema(False))
 
 
 @pytest.mark.parametrize("file", docstrings.HEADERS)
-def test_docstrings_are_what_headers_and_reference_say(file):
+def test_docstrings_are_what_headers_say(file):
     assert (ROOT / docstrings.PACKAGE / file).read_text() == docstrings.written(ROOT, file), "./dev docstrings writes them"
 
 
-def test_every_table_has_its_class():
+def test_classes_are_what_schema_and_headers_say(schema):
+    assert pathlib.Path(bentur._model.__file__).read_text() == python_classes.written(ROOT, schema)
+
+
+def test_every_table_has_its_class(schema):
     tables = [n for n in bentur.__all__ if dataclasses.is_dataclass(getattr(bentur, n)) and getattr(bentur, n).__module__ == "bentur._model"]
-    assert sorted(CLASSES) == sorted(set(tables) - {"ForceLaw", "BranchLaw", "Branch", "Guard"})
-    top = re.search(r"At the top level: (.*?)\.\n\n", REFERENCE, re.DOTALL)[1]
+    assert sorted(CLASSES) == sorted(tables)
     parameters = bentur.Case.__init__.__annotations__.keys() - {"return", "folder"}
+    assert set(schema["properties"]) == parameters
+    top = re.search(r"At the top level: (.*?)\.\n\n", (ROOT / "docs" / "case-file.md").read_text(), re.DOTALL)[1]
     assert set(re.findall(r"`\[*(\w+)\]*`", top)) == parameters
-
-
-@pytest.mark.parametrize("name", CLASSES)
-def test_keys_are_those_of_the_reference(name):
-    rows = docstrings.keys_of(REFERENCE, name)
-    told = {key for keys, *_, law in rows for key in (*keys, *law[1:])}
-    if any(law for *_, law in rows):
-        told.add("law")
-    assert {field.name for field in dataclasses.fields(getattr(bentur, name))} - OWN.get(name, set()) == told
 
 
 def choices(hint):
@@ -47,20 +50,13 @@ def choices(hint):
 
 
 @pytest.mark.parametrize("name", CLASSES)
-def test_choices_are_those_of_the_reference(name):
-    rows = docstrings.keys_of(REFERENCE, name)
-    for key, hint in typing.get_type_hints(getattr(bentur, name)).items():
-        if not (known := choices(hint)):
-            continue
-        values = " ".join(value for keys, value, *_ in rows if key in keys)
-        told = set(re.findall(r'``"([^"]+)"``', values)) or {law[0] for *_, law in rows if law}
-        if span := re.match(r'.*``"(.)"`` to ``"(.)"``', values):
-            told = {chr(one) for one in range(ord(span[1]), ord(span[2]) + 1)}
-        elif key == "law":
-            told = {law[0] for *_, law in rows if law}
-        elif key == "stiffness":
-            told &= {"axial"}
-        assert known == told, key
+def test_keys_and_choices_are_those_of_the_schema(name, schema):
+    table = python_classes.table_at(schema, python_classes.CLASSES[name][0])[0]["properties"]
+    hints = typing.get_type_hints(getattr(bentur, name))
+    assert hints.keys() - OWN.get(name, set()) == table.keys()
+    for key, said in table.items():
+        assert choices(hints[key]) == {word for told in said["x-bentur"] for word in told.get("words", [])}, key
+        assert f"``{key}``" in getattr(bentur, name).__doc__
 
 
 BASE = """

@@ -23,10 +23,10 @@ inline void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.label
 inline std::vector<Asked> laws_with_a_restitution() {
   std::vector<Asked> list;
   for (const LawEntry& law : contact_laws()) {
-    const auto is_restitution = [](const LawKey& key) { return key.name == "restitution"; };
+    const auto is_restitution = [](const Key& key) { return key.name == "restitution"; };
     if (std::none_of(law.keys.begin(), law.keys.end(), is_restitution)) continue;
     std::vector<Asked> of_law = {{std::string(law.name), &law, {}}};
-    for (const LawChoice& choice : law.choices) {
+    for (const Key& choice : law.choices) {
       if (choice.with == "restitution") continue;
       of_law.clear();
       for (const auto word : choice.words) {

@@ -11,6 +11,8 @@ _Variable = tuple[str, tuple[str, ...], NDArray[Any], dict[str, Any]]
 
 version: str
 
+def schema(study: bool) -> str: ...
+
 class ContactLaw: ...
 
 class ForceLaw(ContactLaw):

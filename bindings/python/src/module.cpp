@@ -2,11 +2,18 @@
 
 #include <pybind11/pybind11.h>
 
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/json_schema.h"
+#include "bentur/study/plan/study_keys.h"
 #include "case_run.h"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of bentur.";
   module.attr("version") = BENTUR_VERSION;
+  module.def("schema", [](bool study) {
+    return study ? bentur::json_schema(bentur::study_keys(), "A study of bentur")
+                 : bentur::json_schema(bentur::case_keys(), "A case of bentur");
+  });
   bentur::python::bind_laws(module);
   bentur::python::bind_case(module);
   bentur::python::bind_run(module);

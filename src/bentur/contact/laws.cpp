@@ -1,9 +1,5 @@
 #include "bentur/contact/laws.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "bentur/contact/laws/bilinear.h"
 #include "bentur/contact/laws/darmawan.h"
 #include "bentur/contact/laws/hertz.h"
@@ -13,12 +9,44 @@
 #include "bentur/contact/laws/kelvin_voigt_approach.h"
 #include "bentur/contact/laws/linear.h"
 #include "bentur/contact/laws/restitution.h"
-#include "bentur/core/errors.h"
 
 namespace bentur {
 
-const LawChoice& exact_or_published() {
-  static const LawChoice choice = {"calibration", {"exact", "published"}, "restitution"};
+Key spring_stiffness() {
+  return Key::number("stiffness", dimension::stiffness, Range::positive, {"Contact stiffness", "Kekakuan kontak"},
+                     "k; of `\"axial\"`, between two frames, 1/k = 1/K₁ + 1/K₂ with K = EA/(L/2) of the floor beams "
+                     "next to the gap")
+      .for_each("one per contact point")
+      .or_one_of({"axial"});
+}
+
+Key hertz_law_stiffness() {
+  return Key::number("stiffness", dimension::hertz_stiffness, Range::positive, {"Contact stiffness", "Kekakuan kontak"},
+                     "β of Hertz's laws")
+      .for_each("one per contact point");
+}
+
+Key asked_restitution() {
+  return Key::number("restitution", dimension::none, Range::restitution, {"Restitution", "Restitusi"},
+                     "e, the separation speed of a free impact over its closing speed")
+      .for_each("one per contact point")
+      .one_of("damping of the contact");
+}
+
+Key asked_damping_ratio() {
+  return Key::number("damping_ratio", dimension::none, Range::not_negative, {"Damping ratio", "Rasio redaman"},
+                     "ξ; below 1 with `release = \"separation\"`")
+      .for_each("one per contact point")
+      .one_of("damping of the contact");
+}
+
+const Key& exact_or_published() {
+  static const Key choice =
+      Key::choice("calibration", {"exact", "published"}, {"Calibration", "Kalibrasi"},
+                  "how the law's parameter follows from `restitution`: so that a free impact has just this, or by a "
+                  "formula of the literature")
+          .optional()
+          .goes_with("restitution");
   return choice;
 }
 
@@ -31,29 +59,6 @@ const std::vector<LawEntry>& contact_laws() {
   return laws;
 }
 
-const LawEntry* find_law(std::string_view name) {
-  const auto& laws = contact_laws();
-  const auto found = std::find_if(laws.begin(), laws.end(), [&](const LawEntry& law) { return law.name == name; });
-  return found == laws.end() ? nullptr : &*found;
-}
-
-std::optional<double> LawInput::optional_number(std::string_view key) const {
-  const auto found = numbers.find(key);
-  return found == numbers.end() ? std::nullopt : std::optional<double>(found->second);
-}
-
-double LawInput::number(std::string_view key) const {
-  if (const auto given = optional_number(key)) return *given;
-  throw InvalidParameter(std::string(key), "nothing", "must be given");
-}
-
-std::string_view LawInput::word(const LawChoice& choice) const {
-  const auto found = words.find(choice.name);
-  if (found == words.end()) return choice.words.front();
-  const auto& known = choice.words;
-  if (std::find(known.begin(), known.end(), found->second) != known.end()) return found->second;
-  throw InvalidParameter(std::string(choice.name), fmt::format("\"{}\"", found->second),
-                         fmt::format("must be one of {}", fmt::join(known, ", ")));
-}
+const LawEntry* find_law(std::string_view name) { return find_entry(contact_laws(), name); }
 
 }  // namespace bentur

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bentur/elements/law.h"
+#include "bentur/elements/law_entry.h"
 
 namespace bentur {
 
@@ -11,6 +12,7 @@ class SpringDashpot final : public Law {
   /// @throws InvalidParameter unless both are finite and ≥ 0 and one is > 0.
   SpringDashpot(double stiffness, double damping);
 
+  [[nodiscard]] static LawEntryOf<Law> entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "spring-dashpot"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}, {"damping", damping_}}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
@@ -31,6 +33,7 @@ class Cable final : public Law {
   /// @throws InvalidParameter unless stiffness > 0 and slack ≥ 0, both finite.
   Cable(double stiffness, double slack);
 
+  [[nodiscard]] static LawEntryOf<Law> entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "cable"; }
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}, {"slack", slack_}}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
@@ -42,5 +45,8 @@ class Cable final : public Law {
   double stiffness_{};  // k [force/length]
   double slack_{};      // [length]
 };
+
+/// A link that yields: KinematicHardening by the keys of a link.
+[[nodiscard]] LawEntryOf<Law> yielding_link_entry();
 
 }  // namespace bentur

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bentur/files/schema_files.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/output/atomic_file.h"
 
@@ -43,16 +44,19 @@ std::vector<Example> examples() {
 }
 
 std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
-                                    const OutputRules& rules) {
+                                    const OutputRules& rules, bool schema) {
   AtomicFiles output(directory, rules);
   for (const EmbeddedFile* file : example.files) {
     const std::filesystem::path path = directory / file->name;
+    const bool names_schema = schema && file->name.ends_with(".toml");
+    const std::string content = names_schema ? with_schema_line(file->content) : std::string(file->content);
     if (std::filesystem::is_regular_file(path)) {
       std::string problem;
-      if (read_input(path, record_input, problem) == file->content) continue;
+      if (read_input(path, record_input, problem) == content) continue;
     }
-    output.add(std::string(file->name), file->content, ResultKind::example);
+    output.add(std::string(file->name), content, ResultKind::example);
   }
+  if (schema) output.add(std::string(schema_file_name), schema_text(SchemaOf::a_case), ResultKind::schema);
   output.commit();
   return directory / example.files.front()->name;
 }

@@ -31,8 +31,9 @@ struct Example {
 
 /// Writes an example's files into `directory`, which is made if missing.
 /// A file that is there already with other content is not overwritten unless forced.
+/// @param schema for editors: the case names the one beside it, which is written too
 /// @return the path of the case. @throws as AtomicFiles; nothing is written then.
 std::filesystem::path write_example(const Example& example, const std::filesystem::path& directory,
-                                    const OutputRules& rules = {});
+                                    const OutputRules& rules = {}, bool schema = false);
 
 }  // namespace bentur

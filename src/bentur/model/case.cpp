@@ -94,8 +94,8 @@ double beam_end_stiffness(const BuildingSpec& spec, std::size_t floor, bool left
 void check_one_of(const LawEntry& law, const LawInput& input) {
   std::string names;
   int given = 0;
-  for (const LawKey& key : law.keys) {
-    if (key.need == LawKey::Need::one_of) {
+  for (const Key& key : law.keys) {
+    if (key.need == Need::one_of) {
       names += (names.empty() ? "" : ", ") + std::string(key.name);
       given += input.numbers.find(key.name) == input.numbers.end() ? 0 : 1;
     }
@@ -241,7 +241,7 @@ std::map<std::string, std::string, std::less<>> ContactSpec::choices() const {
   if (entry == nullptr) {
     return result;
   }
-  for (const LawChoice& choice : entry->choices) {
+  for (const Key& choice : entry->choices) {
     if (choice.with.empty() || numbers.find(choice.with) != numbers.end()) {
       const auto made = words.find(choice.name);
       result.emplace(choice.name, made == words.end() ? choice.words.front() : std::string_view(made->second));

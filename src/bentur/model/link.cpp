@@ -6,25 +6,14 @@
 #include <cmath>
 
 #include "bentur/core/errors.h"
-#include "bentur/elements/kinematic_hardening.h"
 #include "bentur/elements/link_laws.h"
 #include "bentur/model/case.h"
 
 namespace bentur {
 
-const std::vector<LinkLaw>& link_laws() {
-  using Range = LinkKey::Range;
-  static const std::vector<LinkLaw> laws = {
-      {"spring-dashpot", {{"stiffness", Range::not_negative, 0}, {"damping", Range::not_negative, 0}}},
-      {"yielding", {{"stiffness"}, {"yield_force"}, {"hardening", Range::below_one, 0}}},
-      {"cable", {{"stiffness"}, {"slack", Range::not_negative, 0}}}};
+const std::vector<LawEntryOf<Law>>& link_laws() {
+  static const std::vector<LawEntryOf<Law>> laws = {SpringDashpot::entry(), yielding_link_entry(), Cable::entry()};
   return laws;
-}
-
-const LinkLaw* find_link_law(std::string_view name) {
-  const std::vector<LinkLaw>& laws = link_laws();
-  const auto found = std::find_if(laws.begin(), laws.end(), [&](const LinkLaw& law) { return law.name == name; });
-  return found == laws.end() ? nullptr : &*found;
 }
 
 double LinkSpec::number(std::string_view key, std::size_t point) const {
@@ -37,23 +26,20 @@ double LinkSpec::number(std::string_view key, std::size_t point) const {
     }
     return values.size() == 1 ? values.front() : values[point];
   }
-  const LinkLaw* const entry = find_link_law(law);
-  if (entry != nullptr) {
-    for (const LinkKey& known : entry->keys) {
-      if (known.name == key && known.otherwise) return *known.otherwise;
+  if (const auto* const entry = find_entry(link_laws(), law)) {
+    for (const Key& known : entry->keys) {
+      if (known.name == key && known.default_value) return *known.default_value;
     }
   }
   throw InvalidParameter(std::string(key), "nothing", fmt::format("must be given for law = \"{}\"", law));
 }
 
 std::shared_ptr<const Law> make_link_law(const LinkSpec& spec, std::size_t point) {
-  const auto number = [&](std::string_view key) { return spec.number(key, point); };
-  if (spec.law == "spring-dashpot") return std::make_shared<SpringDashpot>(number("stiffness"), number("damping"));
-  if (spec.law == "yielding") {
-    return std::make_shared<KinematicHardening>(number("stiffness"), number("yield_force"), number("hardening"));
-  }
-  if (spec.law == "cable") return std::make_shared<Cable>(number("stiffness"), number("slack"));
-  throw InvalidParameter("law", spec.law, "there is no such law of a link");
+  const auto* const entry = find_entry(link_laws(), spec.law);
+  if (entry == nullptr) throw InvalidParameter("law", spec.law, "there is no such law of a link");
+  LawInput input;
+  for (const Key& key : entry->keys) input.numbers.emplace(key.name, spec.number(key.name, point));
+  return entry->make(input);
 }
 
 std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector<Building>& buildings) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bentur/elements/law.h"
+#include "bentur/elements/law_entry.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/solve/problem.h"
 
@@ -28,28 +29,8 @@ struct LinkSpec {
   [[nodiscard]] double number(std::string_view key, std::size_t point) const;
 };
 
-/// A number that a link's law works with.
-struct LinkKey {
-  enum class Range {
-    positive,      ///< > 0
-    not_negative,  ///< ≥ 0
-    below_one      ///< [0, 1)
-  };
-  std::string_view name;  ///< as in a case
-  Range range = Range::positive;
-  std::optional<double> otherwise = std::nullopt;  ///< where it is not given; nothing: it must be
-};
-
-/// A law as a case knows it.
-struct LinkLaw {
-  std::string_view name;
-  std::vector<LinkKey> keys;
-};
-
 /// All laws that a link can have.
-[[nodiscard]] const std::vector<LinkLaw>& link_laws();
-/// Null where there is none of this name.
-[[nodiscard]] const LinkLaw* find_link_law(std::string_view name);
+[[nodiscard]] const std::vector<LawEntryOf<Law>>& link_laws();
 
 /// The law of one point. @throws InvalidParameter, naming the key at fault, when the case has no such law or its values
 /// do not go together.

@@ -22,7 +22,7 @@ using namespace bentur::test;
 /// The law, with the stiffness where it takes one.
 std::shared_ptr<const ContactLaw> make(const Asked& asked, double stiffness, double restitution, double mass) {
   LawInput input{{{"restitution", restitution}}, asked.words, mass};
-  const auto is_stiffness = [](const LawKey& key) { return key.name == "stiffness"; };
+  const auto is_stiffness = [](const Key& key) { return key.name == "stiffness"; };
   if (std::any_of(asked.law->keys.begin(), asked.law->keys.end(), is_stiffness)) input.numbers["stiffness"] = stiffness;
   return asked.law->make(input);
 }

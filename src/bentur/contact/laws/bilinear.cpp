@@ -24,7 +24,14 @@ Bilinear::Bilinear(double stiffness, double second_stiffness, double yield_penet
 
 LawEntry Bilinear::entry() {
   return {"bilinear",
-          {{.name = "stiffness", .axial = true}, {"second_stiffness"}, {"yield_penetration"}},
+          "slope k₁ up to δ_y, k₂ beyond; unloads along k₁ down to k₂ δ",
+          {spring_stiffness(),
+           Key::number("second_stiffness", dimension::stiffness, Range::positive,
+                       {"Second stiffness", "Kekakuan kedua"}, "k₂, at most `stiffness`")
+               .for_each("one per contact point"),
+           Key::number("yield_penetration", dimension::length, Range::positive,
+                       {"Penetration at yield", "Penetrasi saat leleh"}, "δ_y")
+               .for_each("one per contact point")},
           {},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<Bilinear>(in.number("stiffness"), in.number("second_stiffness"),

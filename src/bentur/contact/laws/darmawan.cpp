@@ -11,7 +11,10 @@ Darmawan::Darmawan(double stiffness, double alpha) : stiffness_(stiffness), alph
 
 LawEntry Darmawan::entry() {
   return {"darmawan",
-          {{.name = "stiffness", .axial = true}, {"alpha", LawKey::Range::not_negative}},
+          "k δ (1 + α δ̇)",
+          {spring_stiffness(), Key::number("alpha", dimension::slowness, Range::not_negative,
+                                           {"Damping coefficient α", "Koefisien redaman α"}, "α")
+                                   .for_each("one per contact point")},
           {},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<Darmawan>(in.number("stiffness"), in.number("alpha"));

@@ -18,7 +18,7 @@ double hertz_energy(double stiffness, double penetration) noexcept {
 Hertz::Hertz(double stiffness) : stiffness_(stiffness) { require_positive("stiffness", stiffness); }
 
 LawEntry Hertz::entry() {
-  return {"hertz", {{"stiffness"}}, {}, [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+  return {"hertz", "β δ^1.5", {hertz_law_stiffness()}, {}, [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<Hertz>(in.number("stiffness"));
           }};
 }

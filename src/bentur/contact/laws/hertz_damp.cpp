@@ -10,8 +10,12 @@
 namespace bentur {
 namespace {
 
-const LawChoice& formula() {
-  static const LawChoice choice = {"calibration", {"exact", "muthukumar-desroches", "ye"}, "restitution"};
+const Key& formula() {
+  static const Key choice = [] {
+    Key key = exact_or_published();
+    key.words = {"exact", "muthukumar-desroches", "ye"};
+    return key;
+  }();
   return choice;
 }
 
@@ -36,16 +40,19 @@ HertzDamp::HertzDamp(double stiffness, double damping_factor, std::optional<doub
 }
 
 LawEntry HertzDamp::entry() {
-  return {"hertz-damp",
-          {{"stiffness"},
-           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
-           {"damping_factor", LawKey::Range::not_negative, LawKey::Need::one_of}},
-          {formula()},
-          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
-            const auto asked = in.optional_number("restitution");
-            const double factor = asked ? calibrated_factor(*asked, in) : in.number("damping_factor");
-            return std::make_shared<HertzDamp>(in.number("stiffness"), factor, asked);
-          }};
+  return {
+      "hertz-damp",
+      "β δ^1.5 (1 + d δ̇/v₀)",
+      {hertz_law_stiffness(), asked_restitution(),
+       Key::number("damping_factor", dimension::none, Range::not_negative, {"Damping factor", "Faktor redaman"}, "d")
+           .for_each("one per contact point")
+           .one_of("damping of the contact")},
+      {formula()},
+      [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+        const auto asked = in.optional_number("restitution");
+        const double factor = asked ? calibrated_factor(*asked, in) : in.number("damping_factor");
+        return std::make_shared<HertzDamp>(in.number("stiffness"), factor, asked);
+      }};
 }
 
 LawParameters HertzDamp::parameters() const {

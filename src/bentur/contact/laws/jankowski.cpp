@@ -18,9 +18,8 @@ Jankowski::Jankowski(double stiffness, double damping_ratio, double effective_ma
 
 LawEntry Jankowski::entry() {
   return {"jankowski",
-          {{"stiffness"},
-           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
-           {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          "β δ^1.5 + 2ξ√(β√δ m_e) δ̇ while closing, β δ^1.5 after",
+          {hertz_law_stiffness(), asked_restitution(), asked_damping_ratio()},
           {exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");

@@ -14,8 +14,12 @@ namespace {
 
 using Release = KelvinVoigt::Release;
 
-const LawChoice& release_choice() {
-  static const LawChoice choice = {"release", {"zero-force", "separation", "creep"}, ""};
+const Key& release_choice() {
+  static const Key choice =
+      Key::choice("release", {"zero-force", "separation", "creep"}, {"End of contact", "Akhir kontak"},
+                  "when a contact ends: when the force has come down to zero, when the floors come apart, or as the "
+                  "first, and then the surface recovers")
+          .optional();
   return choice;
 }
 
@@ -63,10 +67,12 @@ KelvinVoigt::KelvinVoigt(double stiffness, double damping_ratio, double effectiv
 
 LawEntry KelvinVoigt::entry() {
   return {"kelvin-voigt",
-          {{.name = "stiffness", .axial = true},
-           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
-           {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of},
-           {"damping", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          "k δ + c δ̇, c = 2ξ√(k m_e)",
+          {spring_stiffness(), asked_restitution(), asked_damping_ratio(),
+           Key::number("damping", dimension::dashpot, Range::not_negative, {"Damping", "Redaman"},
+                       "c; below the critical 2√(k m_e) with `release = \"separation\"`")
+               .for_each("one per contact point")
+               .one_of("damping of the contact")},
           {release_choice(), exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");

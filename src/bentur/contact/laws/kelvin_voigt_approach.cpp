@@ -18,9 +18,8 @@ KelvinVoigtApproach::KelvinVoigtApproach(double stiffness, double damping_ratio,
 
 LawEntry KelvinVoigtApproach::entry() {
   return {"kelvin-voigt-approach",
-          {{.name = "stiffness", .axial = true},
-           {"restitution", LawKey::Range::restitution, LawKey::Need::one_of},
-           {"damping_ratio", LawKey::Range::not_negative, LawKey::Need::one_of}},
+          "k δ + c δ̇ while closing, k δ after",
+          {spring_stiffness(), asked_restitution(), asked_damping_ratio()},
           {exact_or_published()},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             const auto asked = in.optional_number("restitution");

@@ -7,10 +7,7 @@ namespace bentur {
 Linear::Linear(double stiffness) : stiffness_(stiffness) { require_positive("stiffness", stiffness); }
 
 LawEntry Linear::entry() {
-  return {"linear",
-          {{.name = "stiffness", .axial = true}},
-          {},
-          [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
+  return {"linear", "k δ", {spring_stiffness()}, {}, [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<Linear>(in.number("stiffness"));
           }};
 }

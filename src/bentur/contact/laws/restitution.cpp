@@ -13,8 +13,11 @@ Restitution::Restitution(double restitution) : restitution_(restitution) {
 }
 
 LawEntry Restitution::entry() {
+  Key alone = asked_restitution();
+  alone.one_of({}, Need::required);
   return {"restitution",
-          {{"restitution", LawKey::Range::restitution}},
+          "an impact takes no time: δ̇ becomes −e δ̇, momentum is kept",
+          {alone},
           {},
           [](const LawInput& in) -> std::shared_ptr<const ContactLaw> {
             return std::make_shared<Restitution>(in.number("restitution"));

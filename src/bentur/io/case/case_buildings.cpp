@@ -6,17 +6,14 @@
 
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
-const std::vector<std::string>& structures() {
-  static const std::vector<std::string> all = {"frame", "stick", "matrices", "modal", "generic"};
-  return all;
-}
-
-void read_structure(const TomlView& view, const Units& units, const CaseFiles& files, ReadBuilding& building) {
-  const auto kind = view.exactly_one(structures());
+void read_structure(const TableView& view, const Units& units, const CaseFiles& files, ReadBuilding& building) {
+  const auto kind = view.exactly_one("structure");
   if (const auto frame = view.find("frame")) read_frame(*frame, units.gravity, building);
   if (const auto stick = view.find("stick")) read_stick(*stick, building);
   if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
@@ -50,18 +47,14 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
       }
     }
   }
-  const TomlView view = entry.renamed(building.path);
-  std::vector<std::string> keys = {"name",  "damping",  "damping_stiffness", "calibrate_period", "base_elevation",
-                                   "width", "rigid",    "elevations",        "p_delta",          "gravity_loads",
-                                   "soil",  "isolation"};
-  keys.insert(keys.end(), structures().begin(), structures().end());
-  (void)view.is_table_of(keys);
-  if (view.flag("rigid", Need::optional).value_or(false)) {
+  const TableView view = *TableView::of(entry.renamed(building.path), building_keys());
+  if (view.flag("rigid")) {
+    std::vector<std::string> keys = view.keys().names();
     std::erase_if(keys, [](const std::string& key) {
       return key == "name" || key == "rigid" || key == "elevations" || key == "base_elevation";
     });
     view.refuse(keys, "is not for a rigid building, which moves with the ground");
-    building.spec.base_elevation = view.number("base_elevation", Rule::level, Need::optional).value_or(0);
+    building.spec.base_elevation = view.number("base_elevation").value_or(0);
     read_rigid(view, building);
     for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
     make(building);
@@ -70,8 +63,8 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
   view.refuse(
       {"elevations"},
       "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
-  building.spec.calibrate_period = view.number("calibrate_period", Rule::positive, Need::optional);
-  building.spec.base_elevation = view.number("base_elevation", Rule::level, Need::optional).value_or(0);
+  building.spec.calibrate_period = view.number("calibrate_period");
+  building.spec.base_elevation = view.number("base_elevation").value_or(0);
   read_structure(view, units, files, building);
   if (view.has("modal")) {
     view.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
@@ -85,7 +78,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
     if (building.is_frame) {
       width->error("is not for a frame, whose width is the sum of its bay_widths");
     } else {
-      building.spec.width = width->as_number(Rule::size);
+      building.spec.width = view.number("width");
     }
   }
   for (double& elevation : building.elevations) elevation += building.spec.base_elevation;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
@@ -21,7 +23,7 @@ std::optional<std::vector<bool>> read_flags(const TomlView& value, std::size_t g
   return flags;
 }
 
-void read_words(const TomlView& value, const CodeKey& key, const Length& length, CodeRuleSpec& spec) {
+void read_words(const TomlView& value, const Key& key, const Length& length, CodeRuleSpec& spec) {
   const std::vector<std::string> known(key.words.begin(), key.words.end());
   std::vector<std::string>& words = spec.words[std::string(key.name)];
   if (!value.is(TomlValue::Kind::list)) {
@@ -31,43 +33,33 @@ void read_words(const TomlView& value, const CodeKey& key, const Length& length,
   }
 }
 
-void read_key(const TomlView& value, const CodeKey& key, std::size_t buildings, CodeRuleSpec& spec) {
+void read_key(const TomlView& value, const Key& key, std::size_t buildings, CodeRuleSpec& spec) {
   const std::string name(key.name);
-  const Length length{buildings, "one per building"};
-  switch (key.kind) {
-    case CodeKey::Kind::factor:
-      if (auto numbers = value.as_number_or_numbers(Rule::positive, length); !numbers.empty())
-        spec.numbers[name] = std::move(numbers);
-      break;
-    case CodeKey::Kind::whole:
-      if (const auto number = value.as_number(Rule::finite)) {
-        if (*number < key.from || *number > key.to || *number != std::floor(*number)) {
-          value.error_value(fmt::format("must be a whole number from {} to {}", key.from, key.to));
-        }
-        spec.numbers[name] = {*number};
+  const Length length{buildings, std::string(key.each)};
+  if (key.kind == Key::Kind::number) {
+    if (auto numbers = value.as_number_or_numbers(key.range, length); !numbers.empty())
+      spec.numbers[name] = std::move(numbers);
+  } else if (key.kind == Key::Kind::whole) {
+    if (const auto number = value.as_number(Range::finite)) {
+      if (*number < static_cast<double>(key.least) || *number > static_cast<double>(key.most) ||
+          *number != std::floor(*number)) {
+        value.error_value(fmt::format("must be a whole number from {} to {}", key.least, key.most));
       }
-      break;
-    case CodeKey::Kind::word:
-      if (const auto word = value.as_word({key.words.begin(), key.words.end()})) spec.words[name] = {*word};
-      break;
-    case CodeKey::Kind::building_word:
-      read_words(value, key, length, spec);
-      break;
-    case CodeKey::Kind::flag:
-      spec.flags[name] = value.as_flag().value_or(false);
-      break;
+      spec.numbers[name] = {*number};
+    }
+  } else if (key.kind == Key::Kind::flag) {
+    spec.flags[name] = value.as_flag().value_or(false);
+  } else if (key.form == Key::Form::one_or_list) {
+    read_words(value, key, length, spec);
+  } else if (const auto word = value.as_word({key.words.begin(), key.words.end()})) {
+    spec.words[name] = {*word};
   }
 }
 
-CodeRuleSpec read_rule(const TomlView& table, const CodeRule& rule, std::size_t buildings) {
-  CodeRuleSpec spec{.rule = std::string(rule.name)};
-  std::vector<std::string> keys;
-  for (const CodeKey& key : rule.keys) keys.emplace_back(key.name);
-  if (!table.is_table_of(keys)) return spec;
-  for (const CodeKey& key : rule.keys) {
-    const bool optional = key.kind == CodeKey::Kind::flag;
-    const auto value = table.get(std::string(key.name), optional ? Need::optional : Need::required);
-    if (value) read_key(*value, key, buildings, spec);
+CodeRuleSpec read_rule(const TableView& table, std::size_t buildings) {
+  CodeRuleSpec spec{.rule = std::string(table.keys().name)};
+  for (const Key& key : table.keys().keys) {
+    if (const auto value = table.get(key.name)) read_key(*value, key, buildings, spec);
   }
   return spec;
 }
@@ -76,24 +68,26 @@ CodeRuleSpec read_rule(const TomlView& table, const CodeRule& rule, std::size_t 
 
 CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   CodeSpec code;
-  const auto view = root.find("code");
+  const auto view = TableView(root, case_keys()).table("code");
   if (!view) return code;
-  std::vector<std::string> rules;
-  for (const CodeRule& rule : code_rules()) rules.emplace_back(rule.name);
-  std::vector<std::string> known = rules;
-  known.insert(known.end(), {"floors_aligned", "same_owner"});
-  if (!view->is_table_of(known)) return code;
   const std::size_t gaps = buildings.empty() ? 0 : buildings.size() - 1;
   if (const auto aligned = view->find("floors_aligned")) code.floors_aligned = read_flags(*aligned, gaps);
   if (const auto owner = view->find("same_owner")) {
     code.same_owner = read_flags(*owner, gaps).value_or(std::vector<bool>{});
   }
+  std::vector<std::string_view> rules;
+  bool any = false;
   for (const CodeRule& rule : code_rules()) {
-    if (const auto table = view->find(std::string(rule.name))) {
-      code.rules.push_back(read_rule(*table, rule, buildings.size()));
+    rules.push_back(rule.name);
+    if (!view->has(std::string(rule.name))) continue;
+    any = true;
+    if (const auto table = view->table(rule.name)) {
+      code.rules.push_back(read_rule(*table, buildings.size()));
+    } else {
+      code.rules.push_back({.rule = std::string(rule.name)});
     }
   }
-  if (code.rules.empty()) view->error(fmt::format("names no rule, there are {}", fmt::join(rules, ", ")));
+  if (!any) view->error(fmt::format("names no rule, there are {}", fmt::join(rules, ", ")));
   return code;
 }
 

@@ -2,18 +2,18 @@
 #include <cmath>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
-Damping read_rayleigh(const TomlView& view) {
+Damping read_rayleigh(const TableView& view) {
   RayleighDamping damping;
-  if (!view.is_table_of({"ratios", "periods"})) return damping;
-  damping.ratios = view.numbers("ratios", Rule::share, {2, "for two modes"});
-  const auto periods = view.get("periods");
-  if (periods) damping.periods = periods->as_numbers(Rule::positive, {2, "of two modes"});
+  damping.ratios = view.numbers("ratios");
+  damping.periods = view.numbers("periods");
   if (damping.periods.size() == 2 && damping.periods[0] == damping.periods[1])
-    periods->error("must be two different periods");
+    view.find("periods")->error("must be two different periods");
   return damping;
 }
 
@@ -41,28 +41,28 @@ void check_stiffness_part(const TomlView& word, const Damping& damping, bool tan
 
 }  // namespace
 
-Damping read_damping(const TomlView& view, std::size_t modes) {
-  if (view.is_number()) return ModalDamping{{view.as_number(Rule::share).value_or(0)}};
-  const std::vector<std::string> forms = {"modal", "rayleigh", "mass_proportional", "stiffness_proportional"};
-  if (!view.is(TomlValue::Kind::table)) {
-    view.error_value("must be a number or a table of modal, rayleigh, mass_proportional or stiffness_proportional");
+Damping read_damping(const TomlView& given, std::size_t modes) {
+  if (given.is_number()) return ModalDamping{{given.as_number(building_keys().at("damping").range).value_or(0)}};
+  if (!given.is(TomlValue::Kind::table)) {
+    given.error_value("must be a number or a table of modal, rayleigh, mass_proportional or stiffness_proportional");
     return ModalDamping{};
   }
-  (void)view.is_table_of(forms);
-  const auto form = view.exactly_one(forms);
-  if (form == "modal") return ModalDamping{view.numbers("modal", Rule::share, {modes, "one per mode"})};
-  if (form == "rayleigh") return read_rayleigh(*view.find("rayleigh"));
-  if (form == "mass_proportional")
-    return MassProportionalDamping{view.number("mass_proportional", Rule::share).value_or(0)};
-  if (form == "stiffness_proportional")
-    return StiffnessProportionalDamping{view.number("stiffness_proportional", Rule::share).value_or(0)};
+  const TableView view = *TableView::of(given, damping_keys());
+  const auto form = view.exactly_one("form");
+  if (form == "modal") return ModalDamping{view.numbers("modal", modes)};
+  if (form == "rayleigh") {
+    const auto two = view.table("rayleigh");
+    return two ? read_rayleigh(*two) : RayleighDamping{};
+  }
+  if (form == "mass_proportional") return MassProportionalDamping{view.number(*form).value_or(0)};
+  if (form == "stiffness_proportional") return StiffnessProportionalDamping{view.number(*form).value_or(0)};
   return ModalDamping{};
 }
 
-void read_damping_stiffness(const TomlView& view, ReadBuilding& building) {
+void read_damping_stiffness(const TableView& view, ReadBuilding& building) {
   const auto word = view.find("damping_stiffness");
   if (!word) return;
-  const auto choice = word->as_word({"initial", "tangent"});
+  const auto choice = view.word("damping_stiffness");
   if (choice != "initial" && choice != "tangent") return;
   building.spec.tangent_damping = choice == "tangent";
   check_stiffness_part(*word, building.spec.damping, choice == "tangent");

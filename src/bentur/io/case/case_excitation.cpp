@@ -11,51 +11,28 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/records/record_files.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
-const std::vector<std::string> common_keys = {"kind", "delays", "wave_velocity", "kinematics"};
-const std::vector<std::string> record_keys = {"file",    "format",     "time_step", "unit", "column",
-                                              "channel", "skip_lines", "polarity",  "pga",  "scale"};
-const std::vector<std::string> harmonic_keys = {"period", "displacement_amplitude", "acceleration_amplitude", "phase"};
-
-/// Unknown keys, and known ones that belong to another kind.
-void check_keys(const TomlView& view, const std::optional<std::string>& kind) {
-  std::vector<std::string> known = common_keys;
-  for (const auto* keys : {&record_keys, &harmonic_keys, &spectrum_keys()}) {
-    known.insert(known.end(), keys->begin(), keys->end());
-  }
-  (void)view.is_table_of(known);
-  const auto refuse = [&](const std::vector<std::string>& keys, const char* owner) {
-    if (!kind || *kind == owner) return;
-    view.refuse(keys, fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owner, *kind));
-  };
-  const auto is_of = [](const std::vector<std::string>& keys) {
-    return [&](const std::string& key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
-  };
-  std::vector<std::string> of_record = record_keys, of_spectrum = spectrum_keys();  // some are keys of both
-  if (kind == "spectrum") std::erase_if(of_record, is_of(spectrum_keys()));
-  std::erase_if(of_spectrum, is_of(record_keys));
-  refuse(of_record, "record");
-  refuse(harmonic_keys, "harmonic");
-  refuse(of_spectrum, "spectrum");
-}
-
 /// A whole number that says where in a file to look; `good` is set to false where it is none.
-std::optional<int> read_place(const TomlView& view, const char* key, int least, const char* what, bool& good) {
+std::optional<int> read_place(const TableView& view, const char* key, const char* what, bool& good) {
   const auto place = view.find(key);
   if (!place) return std::nullopt;
-  const auto number = place->as_whole(least, 1000000, fmt::format("must be a whole number from {} ({})", least, what));
+  const Key& known = view.key(key);
+  const auto number =
+      place->as_whole(known.least, known.most, fmt::format("must be a whole number from {} ({})", known.least, what));
   good = good && number;
   return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
 /// The unit of the file's numbers. A file that says it needs no unit in the case, and must not be contradicted.
-std::optional<std::string> settle_unit(const TomlView& view, const StrongMotionRecord& record,
+std::optional<std::string> settle_unit(const TableView& view, const StrongMotionRecord& record,
                                        const std::string& name) {
   const auto given = view.find("unit");
-  const auto unit = view.word("unit", acceleration_units(), Need::optional);
+  const auto unit = view.word("unit");
   if (record.unit.empty()) {
     if (!given) {
       view.error_missing(
@@ -69,7 +46,7 @@ std::optional<std::string> settle_unit(const TomlView& view, const StrongMotionR
 
 /// An acceleration > 0 [length/s²]: a number in the case's own unit, or a text with its unit, "0.35 g".
 std::optional<double> read_acceleration(const TomlView& value, const Units& units) {
-  if (!value.is(TomlValue::Kind::text)) return value.as_number(Rule::positive);
+  if (!value.is(TomlValue::Kind::text)) return value.as_number(Range::positive);
   const std::string& text = value.value().text;
   const auto not_blank = [&](std::size_t from) { return std::min(text.find_first_not_of(" \t", from), text.size()); };
   const std::size_t begin = not_blank(0);
@@ -102,12 +79,12 @@ std::optional<double> read_acceleration(const TomlView& view, const char* key, c
 }
 
 /// Scales to the case's length/s² and, where asked for, to a peak or by a factor.
-void apply_scale(const TomlView& view, double unit_factor, const Units& units, SampledMotion& motion,
+void apply_scale(const TableView& view, double unit_factor, const Units& units, SampledMotion& motion,
                  RecordEcho& echo) {
-  const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
+  const auto key = view.exactly_one("scale");
   double factor = unit_factor;
   if (key == "scale") {
-    factor *= view.number("scale", Rule::not_zero).value_or(1);
+    factor *= view.number("scale").value_or(1);
   } else if (key == "pga") {
     const auto pga = read_acceleration(view, "pga", units);
     if (!(echo.pga_read > 0)) {
@@ -117,29 +94,29 @@ void apply_scale(const TomlView& view, double unit_factor, const Units& units, S
       if (view.find("pga")->is_number()) echo.pga_without_unit = *pga;
     }
   }
-  echo.reversed = view.word("polarity", polarities(), Need::optional) == "reversed";
+  echo.reversed = view.word("polarity") == "reversed";
   if (echo.reversed) factor = -factor;
   for (double& value : motion.acceleration) value *= factor;
   echo.pga = echo.pga_read * std::abs(factor);
   if (!std::isfinite(echo.pga / units.gravity)) view.error("scales the record beyond what can be computed with");
 }
 
-std::optional<SampledMotion> read_record_motion(const TomlView& view, const Units& units,
+std::optional<SampledMotion> read_record_motion(const TableView& view, const Units& units,
                                                 const std::filesystem::path& folder, RecordEcho& echo,
                                                 Diagnostics& diagnostics, CaseMemo* memo) {
   const auto file = view.get("file");
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
-  const auto format = view.word("format", record_formats(), Need::optional);
+  const auto format = view.word("format");
   options.format = format.value_or("auto");
   const bool format_usable = format || !view.has("format");
-  options.time_step = view.number("time_step", Rule::positive, Need::optional);
+  options.time_step = view.number("time_step");
   const bool step_usable = options.time_step || !view.has("time_step");
   bool places_usable = true;
-  options.column = read_place(view, "column", 1, "the first column of the file", places_usable);
-  options.channel = read_place(view, "channel", 1, "the first channel of the file", places_usable);
+  options.column = read_place(view, "column", "the first column of the file", places_usable);
+  options.channel = read_place(view, "channel", "the first channel of the file", places_usable);
   options.skip_lines =
-      read_place(view, "skip_lines", 0, "how many lines at the beginning to pass over", places_usable).value_or(0);
+      read_place(view, "skip_lines", "how many lines at the beginning to pass over", places_usable).value_or(0);
 
   std::optional<StrongMotionRecord> record;
   if (name && format_usable && step_usable && places_usable) {
@@ -148,11 +125,11 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
     }
   }
   if (!record) {  // what can be said without the file
-    (void)view.word("unit", acceleration_units(), Need::optional);
-    (void)view.word("polarity", polarities(), Need::optional);
-    const auto key = view.exactly_one({"pga", "scale"}, Need::optional);
+    (void)view.word("unit");
+    (void)view.word("polarity");
+    const auto key = view.exactly_one("scale");
     if (key == "pga") (void)read_acceleration(view, "pga", units);
-    if (key == "scale") (void)view.number("scale", Rule::not_zero);
+    if (key == "scale") (void)view.number("scale");
     return std::nullopt;
   }
   // A step that rounding explains is let pass; the file's own is used.
@@ -172,27 +149,27 @@ std::optional<SampledMotion> read_record_motion(const TomlView& view, const Unit
   return motion;
 }
 
-HarmonicMotion read_harmonic(const TomlView& view, const Units& units) {
+HarmonicMotion read_harmonic(const TableView& view, const Units& units) {
   HarmonicMotion motion;
-  motion.period = view.number("period", Rule::positive).value_or(1);
-  const auto key = view.exactly_one({"displacement_amplitude", "acceleration_amplitude"});
+  motion.period = view.number("period").value_or(1);
+  const auto key = view.exactly_one("amplitude");
   if (key) {
     const bool of_displacement = *key == "displacement_amplitude";
-    const auto given = of_displacement ? view.number("displacement_amplitude", Rule::positive)
+    const auto given = of_displacement ? view.number("displacement_amplitude")
                                        : read_acceleration(view, "acceleration_amplitude", units);
     const double amplitude = given.value_or(1);
     const double omega = 2 * std::numbers::pi / motion.period;  // [rad/s]
     motion.displacement_amplitude = of_displacement ? amplitude : amplitude / (omega * omega);
   }
-  if (view.word("phase", {"sine", "cosine"}, Need::optional) == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
+  if (view.word("phase") == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
   return motion;
 }
 
 /// Delay of each building behind the first [s]: the distance of their centres over the wave velocity [length/s].
 /// Centres are half a width from the faces; a gap counts with its smallest width.
-std::vector<double> wave_delays(const TomlView& view, const std::vector<ReadBuilding>& buildings,
+std::vector<double> wave_delays(const TableView& view, const std::vector<ReadBuilding>& buildings,
                                 const std::vector<GapSpec>& gaps) {
-  const auto velocity = view.number("wave_velocity", Rule::positive);
+  const auto velocity = view.number("wave_velocity");
   std::vector<double> delays(buildings.size(), 0.0);
   bool known = velocity.has_value() && gaps.size() + 1 == buildings.size();
   for (const ReadBuilding& building : buildings) {
@@ -213,12 +190,12 @@ std::vector<double> wave_delays(const TomlView& view, const std::vector<ReadBuil
   return delays;
 }
 
-std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuilding>& buildings,
+std::vector<double> read_delays(const TableView& view, const std::vector<ReadBuilding>& buildings,
                                 const std::vector<GapSpec>& gaps) {
-  const auto key = view.exactly_one({"delays", "wave_velocity"}, Need::optional);
+  const auto key = view.exactly_one("delay");
   if (key == "wave_velocity") return wave_delays(view, buildings, gaps);
   if (key == "delays") {
-    auto delays = view.numbers("delays", Rule::not_negative, {buildings.size(), "one per building"});
+    auto delays = view.numbers("delays", buildings.size());
     if (!delays.empty()) return delays;
   }
   return std::vector<double>(buildings.size(), 0.0);
@@ -226,23 +203,19 @@ std::vector<double> read_delays(const TomlView& view, const std::vector<ReadBuil
 
 }  // namespace
 
-const std::vector<std::string>& polarities() {
-  static const std::vector<std::string> both = {"as-recorded", "reversed"};
-  return both;
-}
-
 ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
                                const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                Diagnostics& diagnostics, CaseMemo* memo) {
   ExcitationSpec spec;
-  const auto view = root.get("excitation");
+  const auto given = root.get("excitation");
+  const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return spec;
-  if (!view->is(TomlValue::Kind::table)) {
-    view->error_value("must be a table");
-    return spec;
+  const auto kind = view->word("kind");
+  if (kind) {
+    view->refuse_others("kind", *kind, [&](const auto& owners) {
+      return fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owners.front(), *kind);
+    });
   }
-  const auto kind = view->word("kind", {"record", "harmonic", "none", "spectrum"});
-  check_keys(*view, kind);
   if (kind == "spectrum") {
     spec.spectrum = read_spectrum(*view, units, buildings.size(), folder, diagnostics);
     spec.delays.assign(buildings.size(), 0.0);
@@ -258,7 +231,7 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
     spec.motion = read_harmonic(*view, units);
   }
   spec.delays = read_delays(*view, buildings, gaps);
-  if (view->word("kinematics", {"relative", "absolute"}, Need::optional) == "absolute") {
+  if (view->word("kinematics") == "absolute") {
     spec.kinematics = Kinematics::absolute;
   }
   return spec;

@@ -5,20 +5,25 @@
 #include <numeric>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
 /// The member's second moment about the axis normal to the frame: width · depth³/12, depth in the plane of the frame.
-void read_shape(const TomlView& view, Section& section) {
+void read_shape(const TableView& view, Section& section) {
   const bool rectangle = view.has("width") || view.has("depth");
   const bool properties = view.has("area") || view.has("inertia");
   if (rectangle == properties) {
     view.error("needs either width and depth, or area and inertia");
     return;
   }
-  const auto first = view.number(rectangle ? "width" : "area", Rule::positive);
-  const auto second = view.number(rectangle ? "depth" : "inertia", Rule::positive);
+  for (const std::string key : {rectangle ? "width" : "area", rectangle ? "depth" : "inertia"}) {
+    if (!view.has(key)) view.error_missing(key);
+  }
+  const auto first = view.number(rectangle ? "width" : "area");
+  const auto second = view.number(rectangle ? "depth" : "inertia");
   if (!first || !second) return;
   section.area = rectangle ? *first * *second : *first;
   section.inertia = rectangle ? section.area * *second * *second / 12 : *second;
@@ -28,13 +33,14 @@ void read_shape(const TomlView& view, Section& section) {
 }
 
 /// From a density a member weighs by its own length.
-Section read_section(const TomlView& view, double gravity) {
+Section read_section(const TomlView& given, double gravity) {
   Section section;
-  if (!view.is_table_of({"width", "depth", "area", "inertia", "mass", "density", "unit_weight"})) return section;
-  read_shape(view, section);
-  const auto basis = view.exactly_one({"mass", "density", "unit_weight"});
+  const auto view = TableView::of(given, section_keys());
+  if (!view) return section;
+  read_shape(*view, section);
+  const auto basis = view->exactly_one("weight");
   if (!basis) return section;
-  const double amount = view.number(*basis, Rule::not_negative).value_or(0);
+  const double amount = view->number(*basis).value_or(0);
   if (*basis == "mass") {
     section.mass = amount;
   } else {
@@ -45,7 +51,7 @@ Section read_section(const TomlView& view, double gravity) {
 
 /// One section for each of `count` storeys or floors, from a list of one for all or one for each. @param each "one per
 /// storey".
-std::vector<Section> read_sections(const TomlView& frame, const std::string& key, std::size_t count,
+std::vector<Section> read_sections(const TableView& frame, const std::string& key, std::size_t count,
                                    const std::string& each, double gravity) {
   const auto list = frame.get(key);
   if (!list || !list->is_list_of("sections")) return {};
@@ -59,24 +65,15 @@ std::vector<Section> read_sections(const TomlView& frame, const std::string& key
   return sections;
 }
 
-/// A number for all floors or a list with one each.
-std::vector<double> read_per_floor(const TomlView& view, const std::string& key, Rule rule, std::size_t floors,
-                                   Need need) {
-  const auto value = view.get(key, need);
-  std::vector<double> numbers =
-      value ? value->as_number_for_each(rule, {floors, "one per floor"}) : std::vector<double>();
-  numbers.resize(floors);
-  return numbers;
-}
-
 /// Masses of the floors: those given, and of a load per area on a strip of each floor as long as the frame, q w Σ
 /// bays/g.
-std::vector<double> read_floor_masses(const TomlView& view, double gravity, std::size_t floors, double length) {
-  std::vector<double> masses = read_per_floor(view, "floor_masses", Rule::not_negative, floors, Need::optional);
-  const auto load = view.find("floor_load");
-  if (!load || !load->is_table_of({"pressure", "width"})) return masses;
-  const std::vector<double> pressure = read_per_floor(*load, "pressure", Rule::not_negative, floors, Need::required);
-  const std::vector<double> width = read_per_floor(*load, "width", Rule::positive, floors, Need::required);
+std::vector<double> read_floor_masses(const TableView& view, double gravity, std::size_t floors, double length) {
+  std::vector<double> masses = view.numbers_for_each("floor_masses", floors);
+  masses.resize(floors);
+  const auto load = view.table("floor_load");
+  if (!load) return masses;
+  const std::vector<double> pressure = load->numbers_for_each("pressure", floors);
+  const std::vector<double> width = load->numbers_for_each("width", floors);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (i < pressure.size() && i < width.size()) masses[i] += pressure[i] * width[i] * length / gravity;
   }
@@ -109,16 +106,15 @@ void check_masses(const TomlView& view, const PlaneFrame& frame) {
 
 }  // namespace
 
-void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
+void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   building.is_frame = true;
-  if (!view.is_table_of({"elastic_modulus", "storey_heights", "bay_widths", "columns", "beams", "floor_masses",
-                         "floor_load", "mass_matrix", "condensation", "base_coupling"})) {
-    return;
-  }
+  const auto table = TableView::of(given, frame_keys());
+  if (!table) return;
+  const TableView& view = *table;
   PlaneFrame frame;
-  frame.elastic_modulus = view.number("elastic_modulus", Rule::positive).value_or(0);
-  frame.storey_heights = view.numbers("storey_heights", Rule::size);
-  frame.bay_widths = view.numbers("bay_widths", Rule::size);
+  frame.elastic_modulus = view.number("elastic_modulus").value_or(0);
+  frame.storey_heights = view.numbers("storey_heights");
+  frame.bay_widths = view.numbers("bay_widths");
 
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
@@ -126,12 +122,12 @@ void read_frame(const TomlView& view, double gravity, ReadBuilding& building) {
   frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity);
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
 
-  const auto mass_matrix = view.word("mass_matrix", {"consistent", "lumped"}, Need::optional);
+  const auto mass_matrix = view.word("mass_matrix");
   if (mass_matrix == "lumped") frame.mass_matrix = MassMatrix::lumped;
-  const auto condensation = view.word("condensation", {"static", "dynamic", "none"}, Need::optional);
+  const auto condensation = view.word("condensation");
   if (condensation == "dynamic") frame.condensation = Condensation::dynamic;
   if (condensation == "none") frame.condensation = Condensation::none;
-  frame.base_coupling = view.flag("base_coupling", Need::optional).value_or(true);
+  frame.base_coupling = view.flag("base_coupling");
 
   if (storeys > 0) {
     check_masses(view, frame);

@@ -10,6 +10,8 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
@@ -79,7 +81,8 @@ std::vector<double> read_elevations(const TomlView& gap, ReadBuilding& left, Rea
     return {};
   }
   if (given && models_no_contact(*given)) return {};
-  const std::vector<double> wanted = given ? given->as_numbers(Rule::finite) : std::vector<double>();
+  const std::vector<double> wanted =
+      given ? given->as_numbers(gap_keys().at("elevations").range) : std::vector<double>();
   if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
     given->error("must ascend");
     return {};
@@ -97,64 +100,14 @@ std::vector<double> read_elevations(const TomlView& gap, ReadBuilding& left, Rea
   return common;
 }
 
-std::vector<std::string> law_names() {
-  std::vector<std::string> names;
-  for (const LawEntry& law : contact_laws()) names.emplace_back(law.name);
-  return names;
-}
-
-/// The keys of one law.
-std::vector<std::string> contact_keys(const LawEntry& law) {
-  std::vector<std::string> keys = {"law"};
-  for (const LawKey& key : law.keys) keys.emplace_back(key.name);
-  for (const LawChoice& choice : law.choices) keys.emplace_back(choice.name);
-  return keys;
-}
-
-/// The keys of every law, so that one for another law is told from a misspelt one.
-std::vector<std::string> all_contact_keys() {
-  std::vector<std::string> all;
-  for (const LawEntry& law : contact_laws()) {
-    for (const std::string& key : contact_keys(law)) {
-      if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
-    }
-  }
-  return all;
-}
-
-/// The law's name if it is known, after a look at all keys of the table.
-const LawEntry* read_law(const TomlView& contact) {
-  const auto name = contact.word("law", law_names());
-  const LawEntry* const law = name ? find_law(*name) : nullptr;
-  (void)contact.is_table_of(all_contact_keys());
-  if (law == nullptr) return nullptr;
-  const std::vector<std::string> own = contact_keys(*law);
-  std::vector<std::string> others = all_contact_keys();
-  std::erase_if(others, [&](const std::string& key) { return std::find(own.begin(), own.end(), key) != own.end(); });
-  contact.refuse(others, fmt::format("is not for law = \"{}\"", law->name));
-  return law;
-}
-
-Rule rule_of(LawKey::Range range) {
-  switch (range) {
-    case LawKey::Range::positive:
-      return Rule::positive;
-    case LawKey::Range::not_negative:
-      return Rule::not_negative;
-    case LawKey::Range::restitution:
-      break;
-  }
-  return Rule::restitution;
-}
-
 /// One key of the law into `spec`; false (and an error) unless its value is usable.
-bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, const GapSides& sides,
-                 ContactSpec& spec) {
+bool read_number(const TomlView& value, const LawEntry& law, const Key& key, const GapSides& sides, ContactSpec& spec) {
+  const bool axial = !key.words.empty();
   if (value.is(TomlValue::Kind::text)) {
     if (value.value().text != "axial") {
-      value.error_value(key.axial ? "must be a number, a list of numbers or \"axial\""
-                                  : "must be a number or a list of numbers");
-    } else if (!key.axial) {
+      value.error_value(axial ? "must be a number, a list of numbers or \"axial\""
+                              : "must be a number or a list of numbers");
+    } else if (!axial) {
       value.error_value(fmt::format("must be a number or a list of numbers: with law = \"{}\" {} is no force/length",
                                     law.name, key.name));
     } else if (!sides.left.is_frame || !sides.right.is_frame) {
@@ -165,30 +118,29 @@ bool read_number(const TomlView& value, const LawEntry& law, const LawKey& key, 
     }
     return spec.axial;
   }
-  const std::vector<double> numbers = value.as_number_or_numbers(rule_of(key.range), sides.points());
+  const std::vector<double> numbers = value.as_number_or_numbers(key.range, sides.points());
   if (numbers.empty()) return false;
   spec.numbers[std::string(key.name)] = numbers;
   return true;
 }
 
 /// What the law needs: each required key, exactly one of those that exclude one another.
-bool read_numbers(const TomlView& contact, const LawEntry& law, const GapSides& sides, ContactSpec& spec) {
+bool read_numbers(const TableView& contact, const LawEntry& law, const GapSides& sides, ContactSpec& spec) {
   bool good = true;
-  std::vector<std::string> one_of;
-  for (const LawKey& key : law.keys) {
-    if (key.need == LawKey::Need::one_of) one_of.emplace_back(key.name);
-    const auto value =
-        contact.get(std::string(key.name), key.need == LawKey::Need::required ? Need::required : Need::optional);
-    const bool read = value ? read_number(*value, law, key, sides, spec) : key.need == LawKey::Need::one_of;
+  std::string_view group;
+  for (const Key& key : law.keys) {
+    if (key.need == Need::one_of) group = key.group;
+    const auto value = contact.get(key.name);
+    const bool read = value ? read_number(*value, law, key, sides, spec) : !key.is_required();
     good = good && read;
   }
-  const bool one = one_of.empty() || contact.exactly_one(one_of).has_value();
+  const bool one = group.empty() || contact.exactly_one(group).has_value();
   return good && one;
 }
 
-bool read_choices(const TomlView& contact, const LawEntry& law, ContactSpec& spec) {
+bool read_choices(const TableView& contact, const LawEntry& law, ContactSpec& spec) {
   bool good = true;
-  for (const LawChoice& choice : law.choices) {
+  for (const Key& choice : law.choices) {
     const auto value = contact.find(std::string(choice.name));
     if (!value) continue;
     if (const auto word = value->as_word({choice.words.begin(), choice.words.end()})) {
@@ -212,12 +164,16 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
     view->error_value("must be a table with law and what that law needs");
     return std::nullopt;
   }
-  const LawEntry* const law = read_law(*view);
+  const TableView contact = *TableView::of(*view, contact_keys());
+  const auto name = contact.word("law");
+  const LawEntry* const law = name ? find_law(*name) : nullptr;
   if (law == nullptr) return std::nullopt;
+  contact.refuse_others("law", *name,
+                        [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", *name); });
   ContactSpec spec;
   spec.law = law->name;
-  const bool numbers = read_numbers(*view, *law, sides, spec);
-  const bool choices = read_choices(*view, *law, spec);
+  const bool numbers = read_numbers(contact, *law, sides, spec);
+  const bool choices = read_choices(contact, *law, spec);
   return numbers && choices ? std::optional(spec) : std::nullopt;
 }
 
@@ -244,8 +200,8 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
 }
 
 /// Whether floors strike columns in this gap.
-void read_strikes_columns(const TomlView& gap, GapSpec& spec) {
-  spec.strikes_columns = gap.flag("strikes_columns", Need::optional).value_or(false);
+void read_strikes_columns(const TableView& gap, GapSpec& spec) {
+  spec.strikes_columns = gap.flag("strikes_columns");
   if (!spec.strikes_columns) {
     gap.refuse({"column_capacity"}, "goes with strikes_columns = true");
     return;
@@ -254,24 +210,23 @@ void read_strikes_columns(const TomlView& gap, GapSpec& spec) {
 }
 
 /// What the columns bear that are struck.
-void read_column_capacity(const TomlView& gap, const GapSides& sides, GapSpec& spec) {
-  const auto capacity = spec.strikes_columns ? gap.find("column_capacity") : std::nullopt;
-  if (!capacity || !capacity->is_table_of({"shear", "moment"})) return;
+void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& spec) {
+  const auto capacity = spec.strikes_columns ? gap.table("column_capacity") : std::nullopt;
+  if (!capacity) return;
   if (!capacity->has("shear") && !capacity->has("moment")) capacity->error("needs shear, moment or both");
   const auto of_points = [&](const char* key) {
     const auto given = capacity->find(key);
-    return given ? given->as_number_for_each(Rule::positive, sides.points()) : std::vector<double>();
+    return given ? given->as_number_for_each(capacity->key(key).range, sides.points()) : std::vector<double>();
   };
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
 }
 
-GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
+GapSpec read_gap(const TomlView& entry, ReadBuilding& left, ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
-  if (!gap.is_table_of(
-          {"between", "width", "elevations", "level_tolerance", "contact", "strikes_columns", "column_capacity"})) {
-    return spec;
-  }
+  const auto table = TableView::of(entry, gap_keys());
+  if (!table) return spec;
+  const TableView& gap = *table;
   const auto given_sides = read_between(gap, buildings, "the neighbours, left and right");
   if (given_sides && (&buildings[given_sides->first] != &left || &buildings[given_sides->second] != &right)) {
     const auto name = [&](std::size_t b) { return in_quotes(buildings[b].spec.name); };
@@ -279,7 +234,7 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
                                      fmt::format("must be [{}, {}] (gaps and neighbours from left to right)",
                                                  in_quotes(left.spec.name), in_quotes(right.spec.name)));
   }
-  spec.level_tolerance = gap.number("level_tolerance", Rule::distance, Need::optional);
+  spec.level_tolerance = gap.number("level_tolerance");
   read_strikes_columns(gap, spec);
   spec.elevations = read_elevations(gap, left, right, spec.level_tolerance, spec.strikes_columns);
   const std::size_t points = spec.elevations.size();
@@ -288,9 +243,9 @@ GapSpec read_gap(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
   const GapSides sides{left, right, spec.elevations};
   if (const auto width = gap.get("width")) {
     if (no_contact) {
-      if (const auto number = width->as_number(Rule::distance)) spec.widths = {*number};
+      if (const auto number = width->as_number(gap.key("width").range)) spec.widths = {*number};
     } else {
-      spec.widths = width->as_number_or_numbers(Rule::distance, sides.points());
+      spec.widths = width->as_number_or_numbers(gap.key("width").range, sides.points());
     }
     if (spec.widths.size() == 1 && points > 1) spec.widths.resize(points, double{spec.widths.front()});
   }

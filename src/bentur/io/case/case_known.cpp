@@ -7,17 +7,11 @@
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/number_table.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
-
-constexpr std::int64_t most_storeys = 1000;
-
-/// One number for all storeys, or one each.
-std::vector<double> per_storey(const TomlView& view, const std::string& key, Rule rule, std::size_t storeys) {
-  const auto value = view.get(key);
-  return value ? value->as_number_for_each(rule, {storeys, "one per storey"}) : std::vector<double>();
-}
 
 /// α of a word, as [MirandaTaghavi2005] tells of such systems.
 double ratio_of(const std::string& system) {
@@ -73,22 +67,23 @@ std::vector<std::vector<double>> read_shapes_file(const TomlView& file, const Ca
 
 }  // namespace
 
-void read_modal(const TomlView& view, const CaseFiles& files, ReadBuilding& building) {
-  if (!view.is_table_of({"elevations", "masses", "periods", "shapes", "shapes_file"})) return;
+void read_modal(const TomlView& given, const CaseFiles& files, ReadBuilding& building) {
+  const auto table = TableView::of(given, modal_keys());
+  if (!table) return;
+  const TableView& view = *table;
   ModalBuilding modal;
-  const auto elevations = view.get("elevations");
-  if (elevations) modal.elevations = elevations->as_numbers(Rule::size);
+  modal.elevations = view.numbers("elevations");
   const std::size_t floors = modal.elevations.size();
   const bool ascends = std::adjacent_find(modal.elevations.begin(), modal.elevations.end(), std::greater_equal<>()) ==
                        modal.elevations.end();
-  if (!ascends) elevations->error("must ascend");
-  modal.masses = view.numbers("masses", Rule::positive, {floors, "one per floor"});
-  const auto periods = view.get("periods");
-  if (periods) modal.periods = periods->as_numbers(Rule::positive);
+  if (!ascends) view.find("elevations")->error("must ascend");
+  modal.masses = view.numbers("masses", floors);
+  const auto periods = view.find("periods");
+  modal.periods = view.numbers("periods");
   if (periods && floors > 0 && modal.periods.size() > floors) {
     periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
   }
-  const auto kind = view.exactly_one({"shapes", "shapes_file"});
+  const auto kind = view.exactly_one("shapes");
   if (kind == "shapes_file") {
     if (ascends && floors > 0 && !modal.periods.empty()) {
       modal.shapes = read_shapes_file(*view.find("shapes_file"), files, modal, building.spec);
@@ -96,7 +91,7 @@ void read_modal(const TomlView& view, const CaseFiles& files, ReadBuilding& buil
   } else if (const auto shapes = view.find("shapes");
              shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
     for (const TomlView& shape : shapes->items()) {
-      modal.shapes.push_back(shape.as_numbers(Rule::finite, {floors, "one per floor"}));
+      modal.shapes.push_back(shape.as_numbers(Range::finite, {floors, "one per floor"}));
     }
   }
   building.modes = modal.periods.size();
@@ -104,36 +99,35 @@ void read_modal(const TomlView& view, const CaseFiles& files, ReadBuilding& buil
   building.spec.structure = std::move(modal);
 }
 
-void read_generic(const TomlView& view, const Units& units, ReadBuilding& building) {
-  if (!view.is_table_of({"storeys", "storey_height", "floor_mass", "period", "period_formula", "stiffness_ratio",
-                         "system", "yield_base_shear", "hardening"})) {
-    return;
-  }
+void read_generic(const TomlView& given, const Units& units, ReadBuilding& building) {
+  const auto table = TableView::of(given, generic_keys());
+  if (!table) return;
+  const TableView& view = *table;
   building.spec.gravity = units.gravity;
   GenericBuilding generic;
-  const auto storeys = static_cast<std::size_t>(view.whole("storeys", 1, most_storeys).value_or(0));
+  const auto storeys = static_cast<std::size_t>(view.whole("storeys").value_or(0));
   if (storeys > 0) {
-    generic.storey_heights = per_storey(view, "storey_height", Rule::size, storeys);
-    generic.floor_masses = per_storey(view, "floor_mass", Rule::positive, storeys);
+    generic.storey_heights = view.numbers_for_each("storey_height", storeys);
+    generic.floor_masses = view.numbers_for_each("floor_mass", storeys);
   }
-  if (const auto kind = view.exactly_one({"period", "period_formula"})) {
+  if (const auto kind = view.exactly_one("period")) {
     if (*kind == "period") {
-      generic.period = view.number("period", Rule::positive).value_or(0);
-    } else if (const auto formula = view.find("period_formula"); formula->is_table_of({"coefficient", "exponent"})) {
-      const double coefficient = formula->number("coefficient", Rule::positive).value_or(0);
-      const double exponent = formula->number("exponent", Rule::positive).value_or(0);
+      generic.period = view.number("period").value_or(0);
+    } else if (const auto formula = view.table("period_formula")) {
+      const double coefficient = formula->number("coefficient").value_or(0);
+      const double exponent = formula->number("exponent").value_or(0);
       generic.period_formula = {{coefficient, exponent, 1 / metres(units.length)}};
     }
   }
-  if (const auto kind = view.exactly_one({"stiffness_ratio", "system"})) {
+  if (const auto kind = view.exactly_one("system")) {
     if (*kind == "stiffness_ratio") {
-      generic.stiffness_ratio = view.number("stiffness_ratio", Rule::not_negative).value_or(0);
-    } else if (const auto system = view.word("system", {"wall", "dual", "frame"})) {
+      generic.stiffness_ratio = view.number("stiffness_ratio").value_or(0);
+    } else if (const auto system = view.word("system")) {
       generic.stiffness_ratio = ratio_of(*system);
     }
   }
-  generic.yield_base_shear = view.number("yield_base_shear", Rule::positive, Need::optional);
-  generic.hardening = view.number("hardening", Rule::ratio, Need::optional).value_or(0);
+  generic.yield_base_shear = view.number("yield_base_shear");
+  generic.hardening = view.number("hardening").value_or(0);
   if (!generic.yield_base_shear) view.refuse({"hardening"}, "goes with yield_base_shear");
   if (storeys == 0) return;
   building.modes = storeys;
@@ -141,13 +135,12 @@ void read_generic(const TomlView& view, const Units& units, ReadBuilding& buildi
   building.spec.structure = std::move(generic);
 }
 
-void read_rigid(const TomlView& view, ReadBuilding& building) {
+void read_rigid(const TableView& view, ReadBuilding& building) {
   RigidSpec rigid;
-  const auto elevations = view.get("elevations");
-  if (elevations) rigid.elevations = elevations->as_numbers(Rule::level);
+  rigid.elevations = view.numbers("elevations");
   if (std::adjacent_find(rigid.elevations.begin(), rigid.elevations.end(), std::greater_equal<>()) !=
       rigid.elevations.end()) {
-    elevations->error("must ascend");
+    view.find("elevations")->error("must ascend");
   } else {
     building.elevations = rigid.elevations;
   }

@@ -6,48 +6,14 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
-const std::vector<std::string> keys_of_every_link = {"between", "elevations", "level_tolerance", "law"};
-
-Rule rule_of_link(LinkKey::Range range) {
-  switch (range) {
-    case LinkKey::Range::positive:
-      return Rule::positive;
-    case LinkKey::Range::not_negative:
-      return Rule::not_negative;
-    case LinkKey::Range::below_one:
-      break;
-  }
-  return Rule::ratio;
-}
-
-/// The law if it is known, after a look at all keys of the table.
-const LinkLaw* read_link_law(const TomlView& link) {
-  std::vector<std::string> names, known = keys_of_every_link, others;
-  for (const LinkLaw& law : link_laws()) {
-    names.emplace_back(law.name);
-    for (const LinkKey& key : law.keys) {
-      if (std::find(known.begin(), known.end(), key.name) == known.end()) known.emplace_back(key.name);
-    }
-  }
-  (void)link.is_table_of(known);
-  const auto name = link.word("law", names);
-  const LinkLaw* const law = name ? find_link_law(*name) : nullptr;
-  if (law == nullptr) return nullptr;
-  for (const std::string& key : known) {
-    const bool own = std::any_of(law->keys.begin(), law->keys.end(), [&](const LinkKey& k) { return k.name == key; });
-    const bool every = std::find(keys_of_every_link.begin(), keys_of_every_link.end(), key) != keys_of_every_link.end();
-    if (!own && !every) others.push_back(key);
-  }
-  link.refuse(others, fmt::format("is not for law = \"{}\"", law->name));
-  return law;
-}
-
 /// The places of the buildings, if they are two in the order of the row.
-std::optional<std::pair<std::size_t, std::size_t>> read_sides(const TomlView& link,
+std::optional<std::pair<std::size_t, std::size_t>> read_sides(const TableView& link,
                                                               const std::vector<ReadBuilding>& buildings) {
   const auto sides = read_between(link, buildings, "the left and the right building");
   if (!sides) return std::nullopt;
@@ -65,10 +31,10 @@ std::optional<std::pair<std::size_t, std::size_t>> read_sides(const TomlView& li
 }
 
 /// Elevations [length] at which both have a floor; empty where they are not known.
-std::vector<double> read_link_elevations(const TomlView& link, const ReadBuilding& left, const ReadBuilding& right,
+std::vector<double> read_link_elevations(const TableView& link, const ReadBuilding& left, const ReadBuilding& right,
                                          std::optional<double> tolerance) {
   const auto given = link.find("elevations");
-  const std::vector<double> wanted = given ? given->as_numbers(Rule::finite) : std::vector<double>();
+  const std::vector<double> wanted = given ? link.numbers("elevations") : std::vector<double>();
   if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
     given->error("must ascend");
     return {};
@@ -79,37 +45,36 @@ std::vector<double> read_link_elevations(const TomlView& link, const ReadBuildin
 }
 
 /// Every key of the law; false unless all are usable.
-bool read_link_numbers(const TomlView& link, const LinkLaw& law, LinkSpec& spec) {
-  const Length each = {spec.elevations.size(), "one per elevation"};
+bool read_link_numbers(const TableView& link, const LawEntryOf<Law>& law, LinkSpec& spec) {
   bool good = true, any = false;
-  for (const LinkKey& key : law.keys) {
+  for (const Key& key : law.keys) {
     const std::string name(key.name);
-    const auto value = link.get(name, key.otherwise ? Need::optional : Need::required);
-    any = any || value;
-    if (!value) {
-      good = good && key.otherwise;
-      continue;
-    }
-    std::vector<double> numbers = value->as_number_or_numbers(rule_of_link(key.range), each);
-    good = good && !numbers.empty();
+    const bool given = link.has(name);
+    any = any || given;
+    std::vector<double> numbers = link.numbers(name, spec.elevations.size());
+    good = good && (given ? !numbers.empty() : !key.is_required());
     if (!numbers.empty()) spec.numbers[name] = std::move(numbers);
   }
-  if (!any && law.keys.front().otherwise) {  // nothing of it must be given, but something
+  if (!any && !law.keys.front().is_required()) {  // nothing of it must be given, but something
     std::string keys;
-    for (const LinkKey& key : law.keys) keys += (keys.empty() ? "" : " or ") + std::string(key.name);
+    for (const Key& key : law.keys) keys += (keys.empty() ? "" : " or ") + std::string(key.name);
     link.error(fmt::format("needs {} for law = \"{}\"", keys, law.name));
   }
   return good && any;
 }
 
-LinkSpec read_link(const TomlView& link, const std::vector<ReadBuilding>& buildings) {
+LinkSpec read_link(const TomlView& entry, const std::vector<ReadBuilding>& buildings) {
   LinkSpec spec;
-  if (!link.is(TomlValue::Kind::table)) {
-    link.error_value("must be a table");
-    return spec;
+  const auto table = TableView::of(entry, link_keys());
+  if (!table) return spec;
+  const TableView& link = *table;
+  const auto name = link.word("law");
+  const auto* const law = name ? find_entry(link_laws(), *name) : nullptr;
+  if (law != nullptr) {
+    link.refuse_others("law", *name,
+                       [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", *name); });
   }
-  const LinkLaw* const law = read_link_law(link);
-  spec.level_tolerance = link.number("level_tolerance", Rule::distance, Need::optional);
+  spec.level_tolerance = link.number("level_tolerance");
   const auto sides = read_sides(link, buildings);
   if (!link.has("elevations")) link.error_missing("elevations");
   if (sides) {

@@ -6,6 +6,8 @@
 #include <functional>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -19,14 +21,14 @@ Eigen::MatrixXd read_matrix(const TomlView& view, std::size_t n, bool diagonal_a
   if (!view.is_list_of(what, {n, "one per elevation"})) return {};
   const auto size = static_cast<Eigen::Index>(view.size());
   if (diagonal_allowed && view.item(0).is_number()) {
-    const std::vector<double> diagonal = view.as_numbers(Rule::positive);
+    const std::vector<double> diagonal = view.as_numbers(Range::positive);
     if (diagonal.empty()) return {};
     return Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
   }
   Eigen::MatrixXd matrix(size, size);
   bool good = true;
   for (std::size_t i = 0; i < view.size(); ++i) {
-    const std::vector<double> row = view.item(i).as_numbers(Rule::finite, {view.size(), "a square matrix"});
+    const std::vector<double> row = view.item(i).as_numbers(Range::finite, {view.size(), "a square matrix"});
     good = good && !row.empty();
     if (good) matrix.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), size);
   }
@@ -60,11 +62,13 @@ void check_definite(const TomlView& view, const Eigen::MatrixXd& matrix, bool se
 
 }  // namespace
 
-void read_matrices(const TomlView& view, ReadBuilding& building) {
-  if (!view.is_table_of({"elevations", "mass", "stiffness", "damping"})) return;
+void read_matrices(const TomlView& entry, ReadBuilding& building) {
+  const auto table = TableView::of(entry, matrices_keys());
+  if (!table) return;
+  const TableView& view = *table;
   MatricesSpec spec;
-  const auto list = view.get("elevations");
-  if (list) spec.elevations = list->as_numbers(Rule::size);
+  const auto list = view.find("elevations");
+  spec.elevations = view.numbers("elevations");
   const std::vector<double>& floors = spec.elevations;
   if (std::adjacent_find(floors.begin(), floors.end(), std::greater_equal<>()) != floors.end()) {
     list->error("must ascend");

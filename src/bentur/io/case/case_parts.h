@@ -17,6 +17,7 @@
 namespace bentur {
 
 class CaseMemo;
+class TableView;
 
 /// A building as read, and what gaps and excitation need to know of it.
 struct ReadBuilding {
@@ -58,10 +59,10 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
 /// case_known.cpp: [building.modal], [building.generic], and what rigid = true goes with, into `building`.
 void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
-void read_rigid(const TomlView& table, ReadBuilding& building);
+void read_rigid(const TableView& table, ReadBuilding& building);
 
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
-void read_support(const TomlView& table, double gravity, ReadBuilding& building);
+void read_support(const TableView& table, double gravity, ReadBuilding& building);
 
 /// case_gaps.cpp; columns that are struck between floors get nodes there.
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);
@@ -102,7 +103,7 @@ void read_stick(const TomlView& stick, ReadBuilding& building);
 [[nodiscard]] Damping read_damping(const TomlView& damping, std::size_t modes);
 
 /// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
-void read_damping_stiffness(const TomlView& building, ReadBuilding& read);
+void read_damping_stiffness(const TableView& building, ReadBuilding& read);
 
 /// case_excitation.cpp. `folder` is the one that record files are relative to.
 [[nodiscard]] ExcitationSpec read_excitation(const TomlView& root, const Units& units,
@@ -111,15 +112,11 @@ void read_damping_stiffness(const TomlView& building, ReadBuilding& read);
                                              Diagnostics& diagnostics, CaseMemo* memo = nullptr);
 
 /// case_spectrum.cpp: excitation.kind = "spectrum", its keys, and what only shows once the whole case is right.
-[[nodiscard]] const std::vector<std::string>& spectrum_keys();
-[[nodiscard]] SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t buildings,
+[[nodiscard]] SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_t buildings,
                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
 struct ReadCase;
 void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read);
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
-
-/// The ways round that a record can be applied: as-recorded reversed.
-[[nodiscard]] const std::vector<std::string>& polarities();
 
 /// case_code.cpp
 [[nodiscard]] CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings);

@@ -390,7 +390,7 @@ std::string with_contact(const std::string& contact) {
 }
 
 /// A number for each range of a key.
-std::string number_for(LawKey::Range range) { return range == LawKey::Range::restitution ? "0.65" : "[0.5, 0.4]"; }
+std::string number_for(Range range) { return range == Range::restitution ? "0.65" : "[0.5, 0.4]"; }
 
 // With every one of the keys that exclude one another, with every word of every choice: whatever the registry offers
 // can be said in a case.
@@ -399,8 +399,8 @@ TEST(CaseReading, EveryLawOfTheRegistryInEveryWay) {
   for (const LawEntry& law : contact_laws()) {
     std::string required = fmt::format("law = \"{}\"", law.name);
     std::vector<std::string_view> one_of;
-    for (const LawKey& key : law.keys) {
-      if (key.need == LawKey::Need::one_of) {
+    for (const Key& key : law.keys) {
+      if (key.need == Need::one_of) {
         one_of.push_back(key.name);
       } else {
         required += fmt::format(", {} = {}", key.name, number_for(key.range));
@@ -409,7 +409,7 @@ TEST(CaseReading, EveryLawOfTheRegistryInEveryWay) {
     if (one_of.empty()) one_of.emplace_back();
     for (const std::string_view chosen : one_of) {
       std::vector<std::string> texts = {required + (chosen.empty() ? "" : fmt::format(", {} = 0.3", chosen))};
-      for (const LawChoice& choice : law.choices) {
+      for (const Key& choice : law.choices) {
         if (!choice.with.empty() && choice.with != chosen) continue;
         for (const std::string_view word : choice.words) {
           texts.push_back(fmt::format("{}, {} = \"{}\"", texts.front(), choice.name, word));

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -8,33 +9,18 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/number_table.h"
 #include "bentur/io/records/record_files.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/model/gap/spectral_gap.h"
 
 namespace bentur {
 namespace {
 
-constexpr double usual_damping = 0.05;  // of spectra of codes [-]
-
-const std::vector<std::string> two_period_keys = {"short_period", "one_second", "long_period"};
-const std::vector<std::string> eurocode_keys = {"ground_acceleration", "spectrum_type", "ground_type"};
-const std::vector<std::string> table_keys = {"periods", "accelerations", "file", "unit", "column"};
-
-/// Keys that another shape has.
-void refuse_others(const TomlView& view, const std::optional<std::string>& shape) {
-  if (!shape) return;
-  const auto refuse = [&](const std::vector<std::string>& keys, const std::string& owners, bool own) {
-    if (!own) view.refuse(keys, fmt::format("is for shape = {}, this spectrum has shape = \"{}\"", owners, *shape));
-  };
-  refuse(two_period_keys, "\"asce-7-22\" or \"sni-1726-2019\"", *shape == "asce-7-22" || *shape == "sni-1726-2019");
-  refuse(eurocode_keys, "\"en-1998-1\"", *shape == "en-1998-1");
-  refuse(table_keys, "\"table\"", *shape == "table");
-}
-
-TwoPeriodSpectrum read_two_periods(const TomlView& view, double gravity) {
+TwoPeriodSpectrum read_two_periods(const TableView& view, double gravity) {
   TwoPeriodSpectrum shape;
-  const auto short_period = view.number("short_period", Rule::positive);
-  const auto one_second = view.number("one_second", Rule::positive);
-  const auto long_period = view.number("long_period", Rule::positive);
+  const auto short_period = view.number("short_period");
+  const auto one_second = view.number("one_second");
+  const auto long_period = view.number("long_period");
   shape.short_period = short_period.value_or(0) * gravity;
   shape.one_second = one_second.value_or(0) * gravity;
   shape.long_period = long_period.value_or(0);
@@ -46,10 +32,10 @@ TwoPeriodSpectrum read_two_periods(const TomlView& view, double gravity) {
   return shape;
 }
 
-EurocodeSpectrum read_eurocode(const TomlView& view, double gravity) {
-  const double ground = view.number("ground_acceleration", Rule::positive).value_or(1) * gravity;
-  const auto type = view.whole("spectrum_type", 1, 2);
-  const auto ground_type = view.word("ground_type", {"A", "B", "C", "D", "E"});
+EurocodeSpectrum read_eurocode(const TableView& view, double gravity) {
+  const double ground = view.number("ground_acceleration").value_or(1) * gravity;
+  const auto type = view.whole("spectrum_type");
+  const auto ground_type = view.word("ground_type");
   if (!type || !ground_type) return {};
   return eurocode_spectrum(static_cast<int>(*type), ground_type->front(), ground);
 }
@@ -61,12 +47,12 @@ void check_ascending(const std::vector<double>& periods, const std::function<voi
 }
 
 /// A table of its own file: periods in the first column.
-TableSpectrum read_table_file(const TomlView& view, const std::filesystem::path& folder, Diagnostics& diagnostics,
+TableSpectrum read_table_file(const TableView& view, const std::filesystem::path& folder, Diagnostics& diagnostics,
                               SpectrumSpec& spec) {
   TableSpectrum shape;
   const TomlView file = *view.find("file");
   const auto name = file.as_text();
-  const auto column = view.whole("column", 2, 1000000, Need::optional);
+  const auto column = view.whole("column");
   if (!name) return shape;
   const auto path = input_path(file, *name, folder, table_input);
   if (!path) return shape;
@@ -103,18 +89,19 @@ TableSpectrum read_table_file(const TomlView& view, const std::filesystem::path&
   return shape;
 }
 
-TableSpectrum read_table(const TomlView& view, const Units& units, const std::filesystem::path& folder,
+TableSpectrum read_table(const TableView& view, const Units& units, const std::filesystem::path& folder,
                          Diagnostics& diagnostics, SpectrumSpec& spec) {
   TableSpectrum shape;
-  const auto unit = view.word("unit", acceleration_units());
-  if (const auto kind = view.exactly_one({"periods", "file"})) {
+  const auto unit = view.word("unit");
+  if (const auto kind = view.exactly_one("table")) {
     if (*kind == "file") {
       view.refuse({"accelerations"}, "goes with periods: a file holds both");
       shape = read_table_file(view, folder, diagnostics, spec);
     } else {
       view.refuse({"column"}, "goes with file");
-      shape.periods = view.find("periods")->as_numbers(Rule::not_negative);
-      shape.accelerations = view.numbers("accelerations", Rule::not_negative, {shape.periods.size(), "one per period"});
+      shape.periods = view.numbers("periods");
+      if (!view.has("accelerations")) view.error_missing("accelerations");
+      shape.accelerations = view.numbers("accelerations", shape.periods.size());
       check_ascending(shape.periods, [&](std::size_t i) { view.find("periods")->item(i).error("must ascend"); });
     }
   }
@@ -126,24 +113,19 @@ TableSpectrum read_table(const TomlView& view, const Units& units, const std::fi
 
 }  // namespace
 
-const std::vector<std::string>& spectrum_keys() {
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> all = {"shape", "damping_ratio", "damping_correction", "modal_combination", "reduction"};
-    for (const auto* of : {&two_period_keys, &eurocode_keys, &table_keys})
-      all.insert(all.end(), of->begin(), of->end());
-    return all;
-  }();
-  return keys;
-}
-
-SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t buildings,
+SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_t buildings,
                            const std::filesystem::path& folder, Diagnostics& diagnostics) {
   SpectrumSpec spec;
   spec.position = view.find("kind")->position();
   view.refuse({"delays", "wave_velocity", "kinematics"},
               "needs a course in time, which a spectrum has not: give a record to account for it");
-  const auto shape = view.word("shape", {"asce-7-22", "sni-1726-2019", "en-1998-1", "table"});
-  refuse_others(view, shape);
+  const auto shape = view.word("shape");
+  if (shape) {
+    view.refuse_others("shape", *shape, [&](const auto& owners) {
+      return fmt::format("is for shape = \"{}\", this spectrum has shape = \"{}\"", fmt::join(owners, "\" or \""),
+                         *shape);
+    });
+  }
   spec.shape = shape.value_or("");
   if (shape == "en-1998-1") {
     spec.spectrum.shape = read_eurocode(view, units.gravity);
@@ -155,16 +137,13 @@ SpectrumSpec read_spectrum(const TomlView& view, const Units& units, std::size_t
   if (shape && shape != "table") {
     view.refuse({"damping_ratio"}, "is for shape = \"table\": spectra of codes are for 0.05");
   } else {
-    spec.spectrum.damping_ratio = view.number("damping_ratio", Rule::ratio, Need::optional).value_or(usual_damping);
+    spec.spectrum.damping_ratio = view.number("damping_ratio").value_or(spec.spectrum.damping_ratio);
   }
-  spec.spectrum.corrects_damping =
-      view.word("damping_correction", {"en-1998-1", "none"}, Need::optional).value_or("en-1998-1") != "none";
-  if (view.word("modal_combination", {"cqc", "srss"}, Need::optional) == "srss") {
+  spec.spectrum.corrects_damping = view.word("damping_correction").value_or("en-1998-1") != "none";
+  if (view.word("modal_combination") == "srss") {
     spec.combination = ModalCombination::srss;
   }
-  if (const auto reduction = view.find("reduction")) {
-    spec.reduction = reduction->as_number_for_each(Rule::positive, {buildings, "one per building"});
-  }
+  if (view.has("reduction")) spec.reduction = view.numbers_for_each("reduction", buildings);
   return spec;
 }
 
@@ -190,9 +169,10 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
 
 ScreeningSpec read_screening(const TomlView& root) {
   ScreeningSpec spec;
-  const auto view = root.find("screening");
-  if (!view || !view->is_table_of({"seismicity"})) return spec;
-  const auto word = view->word("seismicity", seismicity_words());
+  const auto view = TableView(root, case_keys()).table("screening");
+  if (!view) return spec;
+  if (!view->has("seismicity")) view->error_missing("seismicity");
+  const auto word = view->word("seismicity");
   if (!word) return spec;
   const auto& words = seismicity_words();
   spec.seismicity = static_cast<Seismicity>(std::find(words.begin(), words.end(), *word) - words.begin());

@@ -2,25 +2,25 @@
 #include <cmath>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
 /// What says how storeys yield.
-void read_yielding(const TomlView& view, const Length& per_storey, Stick& stick) {
-  const auto hardening = view.find("hardening");
-  const auto word = view.word("hysteresis", {"bilinear", "peak-oriented"}, Need::optional);
-  const auto exponent = view.number("unloading_exponent", Rule::share, Need::optional);
-  if (hardening) stick.hardening = hardening->as_number_or_numbers(Rule::ratio, per_storey);
+void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
+  const auto word = view.word("hysteresis");
+  const auto exponent = view.number("unloading_exponent");
+  stick.hardening = view.numbers("hardening", storeys);
   if (word == "peak-oriented") {
     stick.hysteresis = Hysteresis::peak_oriented;
     stick.unloading_exponent = exponent.value_or(0);
   } else if (!view.has("hysteresis") || word == "bilinear") {
     view.refuse({"unloading_exponent"}, "is for hysteresis = \"peak-oriented\"");
   }
-  const auto forces = view.find("yield_forces");
-  if (forces) {
-    stick.yield_forces = forces->as_number_or_numbers(Rule::positive_or_infinite, per_storey);
+  if (view.has("yield_forces")) {
+    stick.yield_forces = view.numbers("yield_forces", storeys);
   } else {
     view.refuse({"hardening", "hysteresis", "unloading_exponent"},
                 "is of storeys that yield: give yield_forces too, without them all stay elastic");
@@ -29,18 +29,17 @@ void read_yielding(const TomlView& view, const Length& per_storey, Stick& stick)
 
 }  // namespace
 
-void read_stick(const TomlView& view, ReadBuilding& building) {
-  if (!view.is_table_of({"storey_heights", "masses", "stiffnesses", "yield_forces", "hardening", "hysteresis",
-                         "unloading_exponent"})) {
-    return;
-  }
+void read_stick(const TomlView& given, ReadBuilding& building) {
+  const auto table = TableView::of(given, stick_keys());
+  if (!table) return;
+  const TableView& view = *table;
   Stick stick;
-  const auto heights = view.get("storey_heights");
-  const Length per_storey = {heights ? heights->size() : 0, "one per storey"};
-  if (heights) stick.storey_heights = heights->as_numbers(Rule::size);
-  stick.masses = view.numbers("masses", Rule::positive, per_storey);
-  stick.stiffnesses = view.numbers("stiffnesses", Rule::positive, per_storey);
-  read_yielding(view, per_storey, stick);
+  const auto heights = view.find("storey_heights");
+  const std::size_t storeys = heights ? heights->size() : 0;
+  stick.storey_heights = view.numbers("storey_heights");
+  stick.masses = view.numbers("masses", storeys);
+  stick.stiffnesses = view.numbers("stiffnesses", storeys);
+  read_yielding(view, storeys, stick);
   building.modes = stick.storey_heights.size();
   building.elevations = floor_elevations(stick.storey_heights);
   building.spec.structure = std::move(stick);

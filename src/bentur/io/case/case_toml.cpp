@@ -12,6 +12,8 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/remarks.h"
 
@@ -20,11 +22,9 @@ namespace {
 
 constexpr double shortest_time = 1e-15;  // of the duration: less has no phase left in a number [-]
 constexpr double most_samples = 1e7;     // of one history [-]
-constexpr double most_steps = 1e15;      // that a limit can be raised to [-]
-constexpr double most_memory = 1e9;      // the same [MB]
 
 /// One list per building, zeros where the case names none; empty when the table is missing.
-std::vector<std::vector<double>> read_initial_table(const TomlView& initial, const std::string& key, Rule rule,
+std::vector<std::vector<double>> read_initial_table(const TableView& initial, const std::string& key,
                                                     const std::vector<ReadBuilding>& buildings, bool& moves) {
   const auto table = initial.find(key);
   if (!table) return {};
@@ -32,6 +32,7 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
     table->error_value("must be a table: building name = list, one value per floor");
     return {};
   }
+  const Key& known = initial.key(key);
   std::vector<std::string> names;
   for (const ReadBuilding& building : buildings) names.push_back(building.spec.name);
   std::vector<std::vector<double>> lists;
@@ -44,7 +45,7 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
       continue;
     }
     const auto b = static_cast<std::size_t>(found - names.begin());
-    const auto values = given.as_numbers(rule, {lists[b].size(), "one per floor"});
+    const auto values = given.as_numbers(known.range, {lists[b].size(), std::string(known.each)});
     if (values.empty()) continue;
     lists[b] = values;
     moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
@@ -55,43 +56,24 @@ std::vector<std::vector<double>> read_initial_table(const TomlView& initial, con
 /// @param moves set when something is given an initial displacement or velocity.
 InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool& moves) {
   InitialSpec initial;
-  const auto view = root.find("initial");
-  if (!view || !view->is_table_of({"displacements", "velocities"})) return initial;
-  initial.displacements = read_initial_table(*view, "displacements", Rule::level, buildings, moves);
-  initial.velocities = read_initial_table(*view, "velocities", Rule::finite, buildings, moves);
+  const auto view = TableView(root, case_keys()).table("initial");
+  if (!view) return initial;
+  initial.displacements = read_initial_table(*view, "displacements", buildings, moves);
+  initial.velocities = read_initial_table(*view, "velocities", buildings, moves);
   return initial;
 }
 
-/// The key of one solver; an error where another one is chosen.
-std::optional<double> read_solver_number(const TomlView& view, const std::string& key, const std::string& owner,
-                                         const std::string& chosen, Rule rule) {
-  const auto value = view.find(key);
-  if (value && chosen != owner) value->error(fmt::format("is for solver = \"{}\"", owner));
-  return value && chosen == owner ? value->as_number(rule) : std::nullopt;
-}
-
-Solver read_solver(const TomlView& view) {
-  const auto given = view.word("solver", {"exact", "runge-kutta", "adaptive"}, Need::optional);
+Solver read_solver(const TableView& view) {
+  const auto given = view.word("solver");
   if (!given && view.has("solver")) return ExactSolver{};
   const std::string chosen = given.value_or("exact");
-  const auto step = read_solver_number(view, "step", "runge-kutta", chosen, Rule::positive);
-  const auto tolerance = read_solver_number(view, "tolerance", "adaptive", chosen, Rule::finite);
-  if (tolerance && (*tolerance < 1e-13 || *tolerance > 1e-2)) {
-    view.find("tolerance")->error_value("must be in [1e-13, 1e-2]");
-  }
+  view.refuse_others("solver", chosen,
+                     [](const auto& owners) { return fmt::format("is for solver = \"{}\"", owners.front()); });
+  const auto step = chosen == "runge-kutta" ? view.number("step") : std::nullopt;
+  const auto tolerance = chosen == "adaptive" ? view.number("tolerance") : std::nullopt;
   if (chosen == "runge-kutta") return RungeKuttaSolver{step.value_or(RungeKuttaSolver{}.step)};
   if (chosen == "adaptive") return AdaptiveSolver{tolerance.value_or(AdaptiveSolver{}.tolerance)};
   return ExactSolver{};
-}
-
-LimitsSpec read_limits(const TomlView& view) {
-  LimitsSpec limits;
-  if (!view.is_table_of({"steps", "memory"})) return limits;
-  limits.steps = view.number("steps", Rule::positive, Need::optional).value_or(limits.steps);
-  limits.memory = view.number("memory", Rule::positive, Need::optional).value_or(limits.memory);
-  if (limits.steps < 1 || limits.steps > most_steps) view.find("steps")->error_value("must be in [1, 1e15]");
-  if (limits.memory > most_memory) view.find("memory")->error_value("must be at most 1e9 (MB)");
-  return limits;
 }
 
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
@@ -104,29 +86,28 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   const bool duration_needed = kind && (kind->value().text == "harmonic" || kind->value().text == "none");
   const std::string reason = "only a record has a length of its own";
 
-  const auto view = root.find("analysis");
-  if (!view) {
+  if (!root.has("analysis")) {
     if (duration_needed) root.error_missing("analysis", "its duration is needed, " + reason);
     return analysis;
   }
-  if (!view->is_table_of({"duration", "solver", "step", "tolerance", "output_step", "energy_audit", "both_ways",
-                          "limits", "collapse_drift"})) {
-    return analysis;
-  }
-  if (const auto duration = view->find("duration")) {
-    analysis.duration = duration->as_number(Rule::size).value_or(0);
+  const auto view = TableView(root, case_keys()).table("analysis");
+  if (!view) return analysis;
+  if (view->has("duration")) {
+    analysis.duration = view->number("duration").value_or(0);
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }
   analysis.solver = read_solver(*view);
-  if (const auto limits = view->find("limits")) analysis.limits = read_limits(*limits);
-  analysis.collapse_drift =
-      view->number("collapse_drift", Rule::positive, Need::optional).value_or(analysis.collapse_drift);
-  analysis.energy_audit = view->flag("energy_audit", Need::optional).value_or(false);
-  analysis.both_ways = view->flag("both_ways", Need::optional).value_or(true);
-  analysis.output_step = view->number("output_step", Rule::positive, Need::optional).value_or(analysis.output_step);
+  if (const auto limits = view->table("limits")) {
+    analysis.limits.steps = limits->number("steps").value_or(analysis.limits.steps);
+    analysis.limits.memory = limits->number("memory").value_or(analysis.limits.memory);
+  }
+  analysis.collapse_drift = view->number("collapse_drift").value_or(analysis.collapse_drift);
+  analysis.energy_audit = view->flag("energy_audit");
+  analysis.both_ways = view->flag("both_ways");
+  analysis.output_step = view->number("output_step").value_or(analysis.output_step);
   if (analysis.duration / analysis.output_step > most_samples) {
-    (view->has("output_step") ? *view->find("output_step") : *view)
+    (view->has("output_step") ? *view->find("output_step") : *root.find("analysis"))
         .error(fmt::format("asks for histories of {:.3g} samples, more than {:.0e}: make output_step larger",
                            analysis.duration / analysis.output_step, most_samples));
   }
@@ -225,8 +206,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
                          CaseMemo* memo) {
   ReadCase read;
   Case& c = read.c;
-  (void)root.is_table_of(
-      {"title", "units", "building", "gap", "link", "excitation", "initial", "analysis", "code", "screening"});
+  (void)TableView::of(root, case_keys());
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
@@ -261,11 +241,11 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
 
 Units read_units(const TomlView& root) {
   Units units;
-  const auto view = root.find("units");
-  if (!view || !view->is_table_of({"length", "force", "gravity"})) return units;
-  units.length = view->word("length", length_units(), Need::optional).value_or(units.length);
-  units.force = view->word("force", force_units(), Need::optional).value_or(units.force);
-  units.gravity = view->number("gravity", Rule::size, Need::optional).value_or(standard_gravity(units.length));
+  const auto view = TableView(root, case_keys()).table("units");
+  if (!view) return units;
+  units.length = view->word("length").value_or(units.length);
+  units.force = view->word("force").value_or(units.force);
+  units.gravity = view->number("gravity").value_or(standard_gravity(units.length));
   return units;
 }
 

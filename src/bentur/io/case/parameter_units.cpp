@@ -1,173 +1,18 @@
 #include "bentur/io/case/parameter_units.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "bentur/core/number_text.h"
-#include "bentur/io/toml/toml_view.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
 namespace {
-
-/// The unit of a key, by the table it stands in ("*": any; the first that fits counts): L length, F force; mass is
-/// F s2 L-1.
-struct KeyUnit {
-  const char* table;
-  const char* key;
-  const char* units;
-};
-
-constexpr const char* mass = "F s2 L-1";
-
-const KeyUnit key_units[] = {
-    {"units", "gravity", "L s-2"},
-    {"gap", "width", "L"},
-    {"gap", "elevations", "L"},
-    {"gap", "level_tolerance", "L"},
-    {"building", "width", "L"},
-    {"building", "damping", "1"},
-    {"building", "calibrate_period", "s"},
-    {"building", "base_elevation", "L"},
-    {"building", "elevations", "L"},
-    {"building", "gravity_loads", "F"},
-    {"damping", "modal", "1"},
-    {"damping", "mass_proportional", "1"},
-    {"damping", "stiffness_proportional", "1"},
-    {"rayleigh", "ratios", "1"},
-    {"rayleigh", "periods", "s"},
-    {"frame", "elastic_modulus", "F L-2"},
-    {"frame", "floor_masses", mass},
-    {"floor_load", "pressure", "F L-2"},
-    {"floor_load", "width", "L"},
-    {"*", "storey_heights", "L"},
-    {"*", "bay_widths", "L"},
-    {"columns", "width", "L"},
-    {"columns", "depth", "L"},
-    {"beams", "width", "L"},
-    {"beams", "depth", "L"},
-    {"foundation", "mass", mass},
-    {"foundation", "inertia", "F s2 L"},
-    {"*", "area", "L2"},
-    {"*", "inertia", "L4"},
-    {"columns", "mass", mass},
-    {"beams", "mass", mass},
-    {"*", "density", "F s2 L-4"},
-    {"*", "unit_weight", "F L-3"},
-    {"stick", "masses", mass},
-    {"stick", "stiffnesses", "F L-1"},
-    {"stick", "yield_forces", "F"},
-    {"stick", "hardening", "1"},
-    {"stick", "unloading_exponent", "1"},
-    {"modal", "elevations", "L"},
-    {"modal", "masses", mass},
-    {"modal", "periods", "s"},
-    {"generic", "storey_height", "L"},
-    {"generic", "floor_mass", mass},
-    {"generic", "period", "s"},
-    {"generic", "stiffness_ratio", "1"},
-    {"generic", "yield_base_shear", "1"},
-    {"generic", "hardening", "1"},
-    {"isolation", "mass", mass},
-    {"isolation", "stiffness", "F L-1"},
-    {"isolation", "characteristic_strength", "F"},
-    {"*", "yield_displacement", "L"},
-    {"friction_pendulum", "coefficient", "1"},
-    {"half_space", "shear_wave_velocity", "L s-1"},
-    {"half_space", "poisson", "1"},
-    {"sway", "stiffness", "F L-1"},
-    {"sway", "damping", "F s L-1"},
-    {"rocking", "stiffness", "F L"},
-    {"rocking", "damping", "F L s"},
-    {"column_capacity", "shear", "F"},
-    {"column_capacity", "moment", "F L"},
-    {"matrices", "elevations", "L"},
-    {"matrices", "mass", mass},
-    {"matrices", "stiffness", "F L-1"},
-    {"matrices", "damping", "F s L-1"},
-    {"modal", "shapes", "1"},
-    {"generic", "storeys", "1"},
-    {"isolation", "damping", "F s L-1"},
-    {"*", "radius", "L"},
-    {"link", "elevations", "L"},
-    {"link", "level_tolerance", "L"},
-    {"link", "stiffness", "F L-1"},
-    {"link", "damping", "F s L-1"},
-    {"link", "yield_force", "F"},
-    {"link", "hardening", "1"},
-    {"link", "slack", "L"},
-    {"contact", "second_stiffness", "F L-1"},
-    {"contact", "yield_penetration", "L"},
-    {"contact", "restitution", "1"},
-    {"contact", "damping_ratio", "1"},
-    {"contact", "damping_factor", "1"},
-    {"contact", "damping", "F s L-1"},
-    {"contact", "alpha", "s L-1"},
-    {"excitation", "time_step", "s"},
-    {"excitation", "pga", "L s-2"},
-    {"excitation", "scale", "1"},
-    {"excitation", "period", "s"},
-    {"excitation", "displacement_amplitude", "L"},
-    {"excitation", "acceleration_amplitude", "L s-2"},
-    {"excitation", "delays", "s"},
-    {"excitation", "wave_velocity", "L s-1"},
-    {"displacements", "*", "L"},
-    {"velocities", "*", "L s-1"},
-    {"analysis", "duration", "s"},
-    {"analysis", "step", "s"},
-    {"analysis", "tolerance", "1"},
-    {"analysis", "output_step", "s"},
-    {"analysis", "collapse_drift", "1"},
-    {"limits", "steps", "1"},
-};
-
-constexpr const char* hertz_stiffness = "F L-1.5";  // UDUNITS has no such powers
-
-/// A contact's stiffness [force/length], or of Hertz's laws [force/length^1.5].
-std::string stiffness_form(ParameterPath path, const TomlValue& root) {
-  while (!path.empty() && path.back() != PathStep("contact")) path.pop_back();
-  path.emplace_back("law");
-  const TomlValue* law = find_value(root, path);
-  if (law == nullptr) return "";
-  const bool hertz = law->text == "hertz" || law->text == "hertz-damp" || law->text == "jankowski";
-  return hertz ? hertz_stiffness : "F L-1";
-}
-
-std::string form_of(const ParameterPath& path, const TomlValue& root) {
-  std::vector<std::string> keys;
-  for (const PathStep& step : path) {
-    if (const auto* key = std::get_if<std::string>(&step)) keys.push_back(*key);
-  }
-  if (keys.size() < 2) return "";
-  const std::string& table = keys[keys.size() - 2];
-  const std::string& key = keys.back();
-  if (table == "contact" && key == "stiffness") return stiffness_form(path, root);
-  for (const KeyUnit& known : key_units) {
-    const std::string known_table = known.table;
-    const std::string known_key = known.key;
-    if ((known_table == "*" || known_table == table) && (known_key == "*" || known_key == key)) return known.units;
-  }
-  return "";
-}
-
-/// What a number of this form is to be multiplied by where a unit of length is `length` new ones and one of force
-/// `force`.
-double factor_of(const std::string& form, double length, double force) {
-  double factor = 1;
-  for (std::size_t at = 0; at < form.size();) {
-    const std::size_t end = std::min(form.find(' ', at), form.size());
-    double power = 1;
-    if (end > at + 1) from_chars(form.data() + at + 1, form.data() + end, power);
-    if (form[at] == 'L') factor *= std::pow(length, power);
-    if (form[at] == 'F') factor *= std::pow(force, power);
-    at = end + 1;
-  }
-  return factor;
-}
 
 /// A number of at most 13 digits; of 10 where these say as much.
 std::string digits_of(double value, bool is_real) {
@@ -205,7 +50,8 @@ class TextInUnits {
       path.pop_back();
     }
     if (!value.is_number() || !std::isfinite(value.real)) return;
-    const double factor = factor_of(form_of(path, root_), length_, force_);
+    const Key* const key = key_at(case_keys(), path, root_);
+    const double factor = key == nullptr ? 1 : key->dimension.factor(length_, force_);
     if (factor == 1) return;
     const std::size_t from = place(value);
     const std::size_t to = std::min(text_.find_first_of(" \t\r\n,]}#", from), text_.size());
@@ -308,8 +154,11 @@ std::optional<std::string> text_in_units(const std::string& text, const std::str
 }
 
 std::string parameter_units(const ParameterPath& path, const TomlValue& root, const Units& units) {
-  const std::string form = form_of(path, root);
-  return form == hertz_stiffness ? "" : udunits(form, units);
+  const Key* const key = key_at(case_keys(), path, root);
+  const bool is_number = key != nullptr && key->own_unit.empty() &&
+                         (key->kind == Key::Kind::number || key->kind == Key::Kind::quantity ||
+                          key->kind == Key::Kind::whole || key->kind == Key::Kind::by_building);
+  return is_number ? udunits(key->dimension.form(), units) : "";
 }
 
 }  // namespace bentur

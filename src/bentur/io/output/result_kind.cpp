@@ -62,6 +62,7 @@ std::string_view kind_name(ResultKind kind) {
       "the script of a figure by bentur",
       "data of a figure by bentur, whose script would stand beside them",
       "a figure by bentur, whose script would stand beside it",
+      "a schema of bentur schema",
       "the example",
   };
   return names[static_cast<std::size_t>(kind)];
@@ -85,6 +86,11 @@ bool is_result(const fs::path& file, ResultKind kind) {
     case ResultKind::picture: {
       fs::path script = file;
       return is_result(script.replace_extension(".gp"), ResultKind::figure_script);
+    }
+    case ResultKind::schema: {
+      const FoundJson schema = json_of(file);
+      return has_keys(schema, {"$schema", "title"}) && schema["title"].is_string() &&
+             schema["title"].get<std::string>().ends_with(" of bentur");
     }
     case ResultKind::histories:
     case ResultKind::sweep:

@@ -18,6 +18,7 @@ enum class ResultKind {
   figure_script,  ///< NAME.gp
   figure_data,    ///< NAME.dat beside it
   picture,        ///< NAME.svg, .pdf or .png beside it
+  schema,         ///< a JSON Schema for editors
   example         ///< a case or record built into the program
 };
 

@@ -13,36 +13,6 @@
 namespace bentur {
 namespace {
 
-/// The rule that a number breaks, as a message says it; empty where it keeps it.
-std::string broken(Rule rule, double x) {
-  if (rule == Rule::positive_or_infinite) return x > 0 ? "" : "must be > 0 (inf: no limit)";
-  if (!std::isfinite(x)) return "must be finite";
-  switch (rule) {
-    case Rule::positive:
-      return x > 0 ? "" : "must be > 0";
-    case Rule::not_negative:
-      return x >= 0 ? "" : "must be >= 0";
-    case Rule::not_zero:
-      return x != 0 ? "" : "must not be 0";
-    case Rule::ratio:
-      return x >= 0 && x < 1 ? "" : "must be in [0, 1)";
-    case Rule::restitution:
-      return x > 0 && x <= 1 ? "" : "must be in (0, 1]";
-    case Rule::share:
-      return x >= 0 && x <= 1 ? "" : "must be in [0, 1]";
-    case Rule::size:
-      return !(x > 0) ? "must be > 0" : x >= 1e-9 && x <= 1e9 ? "" : "must be in [1e-9, 1e9]";
-    case Rule::distance:
-      return !(x >= 0) ? "must be >= 0" : x <= 1e9 ? "" : "must be in [0, 1e9]";
-    case Rule::level:
-      return std::abs(x) <= 1e9 ? "" : "must be in [-1e9, 1e9]";
-    case Rule::positive_or_infinite:
-    case Rule::finite:
-      break;
-  }
-  return "";
-}
-
 /// Bytes of the character that a text begins with where that is none to be seen, but changes how others are shown:
 /// controls, ends of lines, marks of direction; else 0.
 std::size_t unseen(std::string_view text) {
@@ -187,38 +157,6 @@ std::optional<TomlView> TomlView::get(const std::string& key, Need need) const {
   return found;
 }
 
-std::optional<double> TomlView::number(const std::string& key, Rule rule, Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_number(rule) : std::nullopt;
-}
-
-std::vector<double> TomlView::numbers(const std::string& key, Rule rule, const Length& length, Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_numbers(rule, length) : std::vector<double>();
-}
-
-std::optional<std::string> TomlView::text(const std::string& key, Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_text() : std::nullopt;
-}
-
-std::optional<std::string> TomlView::word(const std::string& key, const std::vector<std::string>& known,
-                                          Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_word(known) : std::nullopt;
-}
-
-std::optional<bool> TomlView::flag(const std::string& key, Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_flag() : std::nullopt;
-}
-
-std::optional<std::int64_t> TomlView::whole(const std::string& key, std::int64_t least, std::int64_t most,
-                                            Need need) const {
-  const auto found = get(key, need);
-  return found ? found->as_whole(least, most) : std::nullopt;
-}
-
 std::optional<TomlView> TomlView::tables(const std::string& key, const std::string& reason) const {
   const auto list = find(key);
   if (!list) return error_missing(key, reason);
@@ -275,10 +213,10 @@ bool TomlView::is_list_of(const std::string& what, const Length& length) const {
 
 std::string TomlView::entries() const { return counted(size(), "entry", "entries"); }
 
-std::optional<double> TomlView::as_number(Rule rule) const {
+std::optional<double> TomlView::as_number(Range range) const {
   if (!is_number()) return error_value("must be a number");
-  const std::string why = broken(rule, value_->real);
-  if (!why.empty()) return error_value(why);
+  const std::string_view why = broken_rule(range, value_->real);
+  if (!why.empty()) return error_value(std::string(why));
   return value_->real;
 }
 
@@ -288,26 +226,26 @@ std::optional<std::int64_t> TomlView::as_whole(std::int64_t least, std::int64_t 
   return error_value(rule.empty() ? fmt::format("must be a whole number from {} to {}", least, most) : rule);
 }
 
-std::vector<double> TomlView::as_numbers(Rule rule, const Length& length) const {
+std::vector<double> TomlView::as_numbers(Range range, const Length& length) const {
   bool good = is_list_of("numbers", length);
   std::vector<double> numbers;
   for (const TomlView& one : items()) {
-    const auto number = one.as_number(rule);
+    const auto number = one.as_number(range);
     good = good && number.has_value();
     if (number) numbers.push_back(*number);
   }
   return good ? numbers : std::vector<double>();
 }
 
-std::vector<double> TomlView::as_number_or_numbers(Rule rule, const Length& length) const {
-  if (is(TomlValue::Kind::list)) return as_numbers(rule, length);
+std::vector<double> TomlView::as_number_or_numbers(Range range, const Length& length) const {
+  if (is(TomlValue::Kind::list)) return as_numbers(range, length);
   if (!is_number()) error_value("must be a number or a list of numbers");
-  const auto number = is_number() ? as_number(rule) : std::nullopt;
+  const auto number = is_number() ? as_number(range) : std::nullopt;
   return number ? std::vector<double>{*number} : std::vector<double>();
 }
 
-std::vector<double> TomlView::as_number_for_each(Rule rule, const Length& length) const {
-  std::vector<double> numbers = as_number_or_numbers(rule, length);
+std::vector<double> TomlView::as_number_for_each(Range range, const Length& length) const {
+  std::vector<double> numbers = as_number_or_numbers(range, length);
   if (numbers.size() == 1) numbers.resize(length.count, double{numbers.front()});
   return numbers;
 }

@@ -8,29 +8,10 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/core/key.h"
 #include "bentur/io/toml/toml_value.h"
 
 namespace bentur {
-
-/// The values a number may take; a message states the rule.
-/// ratio: [0, 1), restitution: (0, 1], share: [0, 1]; all but positive_or_infinite are finite. size: [1e-9, 1e9], of
-/// lengths, gravity and durations, so that what is divided by them is finite; distance: [0, 1e9]; level: an elevation
-/// or a displacement, within ±1e9.
-enum class Rule {
-  finite,
-  positive,
-  positive_or_infinite,
-  not_negative,
-  not_zero,
-  ratio,
-  restitution,
-  share,
-  size,
-  distance,
-  level
-};
-
-enum class Need { required, optional };
 
 /// How many values a list must have and why, e.g. {3, "one per storey"}; count 0: any number from one.
 struct Length {
@@ -70,17 +51,8 @@ class TomlView {
   [[nodiscard]] bool has(const std::string& key) const { return value_->find(key) != nullptr; }
   /// Nothing where the key is missing.
   [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;
-  /// An error where a required key is missing. So do the readers that follow, which then read the value.
+  /// An error where a required key is missing.
   [[nodiscard]] std::optional<TomlView> get(const std::string& key, Need need = Need::required) const;
-  [[nodiscard]] std::optional<double> number(const std::string& key, Rule rule, Need need = Need::required) const;
-  [[nodiscard]] std::vector<double> numbers(const std::string& key, Rule rule, const Length& length = {},
-                                            Need need = Need::required) const;
-  [[nodiscard]] std::optional<std::int64_t> whole(const std::string& key, std::int64_t least, std::int64_t most,
-                                                  Need need = Need::required) const;
-  [[nodiscard]] std::optional<std::string> text(const std::string& key, Need need = Need::required) const;
-  [[nodiscard]] std::optional<std::string> word(const std::string& key, const std::vector<std::string>& known,
-                                                Need need = Need::required) const;
-  [[nodiscard]] std::optional<bool> flag(const std::string& key, Need need = Need::required) const;
   /// The list of tables headed [[key]]; an error with `reason` where there is none.
   [[nodiscard]] std::optional<TomlView> tables(const std::string& key, const std::string& reason) const;
   /// Of two or more keys that exclude one another the one given; an error when there is none (unless optional) or more.
@@ -98,12 +70,12 @@ class TomlView {
   [[nodiscard]] bool is_list_of(const std::string& what, const Length& length = {}) const;
 
   // This value itself.
-  [[nodiscard]] std::optional<double> as_number(Rule rule) const;
-  [[nodiscard]] std::vector<double> as_numbers(Rule rule, const Length& length = {}) const;
+  [[nodiscard]] std::optional<double> as_number(Range range) const;
+  [[nodiscard]] std::vector<double> as_numbers(Range range, const Length& length = {}) const;
   /// One number for all, or one for each as `length` says.
-  [[nodiscard]] std::vector<double> as_number_or_numbers(Rule rule, const Length& length) const;
+  [[nodiscard]] std::vector<double> as_number_or_numbers(Range range, const Length& length) const;
   /// The same, one number said once for each.
-  [[nodiscard]] std::vector<double> as_number_for_each(Rule rule, const Length& length) const;
+  [[nodiscard]] std::vector<double> as_number_for_each(Range range, const Length& length) const;
   /// A whole number in [least, most]. @param rule what a message says of it; empty: just that.
   [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most,
                                                      const std::string& rule = {}) const;

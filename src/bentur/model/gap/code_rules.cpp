@@ -10,7 +10,19 @@
 namespace bentur {
 namespace {
 
-using Kind = CodeKey::Kind;
+Key factor_key(std::string_view name, Label label, std::string_view doc) {
+  return Key::number(name, dimension::none, Range::positive, label, doc).for_each("one per building");
+}
+
+Key deflection_amplification() {
+  return factor_key("deflection_amplification", {"Deflection amplification", "Pembesaran defleksi"}, "C_d");
+}
+
+Key importance_factor() { return factor_key("importance_factor", {"Importance factor", "Faktor keutamaan"}, "I"); }
+
+Key behaviour_factor() { return factor_key("behaviour_factor", {"Behaviour factor", "Faktor perilaku"}, "q, Q"); }
+
+Key response_reduction() { return factor_key("response_reduction", {"Response reduction", "Reduksi respons"}, "R"); }
 
 /// The value for one building of a list with one for all or one each.
 template <class Value>
@@ -109,42 +121,42 @@ CodeSeparation ntc(const CodePair& pair, const CodeRuleSpec& spec) {  // (7)
 }  // namespace
 
 const std::vector<CodeRule>& code_rules() {
-  const auto one = [](std::string_view name) { return CodeKey{.name = name}; };
   static const std::vector<CodeRule> rules = {
       {"asce-7-16",
        "ASCE 7-16, IBC",
        "12.12.3",
        "checked, C_d/I_e to check",
        "elastic displacement under design forces reduced by R/I_e; C_d/I_e makes it the inelastic one",
-       {one("deflection_amplification"), one("importance_factor")},
+       {deflection_amplification(), importance_factor()},
        asce},
       {"sni-1726-2019",
        "SNI 1726:2019",
        "7.12.3",
        "to check",
        "elastic displacement under design forces reduced by R/I_e; C_d/I_e makes it the inelastic one",
-       {one("deflection_amplification"), one("importance_factor")},
+       {deflection_amplification(), importance_factor()},
        asce},
       {"en-1998-1",
        "EN 1998-1:2004",
        "4.4.2.7",
        "to check",
        "elastic displacement under the design spectrum, reduced by q; q makes it the inelastic one",
-       {one("behaviour_factor")},
+       {behaviour_factor()},
        eurocode},
       {"is-1893-1",
        "IS 1893-1:2016",
        "7.11.3",
        "to check",
        "elastic displacement under design forces reduced by R; R makes it the inelastic one",
-       {one("response_reduction")},
+       {response_reduction()},
        is1893},
       {"nbcc",
        "NBCC",
        "4.1.8.14",
        "checked",
        "elastic displacement under forces reduced by R_d R_o/I_E; R_d R_o/I_E makes it the inelastic one",
-       {one("ductility_factor"), one("overstrength_factor"), one("importance_factor")},
+       {factor_key("ductility_factor", {"Ductility factor", "Faktor daktilitas"}, "R_d"),
+        factor_key("overstrength_factor", {"Overstrength factor", "Faktor kuat lebih"}, "R_o"), importance_factor()},
        nbcc},
       {"tbdy-2018",
        "TBDY 2018",
@@ -152,23 +164,26 @@ const std::vector<CodeRule>& code_rules() {
        "to check",
        "elastic displacement under design forces reduced by R/I; a quarter of R/I (floors aligned) or a half makes it "
        "the gap's",
-       {one("response_reduction"), one("importance_factor")},
+       {response_reduction(), importance_factor()},
        tbdy},
       {"gb-50011-2010",
        "GB 50011-2010",
        "6.1.4",
        "checked",
        "no displacement: the height alone",
-       {CodeKey{.name = "intensity", .kind = Kind::whole, .from = 6, .to = 9},
-        CodeKey{.name = "system", .kind = Kind::building_word, .words = {"frame", "frame-wall", "wall"}}},
+       {Key::whole("intensity", 6, 9, {"Intensity", "Intensitas"}, "of the site"),
+        Key::choice("system", {"frame", "frame-wall", "wall"}, {"System", "Sistem"}, "of a building")
+            .for_each("one per building")},
        gb50011},
       {"ntc-2004",
        "NTC 2004 (Mexico)",
        "1.10",
        "checked, Q to check",
        "elastic displacement under the design spectrum, reduced by Q; Q makes it the inelastic one",
-       {one("behaviour_factor"), CodeKey{.name = "zone", .kind = Kind::word, .words = {"I", "II", "III"}},
-        CodeKey{.name = "structures_alike", .kind = Kind::flag}},
+       {behaviour_factor(), Key::choice("zone", {"I", "II", "III"}, {"Zone", "Zona"}, "of the site"),
+        Key::of("structures_alike", Key::Kind::flag, {"Structures alike", "Struktur serupa"},
+                "whether both structures are alike")
+            .by_default(0)},
        ntc},
   };
   return rules;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/core/key.h"
+
 namespace bentur {
 
 /// What a case gives for one code's rule, key by key.
@@ -48,21 +50,6 @@ struct CodeSeparation {
   std::optional<double> to_left, to_right;  ///< from the left, right building to a property line [length]
 };
 
-/// What a rule needs to be given.
-struct CodeKey {
-  enum class Kind {
-    factor,         ///< a number > 0, one for all buildings or one each
-    whole,          ///< a whole number of `from` to `to`, of the site
-    word,           ///< one of `words`, of the site
-    building_word,  ///< one of `words`, one for all buildings or one each
-    flag            ///< true or false; default false
-  };
-  std::string_view name;
-  Kind kind = Kind::factor;
-  std::vector<std::string_view> words = {};
-  int from = 0, to = 0;
-};
-
 /// Separation rules of building codes. With u_A, u_B the peaks of the elastic analysis at the level:
 ///
 ///   asce-7-16, sni-1726-2019   δ_M = C_d u/I_e; √(δ_MA² + δ_MB²), across a property line δ_MA + δ_MB         (1)
@@ -88,7 +75,7 @@ struct CodeRule {
   std::string_view name, title, clause;
   std::string_view wording;  ///< "checked", "to check", or which part of it
   std::string_view assumes;  ///< which displacement u is, and what the factors make of it
-  std::vector<CodeKey> keys;
+  std::vector<Key> keys;     ///< what it needs to be given; those of buildings: one for all or one each
   CodeSeparation (*separation)(const CodePair&, const CodeRuleSpec&);
 };
 

@@ -213,8 +213,8 @@ TEST(CodeRules, AreNamedAndNothingIsMadeUp) {
     EXPECT_EQ(find_code_rule(rule.name), &rule);
     EXPECT_FALSE(rule.clause.empty());
     EXPECT_TRUE(rule.wording.find("check") != std::string_view::npos) << rule.name;
-    for (const CodeKey& key : rule.keys) {
-      if (key.kind == CodeKey::Kind::flag) continue;
+    for (const Key& key : rule.keys) {
+      if (!key.is_required()) continue;
       CodeRuleSpec given = spec(std::string(rule.name));
       given.numbers.erase(std::string(key.name));
       given.words.erase(std::string(key.name));

@@ -339,8 +339,8 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   std::reverse(elevations.begin(), elevations.end());
   HtmlTable table;
   table.add(say("column.elevation"), units.length, elevations);
-  const LinkLaw* const law = find_link_law(spec.law);
-  for (const LinkKey& key : law != nullptr ? law->keys : std::vector<LinkKey>()) {
+  const auto* const law = find_entry(link_laws(), spec.law);
+  for (const Key& key : law != nullptr ? law->keys : std::vector<Key>()) {
     std::vector<double> values;
     for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
     table.add(say("parameter." + std::string(key.name)), unit(key.name), values);

@@ -10,6 +10,7 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
 #include "bentur/study/plan/internal/study_parts.h"
+#include "bentur/study/plan/study_keys.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -66,9 +67,10 @@ std::optional<std::map<std::string, double>> factor_table(const fs::path& file, 
   return factors;
 }
 
-void read_factor_file(const TomlView& table, const fs::path& folder, const std::vector<fs::path>& paths, Vary& vary) {
-  if (!table.is_table_of({"file"})) return;
-  const auto file = table.get("file");
+void read_factor_file(const TomlView& given, const fs::path& folder, const std::vector<fs::path>& paths, Vary& vary) {
+  const auto table = TableView::of(given, factor_file_keys());
+  if (!table) return;
+  const auto file = table->get("file");
   const auto name = file ? file->as_text() : std::nullopt;
   if (!name) return;
   std::string problem;
@@ -129,11 +131,12 @@ void normalise_by_pgv(const TomlView& view, const Study& study, Vary& vary) {
 void read_normalisation(const TomlView& view, const fs::path& folder, const std::vector<fs::path>& paths, Vary& vary) {
   const auto given = view.find("normalisation");
   if (!given || paths.empty()) return;
+  const auto& known = vary_keys().at("normalisation").words;
   if (given->is(TomlValue::Kind::table)) {
     read_factor_file(*given, folder, paths, vary);
   } else if (given->is(TomlValue::Kind::list)) {
-    vary.normalisation = given->as_numbers(Rule::positive, {paths.size(), "one per file"});
-  } else if (const auto rule = given->as_word({"pgv", "pgv-pairs"})) {
+    vary.normalisation = given->as_numbers(Range::positive, {paths.size(), "one per file"});
+  } else if (const auto rule = given->as_word({known.begin(), known.end()})) {
     if (*rule == "pgv-pairs" && paths.size() % 2 == 1) {
       given->error_value(fmt::format("takes files two by two, and there are {}", paths.size()));
     } else {

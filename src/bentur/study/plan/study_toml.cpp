@@ -5,22 +5,24 @@
 
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/schema/case_keys.h"
 #include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/plan/study.h"
+#include "bentur/study/plan/study_keys.h"
 #include "bentur/study/plan/sweep_plan.h"
 
 namespace bentur {
 namespace {
 
 void read_sampling(const TomlView& root, Study& study) {
-  const auto view = root.find("sampling");
-  if (!view || !view->is_table_of({"method", "count", "seed"})) return;
-  const auto method = view->word("method", {"latin-hypercube", "sobol", "random"});
+  const auto view = TableView(root, study_keys()).table("sampling");
+  if (!view) return;
+  const auto method = view->word("method");
   study.sampling.method = method == "sobol"    ? Sampling::Method::sobol
                           : method == "random" ? Sampling::Method::random
                                                : Sampling::Method::latin_hypercube;
-  study.sampling.count = static_cast<std::size_t>(view->whole("count", 1, 1000000000).value_or(1));
-  study.sampling.seed = static_cast<std::uint64_t>(view->whole("seed", 0, 1000000000, Need::optional).value_or(1));
+  study.sampling.count = static_cast<std::size_t>(view->whole("count").value_or(1));
+  study.sampling.seed = static_cast<std::uint64_t>(view->whole("seed").value_or(1));
 }
 
 /// The case's own number, or list of numbers, that a factor multiplies.
@@ -206,7 +208,8 @@ void add_polarity(const TomlView& root, Study& study) {
   vary.path = path;
   vary.name = "polarity";
   vary.axis = study.axes.size();
-  for (const std::string& one : polarities()) {
+  for (const std::string_view word : excitation_keys().at("polarity").words) {
+    const std::string one(word);
     if (study.ida->polarity == "both" || study.ida->polarity == one) {
       vary.values.push_back(toml_text(one));
       vary.labels.push_back(one);
@@ -245,7 +248,7 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
   const std::string name = file.string();
   if (const auto parsed = parse_toml(study.text, name, found)) {
     const TomlView root(*parsed, "", name, found);
-    (void)root.is_table_of({"case", "vary", "sampling", "ida"});
+    (void)TableView::of(root, study_keys());
     read_sampling(root, study);
     study.ida = read_ida(root);
     if (read_case_of(root, study, found)) {

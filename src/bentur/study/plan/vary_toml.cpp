@@ -8,16 +8,13 @@
 #include <system_error>
 
 #include "bentur/study/plan/internal/study_parts.h"
+#include "bentur/study/plan/study_keys.h"
 
 namespace bentur {
 namespace {
 
 namespace fs = std::filesystem;
 using Kind = TomlValue::Kind;
-
-constexpr std::int64_t most_levels = 10000000;
-
-const std::vector<std::string> file_keys = {"unit", "format", "time_step", "column", "channel", "skip_lines"};
 
 bool is_name(const std::string& text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
@@ -59,7 +56,7 @@ void read_values(const TomlView& view, const TomlView& values, Vary& vary) {
   if (!values.is_list_of("values")) return;
   vary.values = values.value().items;
   if (vary.factor) {
-    for (const TomlView& value : values.items()) (void)value.as_number(Rule::finite);
+    for (const TomlView& value : values.items()) (void)value.as_number(Range::finite);
   }
   label_values(view, values, vary);
 }
@@ -69,11 +66,11 @@ struct Ends {
   bool log = false;  // spacing
 };
 
-std::optional<Ends> read_ends(const TomlView& view, Rule rule) {
-  const bool log = view.word("spacing", {"linear", "log"}, Need::optional) == "log";
-  if (log) rule = Rule::positive;
-  const auto from = view.number("from", rule);
-  const auto to = view.number("to", rule);
+std::optional<Ends> read_ends(const TableView& view) {
+  const bool log = view.word("spacing") == "log";
+  if (!view.has("to")) view.error_missing("to");
+  const auto from = view.number("from");
+  const auto to = view.number("to");
   if (!from || !to) return std::nullopt;
   if (!(*from < *to)) {
     view.find("to")->error_value(fmt::format("must be more than from = {}", *from));
@@ -82,14 +79,14 @@ std::optional<Ends> read_ends(const TomlView& view, Rule rule) {
   return Ends{*from, *to, log};
 }
 
-void read_range(const TomlView& view, const VaryContext& context, Vary& vary) {
+void read_range(const TableView& view, const VaryContext& context, Vary& vary) {
   if (!context.samples) {
-    for (const double value : read_steps(view, Rule::finite)) vary.values.push_back(toml_number(value));
+    for (const double value : read_steps(view)) vary.values.push_back(toml_number(value));
     vary.ends_decide = true;
     return;
   }
   view.refuse({"count"}, "is for a grid: [sampling] says how many runs there are");
-  if (const auto ends = read_ends(view, Rule::finite)) {
+  if (const auto ends = read_ends(view)) {
     vary.distribution = Distribution{.kind = ends->log ? Distribution::Kind::log_uniform : Distribution::Kind::uniform,
                                      .low = ends->from,
                                      .high = ends->to};
@@ -97,37 +94,31 @@ void read_range(const TomlView& view, const VaryContext& context, Vary& vary) {
 }
 
 void read_distribution(const TomlView& view, const VaryContext& context, Vary& vary) {
-  const std::vector<std::string> kinds = {"uniform", "log_uniform", "normal", "lognormal"};
   if (!context.samples) {
     view.error("needs a [sampling] table: a grid has no distributions");
     return;
   }
-  if (!view.is_table_of(kinds)) return;
-  const auto kind = view.exactly_one(kinds);
-  if (!kind) return;
-  const TomlView table = *view.find(*kind);
+  const auto forms = TableView::of(view, distribution_keys());
+  const auto kind = forms ? forms->exactly_one("kind") : std::nullopt;
+  const auto given = kind ? forms->table(*kind) : std::nullopt;
+  if (!given) return;
+  const TableView& table = *given;
   Distribution d;
   if (*kind == "uniform" || *kind == "log_uniform") {
-    if (!table.is_table_of({"low", "high"})) return;
-    const bool log = *kind == "log_uniform";
-    d.kind = log ? Distribution::Kind::log_uniform : Distribution::Kind::uniform;
-    const auto low = table.number("low", log ? Rule::positive : Rule::finite);
-    const auto high = table.number("high", Rule::finite);
+    d.kind = *kind == "log_uniform" ? Distribution::Kind::log_uniform : Distribution::Kind::uniform;
+    const auto low = table.number("low");
+    const auto high = table.number("high");
     if (!low || !high) return;
     d.low = *low;
     d.high = *high;
   } else {
     const bool normal = *kind == "normal";
-    if (!table.is_table_of(normal ? std::vector<std::string>{"mean", "standard_deviation", "cov", "low", "high"}
-                                  : std::vector<std::string>{"median", "cov", "low", "high"})) {
-      return;
-    }
     d.kind = normal ? Distribution::Kind::normal : Distribution::Kind::lognormal;
-    const auto centre = table.number(normal ? "mean" : "median", normal ? Rule::finite : Rule::positive);
-    const std::string form = normal ? table.exactly_one({"standard_deviation", "cov"}).value_or("") : "cov";
-    const double spread = form.empty() ? 0 : table.number(form, Rule::positive).value_or(0);
-    const auto low = table.number("low", normal ? Rule::finite : Rule::not_negative, Need::optional);
-    const auto high = table.number("high", normal ? Rule::finite : Rule::positive, Need::optional);
+    const auto centre = table.number(normal ? "mean" : "median");
+    const std::string form = normal ? table.exactly_one("spread").value_or("") : "cov";
+    const double spread = form.empty() ? 0 : table.number(form).value_or(0);
+    const auto low = table.number("low");
+    const auto high = table.number("high");
     if (!centre || !(spread > 0)) return;
     d.centre = *centre;
     d.spread = !normal ? lognormal_spread(spread) : form == "cov" ? spread * std::abs(*centre) : spread;
@@ -180,6 +171,13 @@ std::string from_folder(const fs::path& file, const fs::path& folder) {
   return (way.empty() ? absolute : way).string();
 }
 
+/// Keys that say how a file is read.
+std::vector<std::string> names_of_file_keys() {
+  std::vector<std::string> names = file_entry_keys().names();
+  std::erase(names, "file");
+  return names;
+}
+
 /// The key that stands beside the one varied: excitation.unit beside excitation.file.
 ParameterPath beside(ParameterPath path, const std::string& key) {
   path.back() = key;
@@ -188,7 +186,7 @@ ParameterPath beside(ParameterPath path, const std::string& key) {
 
 /// @param entries where the study names each file: a table may have keys of its own, which go before those of the vary.
 void read_file_keys(const TomlView& view, const std::vector<const TomlValue*>& entries, Vary& vary) {
-  for (const std::string& key : file_keys) {
+  for (const std::string& key : names_of_file_keys()) {
     if (vary.path.empty()) continue;
     FileKey found{beside(vary.path, key), std::vector<std::optional<TomlValue>>(entries.size())};
     if (const auto given = view.find(key)) {
@@ -209,9 +207,7 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
   std::vector<fs::path> paths;
   std::vector<const TomlValue*> places;  // where the study names them
   const auto add = [&](const TomlView& entry) {
-    std::vector<std::string> keys = {"file"};
-    keys.insert(keys.end(), file_keys.begin(), file_keys.end());
-    if (entry.is(Kind::table) && !entry.is_table_of(keys)) return;
+    if (entry.is(Kind::table) && !TableView::of(entry, file_entry_keys())) return;
     const auto named = entry.is(Kind::table) ? entry.get("file") : entry;
     const auto text = named ? named->as_text() : std::nullopt;
     if (!text) return;
@@ -280,14 +276,14 @@ void read_name(const TomlView& view, const std::string& default_name, Vary& vary
 
 }  // namespace
 
-std::vector<double> read_steps(const TomlView& view, Rule rule) {
-  const auto ends = read_ends(view, rule);
+std::vector<double> read_steps(const TableView& view) {
+  const auto ends = read_ends(view);
   const auto count = view.find("count");
   if (!count) {
     view.error_missing("count", "how many values from `from` to `to`");
     return {};
   }
-  const auto number = count->as_whole(2, most_levels);
+  const auto number = view.whole("count");
   if (!number || !ends) return {};
   std::vector<double> values;
   const auto steps = static_cast<double>(*number - 1);
@@ -300,13 +296,11 @@ std::vector<double> read_steps(const TomlView& view, Rule rule) {
   return values;
 }
 
-Vary read_vary(const TomlView& view, const VaryContext& context, std::string& together) {
+Vary read_vary(const TomlView& entry, const VaryContext& context, std::string& together) {
   Vary vary;
-  std::vector<std::string> known = {"parameter", "values", "labels", "from",         "to",       "count",
-                                    "spacing",   "files",  "factor", "distribution", "together", "name"};
-  known.insert(known.end(), file_keys.begin(), file_keys.end());
-  known.emplace_back("normalisation");
-  if (!view.is_table_of(known)) return vary;
+  const auto read = TableView::of(entry, vary_keys());
+  if (!read) return vary;
+  const TableView& view = *read;
   const auto parameter = view.get("parameter");
   if (const auto text = parameter ? parameter->as_text() : std::nullopt) {
     vary.parameter = *text;
@@ -320,23 +314,20 @@ Vary read_vary(const TomlView& view, const VaryContext& context, std::string& to
   const auto factor = view.find("factor");
   const bool listed = factor && factor->is(Kind::list);
   vary.factor = listed || (factor && factor->as_flag().value_or(false));
-  if (const auto name = view.text("together", Need::optional)) {
+  if (const auto name = view.text("together")) {
     together = *name;
     if (!is_name(*name)) view.find("together")->error_value("must be letters, digits and _, and begin with no digit");
   }
   read_name(view, last_key(vary.path), vary);
 
   // What it is to be: exactly one of these; `from` stands for from and to.
-  std::vector<std::string> forms = {"values", "from", "files", "distribution"};
+  std::vector<std::string> forms = view.keys().names_of("form");
   if (listed) forms.emplace_back("factor");
-  const auto form = view.exactly_one(forms);
-  const auto only_with = [&](const std::vector<std::string>& keys, const std::string& owner) {
-    if (form && *form != owner) view.refuse(keys, "goes with " + owner);
-  };
-  only_with({"to", "count", "spacing"}, "from");
-  only_with({"labels"}, "values");
-  only_with(file_keys, "files");
-  only_with({"normalisation"}, "files");
+  const auto form = view.TomlView::exactly_one(forms);
+  for (const std::string& name : view.keys().names()) {
+    const std::string with(view.key(name).with);
+    if (form && !with.empty() && *form != with) view.refuse({name}, "goes with " + with);
+  }
   if (!form) return vary;
   if (*form == "files" && vary.factor) view.find("factor")->error("goes with numbers, not with files");
   const TomlView given = *view.find(*form);

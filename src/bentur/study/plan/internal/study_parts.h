@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/toml/toml_view.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/study/plan/study.h"
 
 // The parts a study file is read in; read_study() puts them together.
@@ -23,7 +23,7 @@ struct VaryContext {
 [[nodiscard]] Vary read_vary(const TomlView& view, const VaryContext& context, std::string& together);
 
 /// vary_toml.cpp: `count` numbers from `from` to `to`, spaced as `spacing` says; empty where there was an error.
-[[nodiscard]] std::vector<double> read_steps(const TomlView& view, Rule rule);
+[[nodiscard]] std::vector<double> read_steps(const TableView& view);
 
 /// ida_toml.cpp: [ida] of a study; nothing where it has none. Its axis is for read_study() to set.
 [[nodiscard]] std::optional<IdaSpec> read_ida(const TomlView& root);

@@ -1,0 +1,299 @@
+#include "bentur/io/schema/case_keys.h"
+
+namespace bentur {
+namespace {
+
+Key elevations_of_floors() {
+  return Key::number("elevations", dimension::length, Range::size, {"Elevations", "Elevasi"},
+                     "ascending, of the floors above the own base")
+      .list();
+}
+
+Key hardening_of_storeys() {
+  return Key::number("hardening", dimension::none, Range::ratio, {"Hardening", "Pengerasan"},
+                     "stiffness after yielding over that before")
+      .by_default(0);
+}
+
+}  // namespace
+
+const KeyTable& building_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "building",
+        "a building of the row, from left to right",
+        {
+            Key::of("name", Key::Kind::line, {"Name", "Nama"}, "not empty, different from the others"),
+            Key::number("damping", dimension::none, Range::share, {"Damping", "Redaman"},
+                        "of every mode, or a table that says it: see [Damping](#damping)")
+                .or_table(damping_keys())
+                .optional("needed but for `matrices.damping` and a wall"),
+            Key::choice("damping_stiffness", {"initial", "tangent"}, {"Stiffness of the damping", "Kekakuan redaman"},
+                        "where storeys yield: see [Damping](#damping)")
+                .optional(),
+            Key::number("calibrate_period", dimension::time, Range::positive,
+                        {"Calibrated period", "Periode kalibrasi"},
+                        "the stiffness is scaled until the first period is this, on a fixed base and without gravity "
+                        "loads; `axial` contact stiffness is not scaled")
+                .optional("none"),
+            Key::number("base_elevation", dimension::length, Range::level, {"Base elevation", "Elevasi dasar"},
+                        "of the base above the common datum")
+                .by_default(0),
+            Key::number("width", dimension::length, Range::size, {"Width", "Lebar"},
+                        "for `wave_velocity` only; not for a frame, whose width is the sum of its bays")
+                .optional("none"),
+            Key::of("rigid", Key::Kind::flag, {"Rigid", "Kaku"},
+                    "a [wall](#walls-rigid--true) that moves with the ground, with no other key but "
+                    "`elevations` and `base_elevation`")
+                .by_default(0),
+            Key::number("elevations", dimension::length, Range::level, {"Elevations", "Elevasi"},
+                        "of a wall alone: ascending, where it can be struck")
+                .list()
+                .when("rigid", {"true"}),
+            Key::of("p_delta", Key::Kind::flag, {"P-Δ", "P-Δ"},
+                    "the floors' weights [soften the building](#gravity-loads-p-δ)")
+                .one_of("gravity", Need::optional)
+                .by_default(0),
+            Key::number("gravity_loads", dimension::force, Range::not_negative, {"Gravity loads", "Beban gravitasi"},
+                        "of the structure, none for a slab; in place of `p_delta`")
+                .list("one per floor")
+                .one_of("gravity")
+                .optional("none"),
+            Key::sub_table("soil", soil_keys(), {"Soil", "Tanah"},
+                           "[soil](#buildingsoil-sway-and-rocking) that lets the foundation sway and rock; not with "
+                           "`isolation`")
+                .one_of("support")
+                .optional("none"),
+            Key::sub_table("isolation", isolation_keys(), {"Bearings", "Bantalan"},
+                           "[bearings](#buildingisolation-bearings) below a slab")
+                .one_of("support")
+                .optional("none"),
+            Key::sub_table("frame", frame_keys(), {"Frame", "Portal"}, "a [plane frame](#buildingframe-a-plane-frame)")
+                .one_of("structure"),
+            Key::sub_table("stick", stick_keys(), {"Stick", "Model tongkat"},
+                           "a [shear building](#buildingstick-a-shear-building)")
+                .one_of("structure"),
+            Key::sub_table("matrices", matrices_keys(), {"Matrices", "Matriks"},
+                           "[from another program](#buildingmatrices-from-another-program)")
+                .one_of("structure"),
+            Key::sub_table("modal", modal_keys(), {"Modes", "Moda"},
+                           "[known by its modes](#buildingmodal-known-by-its-modes)")
+                .one_of("structure"),
+            Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
+                           "[known by little](#buildinggeneric-known-by-little)")
+                .one_of("structure"),
+        }};
+    for (Key& key : made.keys) {
+      const bool of_a_wall = key.name == "name" || key.name == "rigid" || key.name == "base_elevation";
+      if (!of_a_wall && key.conditions.empty()) key.when("rigid", {"false"});
+    }
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& damping_keys() {
+  static const KeyTable table = {
+      "building.damping",
+      "damping of a building",
+      {Key::number("modal", dimension::none, Range::share, {"Modal damping", "Redaman modal"}, "one ratio per mode")
+           .list("one per mode")
+           .one_of("form"),
+       Key::sub_table("rayleigh", rayleigh_keys(), {"Rayleigh damping", "Redaman Rayleigh"},
+                      "α M + β K with two ratios at two different periods; no mode may come out negative")
+           .one_of("form"),
+       Key::number("mass_proportional", dimension::none, Range::share, {"Damping of the mass", "Redaman massa"},
+                   "α M with this ratio in the first mode")
+           .one_of("form"),
+       Key::number("stiffness_proportional", dimension::none, Range::share,
+                   {"Damping of the stiffness", "Redaman kekakuan"},
+                   "β K with this ratio in the first mode, β = 2ζ/ω₁: a dashpot in each storey of a stick")
+           .one_of("form")}};
+  return table;
+}
+
+const KeyTable& rayleigh_keys() {
+  static const KeyTable table = {
+      "building.damping.rayleigh",
+      "two ratios at two periods",
+      {Key::number("ratios", dimension::none, Range::share, {"Ratios", "Rasio"}).list("for two modes", 2),
+       Key::number("periods", dimension::time, Range::positive, {"Periods", "Periode"}, "two different ones")
+           .list("of two modes", 2)}};
+  return table;
+}
+
+const KeyTable& frame_keys() {
+  static const KeyTable table = {
+      "building.frame",
+      "a plane frame",
+      {Key::number("elastic_modulus", dimension::pressure, Range::positive, {"Elastic modulus", "Modulus elastisitas"}),
+       Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
+                   "bottom to top")
+           .list(),
+       Key::number("bay_widths", dimension::length, Range::size, {"Bay widths", "Lebar bentang"}, "left to right")
+           .list(),
+       Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}, "one for all, or one per storey").list(),
+       Key::sub_table("beams", section_keys(), {"Beams", "Balok"}, "one for all, or one per floor").list(),
+       Key::number("floor_masses", dimension::mass, Range::not_negative, {"Floor masses", "Massa lantai"},
+                   "added to the floor's sway (slab, live load)")
+           .for_each("one per floor")
+           .optional("zeros"),
+       Key::sub_table("floor_load", floor_load_keys(), {"Floor load", "Beban lantai"},
+                      "a load q on a strip w of every floor")
+           .optional("none"),
+       Key::choice("mass_matrix", {"consistent", "lumped"}, {"Mass matrix", "Matriks massa"},
+                   "lumped: half of each column to the floors it joins, rotations without mass")
+           .optional(),
+       Key::choice("condensation", {"static", "dynamic", "none"}, {"Condensation", "Kondensasi"},
+                   "dynamic: the first mode is exact; none: joint rotations stay")
+           .optional(),
+       Key::of("base_coupling", Key::Kind::flag, {"Base coupling", "Kopling dasar"},
+               "the mass coupling between base and ground storey counts")
+           .by_default(1)}};
+  return table;
+}
+
+const KeyTable& section_keys() {
+  static const KeyTable table = {
+      "building.frame.section",
+      "a section of a frame's members: width and depth, or area and inertia; and one of mass, density, unit_weight",
+      {Key::number("width", dimension::length, Range::positive, {"Width", "Lebar"}, "with `depth`; or")
+           .one_of("shape")
+           .goes_with("depth"),
+       Key::number("depth", dimension::length, Range::positive, {"Depth", "Tinggi penampang"},
+                   "with `width`, in the plane of the frame; or")
+           .optional()
+           .goes_with("width"),
+       Key::number("area", dimension::area, Range::positive, {"Area", "Luas"}, "with `inertia`; or")
+           .one_of("shape")
+           .goes_with("inertia"),
+       Key::number("inertia", dimension::second_moment, Range::positive, {"Second moment of area", "Momen inersia"},
+                   "with `area`; exactly one of the two pairs")
+           .optional()
+           .goes_with("area"),
+       Key::number("mass", dimension::mass, Range::not_negative, {"Mass", "Massa"},
+                   "of the whole member: one column of one storey, one beam of one bay; or")
+           .one_of("weight"),
+       Key::number("density", dimension::density, Range::not_negative, {"Density", "Rapat massa"}, "of the member; or")
+           .one_of("weight"),
+       Key::number("unit_weight", dimension::unit_weight, Range::not_negative, {"Unit weight", "Berat isi"},
+                   "of the member; exactly one of the three")
+           .one_of("weight")}};
+  return table;
+}
+
+const KeyTable& floor_load_keys() {
+  static const KeyTable table = {
+      "building.frame.floor_load",
+      "a load on a strip of every floor",
+      {Key::number("pressure", dimension::pressure, Range::not_negative, {"Pressure", "Tekanan"}, "q")
+           .for_each("one per floor"),
+       Key::number("width", dimension::length, Range::positive, {"Width of the strip", "Lebar jalur"}, "w")
+           .for_each("one per floor")}};
+  return table;
+}
+
+const KeyTable& stick_keys() {
+  static const KeyTable table = {
+      "building.stick",
+      "a shear building; storeys with `yield_forces` yield",
+      {Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
+                   "bottom to top")
+           .list("one per storey"),
+       Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
+           .list("one per storey"),
+       Key::number("stiffnesses", dimension::stiffness, Range::positive, {"Stiffnesses", "Kekakuan"}, "of the storeys")
+           .list("one per storey"),
+       Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
+                   "V_y, the shear at which the storey yields; `inf`: it stays elastic")
+           .for_each("one per storey")
+           .optional("none yields"),
+       hardening_of_storeys().for_each("one per storey").goes_with("yield_forces"),
+       Key::choice("hysteresis", {"bilinear", "peak-oriented"}, {"Hysteresis", "Histeresis"},
+                   "bilinear: kinematic hardening; peak-oriented: unloads, then heads for the largest drift so far "
+                   "(concrete)")
+           .optional()
+           .goes_with("yield_forces"),
+       Key::number("unloading_exponent", dimension::none, Range::share, {"Unloading exponent", "Eksponen pelepasan"},
+                   "it unloads with k (Δ_y/Δ_max)^a, a this exponent")
+           .by_default(0)
+           .when("hysteresis", {"peak-oriented"})}};
+  return table;
+}
+
+const KeyTable& matrices_keys() {
+  static const KeyTable table = {
+      "building.matrices",
+      "mass and stiffness from another program, floors × floors",
+      {elevations_of_floors(),
+       Key::number("mass", dimension::mass, Range::finite, {"Mass", "Massa"},
+                   "n rows of n numbers, or a list of n: the diagonal")
+           .matrix("one per elevation", true),
+       Key::number("stiffness", dimension::stiffness, Range::finite, {"Stiffness", "Kekakuan"}, "n rows of n numbers")
+           .matrix("one per elevation"),
+       Key::number("damping", dimension::dashpot, Range::finite, {"Damping", "Redaman"},
+                   "n rows of n numbers, in place of `building.damping`")
+           .matrix("one per elevation")
+           .optional("`building.damping`")}};
+  return table;
+}
+
+const KeyTable& modal_keys() {
+  static const KeyTable table = {
+      "building.modal",
+      "known by its modes",
+      {elevations_of_floors(),
+       Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
+           .list("one per floor"),
+       Key::number("periods", dimension::time, Range::positive, {"Periods", "Periode"},
+                   "of as many modes as are known, at most one per floor")
+           .list(),
+       Key::number("shapes", dimension::none, Range::finite, {"Shapes", "Bentuk moda"},
+                   "one list per mode, floors bottom to top, of any scale; or")
+           .matrix("one per mode")
+           .one_of("shapes"),
+       Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk moda"},
+               "a table beside the case, named relative to it: a row per floor, a column per mode; exactly one of the "
+               "two")
+           .one_of("shapes")}};
+  return table;
+}
+
+const KeyTable& generic_keys() {
+  static const KeyTable table = {
+      "building.generic",
+      "known by little",
+      {Key::whole("storeys", 1, 1000, {"Storeys", "Tingkat"}),
+       Key::number("storey_height", dimension::length, Range::size, {"Storey height", "Tinggi tingkat"})
+           .for_each("one per storey"),
+       Key::number("floor_mass", dimension::mass, Range::positive, {"Floor mass", "Massa lantai"})
+           .for_each("one per storey"),
+       Key::number("period", dimension::time, Range::positive, {"First period", "Periode pertama"}, "the first; or")
+           .one_of("period"),
+       Key::sub_table("period_formula", period_formula_keys(), {"Formula for the period", "Rumus periode"},
+                      "T₁ = coefficient · H^exponent with the height H in metres, as codes have it; exactly one of the "
+                      "two")
+           .one_of("period"),
+       Key::number("stiffness_ratio", dimension::none, Range::not_negative, {"Stiffness ratio", "Rasio kekakuan"},
+                   "α = H √(GA/EI): 0 bends only, 30 and more shears only; or")
+           .one_of("system"),
+       Key::choice("system", {"wall", "dual", "frame"}, {"System", "Sistem"}, "α = 1, 4, 12; exactly one of the two")
+           .one_of("system"),
+       Key::number("yield_base_shear", dimension::none, Range::positive, {"Base shear at yield", "Geser dasar leleh"},
+                   "share of the weight: the shear springs yield, each in proportion to its shear in the first mode; "
+                   "needs `stiffness_ratio` ≥ 30")
+           .optional("none yields"),
+       hardening_of_storeys().goes_with("yield_base_shear")}};
+  return table;
+}
+
+const KeyTable& period_formula_keys() {
+  static const KeyTable table = {
+      "building.generic.period_formula",
+      "T₁ = coefficient · H^exponent, H in metres",
+      {Key::number("coefficient", dimension::none, Range::positive, {"Coefficient", "Koefisien"}),
+       Key::number("exponent", dimension::none, Range::positive, {"Exponent", "Eksponen"})}};
+  return table;
+}
+
+}  // namespace bentur

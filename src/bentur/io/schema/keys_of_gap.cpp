@@ -1,0 +1,78 @@
+#include "bentur/contact/laws.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/model/link.h"
+
+namespace bentur {
+
+const KeyTable& gap_keys() {
+  static const KeyTable table = {
+      "gap",
+      "what lies between two neighbours",
+      {Key::of("between", Key::Kind::text, {"Between", "Antara"}, "the names of the two neighbours, left one first")
+           .list("the neighbours, left and right", 2),
+       Key::number("width", dimension::length, Range::distance, {"Gap", "Celah"}, "the distance at rest")
+           .for_each("one per contact point"),
+       Key::number("elevations", dimension::length, Range::finite, {"Elevations", "Elevasi"},
+                   "ascending, where the buildings can touch; both need a floor there; `[]`: no contact is modelled")
+           .list()
+           .or_empty()
+           .optional("every elevation where both have a floor"),
+       Key::number("level_tolerance", dimension::length, Range::distance, {"Tolerance of levels", "Toleransi elevasi"},
+                   "floors this close in height meet, at the mean of their elevations")
+           .optional("a tenth of the smallest storey height at those floors"),
+       Key::sub_table("contact", contact_keys(), {"Contact", "Kontak"},
+                      "its law, see below; may be left out with `elevations = []`")
+           .optional("needed but for `elevations = []`"),
+       Key::of("strikes_columns", Key::Kind::flag, {"Floors strike columns", "Lantai membentur kolom"},
+               "`elevations` may name a floor that faces a column of the other building, a frame")
+           .by_default(0),
+       Key::sub_table("column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
+                      "what the columns bear that are struck, for demand over capacity; with `strikes_columns`. Where "
+                      "floors meet the number counts for nothing")
+           .optional("none")
+           .goes_with("strikes_columns")}};
+  return table;
+}
+
+const KeyTable& column_capacity_keys() {
+  static const KeyTable table = {"gap.column_capacity",
+                                 "what struck columns bear: one or both",
+                                 {Key::number("shear", dimension::force, Range::positive, {"Shear", "Geser"})
+                                      .for_each("one per contact point")
+                                      .optional(),
+                                  Key::number("moment", dimension::moment, Range::positive, {"Moment", "Momen"})
+                                      .for_each("one per contact point")
+                                      .optional()}};
+  return table;
+}
+
+const KeyTable& contact_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {"gap.contact", "one of the laws of contact, with the keys it takes", {}};
+    add_laws(contact_laws(), Key::choice("law", {}, {"Contact law", "Hukum kontak"}), made.keys);
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& link_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "link",
+        "a spring, damper or cable that joins two buildings of the row",
+        {Key::of("between", Key::Kind::text, {"Between", "Antara"}, "the names of two buildings, the left one first")
+             .list("the left and the right building", 2),
+         Key::number("elevations", dimension::length, Range::finite, {"Elevations", "Elevasi"},
+                     "ascending, above the common datum; both buildings need a floor there")
+             .list(),
+         Key::number("level_tolerance", dimension::length, Range::distance,
+                     {"Tolerance of levels", "Toleransi elevasi"},
+                     "how far apart in height those two floors may be, as in a gap")
+             .optional("as in a gap")}};
+    add_laws(link_laws(), Key::choice("law", {}, {"Law", "Hukum"}), made.keys);
+    return made;
+  }();
+  return table;
+}
+
+}  // namespace bentur

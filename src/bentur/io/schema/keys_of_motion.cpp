@@ -1,0 +1,246 @@
+#include "bentur/core/units.h"
+#include "bentur/io/records/record_files.h"
+#include "bentur/io/schema/case_keys.h"
+
+namespace bentur {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+constexpr std::int64_t last_place = 1000000;  // of a file
+
+Words views(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
+
+/// The same key of some kinds of excitation.
+std::vector<Key> of_kind(const Words& kinds, std::vector<Key> keys) {
+  for (Key& key : keys) key.when("kind", kinds);
+  return keys;
+}
+
+/// Keys of spectra of some shapes.
+std::vector<Key> of_shape(const Words& shapes, std::vector<Key> keys) {
+  for (Key& key : keys) key.when("kind", {"spectrum"}).when("shape", shapes);
+  return keys;
+}
+
+Key unit_of_file(std::string_view doc) {
+  return Key::choice("unit", views(acceleration_units()), {"Unit of the record", "Satuan rekaman"}, doc);
+}
+
+std::vector<Key> record_keys() {
+  return of_kind(
+      {"record"},
+      {Key::of("file", Key::Kind::file, {"Record", "Rekaman"}, "relative to the case file"),
+       Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional(),
+       Key::number("time_step", dimension::time, Range::positive, {"Time step", "Langkah waktu"},
+                   "needed where the file does not say it")
+           .optional("the file's"),
+       unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity").optional("the file's"),
+       Key::whole("column", 1, last_place, {"Column", "Kolom"},
+                  "the accelerations' column; needed where a file of columns has more than two")
+           .by_default(2),
+       Key::whole("channel", 1, last_place, {"Channel", "Kanal"},
+                  "which block of accelerations; needed where a `cosmos` or `csmip` file has several")
+           .by_default(1),
+       Key::whole("skip_lines", 0, last_place, {"Lines to skip", "Baris dilewati"},
+                  "how many lines at the beginning are skipped")
+           .optional("0; headings are found"),
+       Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
+                   "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
+           .optional(),
+       Key::quantity("pga", dimension::acceleration, {"Peak ground acceleration", "Percepatan tanah puncak"},
+                     "scale to this peak")
+           .one_of("scale", Need::optional),
+       Key::number("scale", dimension::none, Range::not_zero, {"Scale", "Skala"},
+                   "multiply by this; not together with `pga`")
+           .one_of("scale", Need::optional)
+           .by_default(1)});
+}
+
+std::vector<Key> harmonic_keys() {
+  return of_kind({"harmonic"},
+                 {Key::number("period", dimension::time, Range::positive, {"Period", "Periode"}),
+                  Key::number("displacement_amplitude", dimension::length, Range::positive,
+                              {"Displacement amplitude", "Amplitudo perpindahan"}, "A; or")
+                      .one_of("amplitude"),
+                  Key::quantity("acceleration_amplitude", dimension::acceleration,
+                                {"Acceleration amplitude", "Amplitudo percepatan"}, "Aω²; exactly one of the two")
+                      .one_of("amplitude"),
+                  Key::choice("phase", {"sine", "cosine"}, {"Phase", "Fase"}, "of the displacement").optional()});
+}
+
+std::vector<Key> spectrum_keys() {
+  std::vector<Key> keys = of_kind(
+      {"spectrum"},
+      {Key::choice("shape", {"asce-7-22", "sni-1726-2019", "en-1998-1", "table"}, {"Shape", "Bentuk"},
+                   "of the spectrum"),
+       Key::number("damping_ratio", dimension::none, Range::ratio, {"Damping ratio", "Rasio redaman"},
+                   "that the ordinates of a `\"table\"` are for; spectra of codes are for 0.05")
+           .by_default(0.05),
+       Key::choice("damping_correction", {"en-1998-1", "none"}, {"Correction for damping", "Koreksi redaman"},
+                   "`\"en-1998-1\"`: ordinates for other ratios by η = √(0.10/(0.05 + ζ)) ≥ 0.55; `\"none\"`: the same "
+                   "for all")
+           .optional(),
+       Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi moda"},
+                   "whose peaks the rules combine; both are printed")
+           .optional(),
+       Key::number("reduction", dimension::none, Range::positive, {"Reduction", "Reduksi"},
+                   "such as R/I_e: the rules of codes take peaks divided by it")
+           .for_each("one per building")
+           .by_default(1)});
+  const auto add = [&](std::vector<Key> more) { keys.insert(keys.end(), more.begin(), more.end()); };
+  add(of_shape(
+      {"asce-7-22", "sni-1726-2019"},
+      {Key::number("short_period", dimension::none, Range::positive, {"S_DS", "S_DS"}, "S_DS").counted_in("g"),
+       Key::number("one_second", dimension::none, Range::positive, {"S_D1", "S_D1"}, "S_D1").counted_in("g"),
+       Key::number("long_period", dimension::time, Range::positive, {"T_L", "T_L"}, "T_L, beyond S_D1/S_DS")}));
+  add(of_shape({"en-1998-1"},
+               {Key::number("ground_acceleration", dimension::none, Range::positive,
+                            {"Ground acceleration", "Percepatan tanah"}, "a_g, the importance factor in it")
+                    .counted_in("g"),
+                Key::whole("spectrum_type", 1, 2, {"Type of spectrum", "Tipe spektrum"}),
+                Key::choice("ground_type", {"A", "B", "C", "D", "E"}, {"Type of ground", "Tipe tanah"},
+                            "with `spectrum_type` it gives S, T_B, T_C, T_D")}));
+  add(of_shape({"table"},
+               {Key::number("periods", dimension::time, Range::not_negative, {"Periods", "Periode"}, "ascending; or")
+                    .list()
+                    .one_of("table"),
+                Key::number("accelerations", dimension::none, Range::not_negative, {"Accelerations", "Percepatan"},
+                            "with `periods`, in `unit`")
+                    .list("one per period")
+                    .optional()
+                    .goes_with("periods")
+                    .counted_in("unit"),
+                Key::of("file", Key::Kind::file, {"File", "Berkas"},
+                        "a table beside the case, periods in its first column; exactly one of the two")
+                    .one_of("table"),
+                unit_of_file("of the table's accelerations; `\"g\"` is the case's gravity"),
+                Key::whole("column", 2, last_place, {"Column", "Kolom"},
+                           "the accelerations' column of `file`; needed where it has more than two")
+                    .by_default(2)
+                    .goes_with("file")}));
+  return keys;
+}
+
+}  // namespace
+
+const KeyTable& case_keys() {
+  static const KeyTable table = {
+      "",
+      "a case: buildings in a row, the gaps between them, what shakes them, and for how long",
+      {Key::of("title", Key::Kind::line, {"Title", "Judul"}).or_empty().optional("empty"),
+       Key::sub_table("units", unit_keys(), {"Units", "Satuan"}, "of every number").optional(),
+       Key::sub_table("building", building_keys(), {"Buildings", "Bangunan"}, "two or more, from left to right")
+           .list()
+           .at_least(2),
+       Key::sub_table("gap", gap_keys(), {"Gaps", "Celah"}, "one between each pair of neighbours").list(),
+       Key::sub_table("link", link_keys(), {"Links", "Penghubung"}, "springs, dampers and cables")
+           .list()
+           .optional("none"),
+       Key::sub_table("excitation", excitation_keys(), {"Ground motion", "Gerakan tanah"}, "what shakes them"),
+       Key::sub_table("initial", initial_keys(), {"Initial state", "Keadaan awal"}, "where it starts from")
+           .optional("at rest"),
+       Key::sub_table("analysis", analysis_keys(), {"Analysis", "Analisis"}, "how long, and how").optional(),
+       Key::sub_table("code", code_keys(), {"Code rules", "Aturan kode"}, "factors for [separation rules](#code-rules)")
+           .optional("none"),
+       Key::sub_table("screening", screening_keys(), {"Screening", "Penapisan"}, "for [rules of thumb](#screening)")
+           .optional("none")}};
+  return table;
+}
+
+const KeyTable& unit_keys() {
+  static const KeyTable table = {"units",
+                                 "the units of every number; time is in seconds, mass is force·s²/length",
+                                 {Key::choice("length", views(length_units()), {"Length", "Panjang"}).optional(),
+                                  Key::choice("force", views(force_units()), {"Force", "Gaya"}).optional(),
+                                  Key::number("gravity", dimension::acceleration, Range::size, {"Gravity", "Gravitasi"},
+                                              "turns g and unit weights into accelerations and masses")
+                                      .optional("9.80665 m/s², converted")}};
+  return table;
+}
+
+const KeyTable& excitation_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "excitation",
+        "what shakes the buildings",
+        {Key::choice("kind", {"record", "harmonic", "none", "spectrum"}, {"Kind", "Jenis"},
+                     "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
+                     "alone"),
+         Key::number("delays", dimension::time, Range::not_negative, {"Delays", "Keterlambatan"},
+                     "how much later the ground motion reaches it")
+             .list("one per building")
+             .one_of("delay", Need::optional),
+         Key::number("wave_velocity", dimension::velocity, Range::positive, {"Wave velocity", "Kecepatan gelombang"},
+                     "in place of `delays`")
+             .one_of("delay", Need::optional),
+         Key::choice(
+             "kinematics", {"relative", "absolute"}, {"Kinematics", "Kinematika"},
+             "`\"relative\"`: openings from displacements relative to the bases; `\"absolute\"`: with the ground "
+             "displacement")
+             .optional()}};
+    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), spectrum_keys()}) {
+      made.keys.insert(made.keys.end(), keys.begin(), keys.end());
+    }
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& initial_keys() {
+  static const KeyTable table = {
+      "initial",
+      "displacements and velocities at the start, by building",
+      {Key::by_building("displacements", dimension::length, Range::level, {"Displacements", "Perpindahan"},
+                        "bottom to top, relative to the base"),
+       Key::by_building("velocities", dimension::velocity, Range::finite, {"Velocities", "Kecepatan"},
+                        "the same of velocities")}};
+  return table;
+}
+
+const KeyTable& analysis_keys() {
+  static const KeyTable table = {
+      "analysis",
+      "how long, and how",
+      {Key::number("duration", dimension::time, Range::size, {"Duration", "Durasi"})
+           .optional("the record's length, (count − 1) × step; needed for the other kinds"),
+       Key::choice("solver", {"exact", "runge-kutta", "adaptive"}, {"Solver", "Penyelesai"}, "see below").optional(),
+       Key::number("step", dimension::time, Range::positive, {"Step", "Langkah"},
+                   "in free flight; a third of it in contact; for `\"runge-kutta\"` only")
+           .by_default(0.006)
+           .when("solver", {"runge-kutta"}),
+       Key::number("tolerance", dimension::none, Range::tolerance, {"Tolerance", "Toleransi"},
+                   "relative, of one step; for `\"adaptive\"` only")
+           .by_default(1e-9)
+           .when("solver", {"adaptive"}),
+       Key::number("output_step", dimension::time, Range::positive, {"Output step", "Langkah keluaran"},
+                   "of the histories only; at most 10⁷ samples")
+           .by_default(0.01),
+       Key::of("energy_audit", Key::Kind::flag, {"Energy audit", "Audit energi"},
+               "all energy is accounted for; what is missing is reported, and the curves stand in `histories.nc`")
+           .by_default(0),
+       Key::of("both_ways", Key::Kind::flag, {"Both ways", "Dua arah"},
+               "what the same ground motion the other way round needs is told beside what it needs as given")
+           .by_default(1),
+       Key::sub_table("limits", limit_keys(), {"Limits", "Batas"}, "see [What a run takes](#what-a-run-takes)")
+           .optional(),
+       Key::number("collapse_drift", dimension::none, Range::positive, {"Drift of collapse", "Simpangan runtuh"},
+                   "drift ratio at which a storey of a building with [gravity loads](#gravity-loads-p-δ) has collapsed")
+           .by_default(0.1)}};
+  return table;
+}
+
+const KeyTable& limit_keys() {
+  static const KeyTable table = {
+      "analysis.limits",
+      "what a run may take",
+      {Key::number("steps", dimension::none, Range::step_limit, {"Steps", "Langkah"},
+                   "a run takes no more, samples and searches for peaks included")
+           .by_default(2e7),
+       Key::number("memory", dimension::none, Range::memory_limit, {"Memory", "Memori"}, "of a run with its histories")
+           .by_default(1000)
+           .counted_in("MB")}};
+  return table;
+}
+
+}  // namespace bentur

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/core/key.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/io/toml/toml_view.h"
+
+namespace bentur {
+
+/// A table of a file with what the schema says of its keys: types, ranges, whether a key must be there and what is
+/// without it come from there. Readers ask by the name of a key; asking for one that the schema does not have throws.
+class TableView : public TomlView {
+ public:
+  /// Keys are known already: another view has looked at them.
+  TableView(const TomlView& view, const KeyTable& keys) : TomlView(view), keys_(&keys) {}
+
+  /// Nothing (and an error) unless it is a table; an error for each key that `keys` does not have.
+  [[nodiscard]] static std::optional<TableView> of(const TomlView& view, const KeyTable& keys);
+
+  [[nodiscard]] const KeyTable& keys() const { return *keys_; }
+  /// What the schema says of a key here: of several of this name the one whose conditions hold.
+  [[nodiscard]] const Key& key(std::string_view name) const;
+
+  // The value of a key, read as the schema has it; an error where it must be there and is not. Nothing where it is
+  // missing or wrong, unless something else is said.
+  [[nodiscard]] std::optional<TomlView> get(std::string_view name) const;
+  /// The default where it is missing and has one. So is it with flags.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const;
+  [[nodiscard]] bool flag(std::string_view name) const;
+  /// A list, or one number where that may stand for all. @param count how many of a list; 0: any number from one
+  [[nodiscard]] std::vector<double> numbers(std::string_view name, std::size_t count = 0) const;
+  /// The same, and one number said `count` times.
+  [[nodiscard]] std::vector<double> numbers_for_each(std::string_view name, std::size_t count) const;
+  [[nodiscard]] std::optional<std::int64_t> whole(std::string_view name) const;
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
+  [[nodiscard]] std::optional<std::string> word(std::string_view name) const;
+  [[nodiscard]] std::optional<TableView> table(std::string_view name) const;
+
+  /// Of the keys of a group the one given; an error where there are more, or none and one is needed.
+  [[nodiscard]] std::optional<std::string> exactly_one(std::string_view group) const;
+
+  /// An error at each key that is given and is only for other words of `by` than `word`. @param reason of those words
+  void refuse_others(std::string_view by, std::string_view word,
+                     const std::function<std::string(const std::vector<std::string_view>&)>& reason) const;
+
+ private:
+  [[nodiscard]] Length length(const Key& key, std::size_t count) const { return {count, std::string(key.each)}; }
+
+  const KeyTable* keys_;
+};
+
+/// The key that a path leads to, and so what its numbers are; null where the schema has none.
+/// @param file the whole file: which key counts depends on what stands beside it
+[[nodiscard]] const Key* key_at(const KeyTable& keys, const ParameterPath& path, const TomlValue& file);
+
+}  // namespace bentur
