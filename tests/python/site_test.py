@@ -34,7 +34,7 @@ def test_addresses_of_other_sites_have_their_form():
         found |= set(re.findall(r"https?:[^)>\s`]*", text))
     assert len(found) >= 3
     for address in found:
-        assert re.fullmatch(r"https?://[a-z0-9-]+(\.[a-z0-9-]+)+(/[\w.~%()/-]*)?(#[\w-]+)?", address), address
+        assert re.fullmatch(r"https?://[a-z0-9-]+(\.[a-z0-9-]+)+(/[\w.~%()/-]*)?(\?[\w.=&-]+)?(#[\w-]+)?", address), address
     numbers = re.findall(r"doi\s*=\s*[{\"](.*?)[}\"]", (ROOT / "docs/references.bib").read_text())
     assert len(numbers) > 10 and len(set(numbers)) == len(numbers)
     for number in numbers:

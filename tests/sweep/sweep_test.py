@@ -394,7 +394,11 @@ class Interrupted(Sweep):
                     process.send_signal(signal.SIGINT)
                 out, err = process.communicate(timeout=600)
                 if self.part.exists():
-                    break
+                    done, runs = journal_done(self.part)
+                    if done < runs:
+                        break
+                    self.part.unlink()
+                self.output.unlink(missing_ok=True)
             self.assertNotEqual(process.returncode, 0)
             done, runs = journal_done(self.part)
             self.assertLess(done, runs)

@@ -68,8 +68,8 @@ double Stepper::longest_before_parting(const Start& start, double h) const {
 
 /// The first step of a nonlinear contact. A force that sets in like a root of time would take an embedded pair through
 /// dozens of steps over almost nothing. Instead the step is so short that the force changes speeds by a part ε =
-/// √(tolerance/10) at most, and is taken along the motion without it: what that neglects is of order ε². False when that
-/// is no way to go: other forces are at work too.                                                            
+/// √(tolerance/10) at most, and is taken along the motion without it: what that neglects is of order ε². False when
+/// that is no way to go: other forces are at work too.
 bool Stepper::begin_contact(const Start& start, double longest, Expansion& motion, State& to) {
   using Gauss = boost::math::quadrature::gauss<double, 7>;
   const double limit = std::sqrt(0.1 * tolerance_of(solver_));

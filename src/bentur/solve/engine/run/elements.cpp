@@ -438,8 +438,8 @@ void Elements::collide(Index element, double time, State& state) {
     return;
   }
   note_opening(element, time, state);
-  // Where errors of steps have brought it farther than they were thought to, it still parts from zero; else the next step
-  // would end at once, and so on.
+  // Where errors of steps have brought it farther than they were thought to, it still parts from zero; else the next
+  // step would end at once, and so on.
   tolerances_[element] = std::max(tolerances_[element], std::abs(deformation(element, state)) / start_slack_);
   std::vector<Index> at;
   for (Index i = idle_; i < count(); ++i) {
