@@ -1,3 +1,4 @@
+#include "bentur/elements/hysteretic_laws.h"
 #include "bentur/io/schema/case_keys.h"
 
 namespace bentur {
@@ -194,30 +195,28 @@ const KeyTable& floor_load_keys() {
 }
 
 const KeyTable& stick_keys() {
-  static const KeyTable table = {
-      "building.stick",
-      "a shear building; storeys with `yield_forces` yield",
-      {Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
-                   "bottom to top")
-           .list("one per storey"),
-       Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
-           .list("one per storey"),
-       Key::number("stiffnesses", dimension::stiffness, Range::positive, {"Stiffnesses", "Kekakuan"}, "of the storeys")
-           .list("one per storey"),
-       Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
-                   "V_y, the shear at which the storey yields; `inf`: it stays elastic")
-           .for_each("one per storey")
-           .optional("none yields"),
-       hardening_of_storeys().for_each("one per storey").goes_with("yield_forces"),
-       Key::choice("hysteresis", {"bilinear", "peak-oriented"}, {"Hysteresis", "Histeresis"},
-                   "bilinear: kinematic hardening; peak-oriented: unloads, then heads for the largest drift so far "
-                   "(concrete)")
-           .optional()
-           .goes_with("yield_forces"),
-       Key::number("unloading_exponent", dimension::none, Range::share, {"Unloading exponent", "Eksponen pelepasan"},
-                   "it unloads with k (Δ_y/Δ_max)^a, a this exponent")
-           .by_default(0)
-           .when("hysteresis", {"peak-oriented"})}};
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "building.stick",
+        "a shear building; storeys with `yield_forces` yield",
+        {Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
+                     "bottom to top")
+             .list("one per storey"),
+         Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
+             .list("one per storey"),
+         Key::number("stiffnesses", dimension::stiffness, Range::positive, {"Stiffnesses", "Kekakuan"},
+                     "of the storeys")
+             .list("one per storey"),
+         Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
+                     "V_y, the shear at which the storey yields; `inf`: it stays elastic")
+             .for_each("one per storey")
+             .optional("none yields"),
+         hardening_of_storeys().for_each("one per storey").goes_with("yield_forces")}};
+    add_laws(hysteretic_laws(),
+             Key::choice("hysteresis", {}, {"Hysteresis", "Histeresis"}).optional().goes_with("yield_forces"),
+             made.keys);
+    return made;
+  }();
   return table;
 }
 

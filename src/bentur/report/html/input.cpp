@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "bentur/core/number_text.h"
+#include "bentur/elements/hysteretic_laws.h"
 #include "bentur/excitation/motion_measures.h"
+#include "bentur/io/schema/case_keys.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
 
@@ -114,6 +116,19 @@ Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
   return table.markup();
 }
 
+/// The law by which storeys yield, with its own numbers.
+std::string hysteresis_text(const Stick& stick, const Words& say) {
+  const std::string key = "input." + stick.hysteresis;
+  if (!say.has(key)) return stick.hysteresis;
+  const auto* const law = find_entry(hysteretic_laws(), stick.hysteresis);
+  std::vector<std::pair<std::string, std::string>> numbers;
+  for (const Key& one : law->keys) {
+    const auto given = stick.law_numbers.find(one.name);
+    numbers.emplace_back(one.name, number(given != stick.law_numbers.end() ? given->second : *one.default_value));
+  }
+  return say(key, numbers);
+}
+
 Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
   const Words& say = report.say;
   const Units& units = report.c.units;
@@ -125,10 +140,7 @@ Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
   table.add(say("column.mass"), mass_unit(report.c), reversed(stick.masses, storeys));
   table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
   if (!stick.yield_forces.empty()) {
-    rows.emplace_back(say("input.hysteresis"),
-                      stick.hysteresis == Hysteresis::bilinear
-                          ? say("input.bilinear")
-                          : say("input.peak_oriented", {{"exponent", number(stick.unloading_exponent)}}));
+    rows.emplace_back(say("input.hysteresis"), hysteresis_text(stick, say));
     std::vector<double> forces = reversed(stick.yield_forces, storeys);
     for (double& force : forces) force = std::isinf(force) ? std::numeric_limits<double>::quiet_NaN() : force;
     table.add(say("column.yield_force"), units.force, forces);
@@ -273,15 +285,13 @@ Html building_echo(const Report& report, Eigen::Index b) {
   return element("h3", building.name) + facts(rows) + table + modes_table(building, report);
 }
 
-/// Unit of what a law works with, by the law's exponent; empty where it has none or it is the law's own.
-std::string parameter_unit(std::string_view name, const std::string& law, const Units& units) {
-  const bool hertzian = law == "hertz" || law == "hertz-damp" || law == "jankowski";
-  if (name == "stiffness") return units.force + "/" + units.length + (hertzian ? "^1.5" : "");
-  if (name == "second_stiffness") return units.force + "/" + units.length;
-  if (name == "yield_penetration") return units.length;
-  if (name == "damping") return units.force + "·s/" + units.length;
-  if (name == "alpha") return "s/" + units.length;
-  return "";
+/// Unit of what a law works with; empty where it has none or it is the law's own.
+std::string parameter_unit(std::string_view name, const KeyTable& keys, const std::string& law, const Units& units) {
+  const Key* found = keys.find(name);
+  for (const Key& key : keys.keys) {
+    if (key.name == name && key.is_for("law", law)) found = &key;
+  }
+  return found == nullptr ? "" : found->dimension.text(units.length, units.force);
 }
 
 Html gap_echo(const Report& report, Eigen::Index gap) {
@@ -321,7 +331,7 @@ Html gap_echo(const Report& report, Eigen::Index gap) {
   table.add(say("column.elevation"), report.c.units.length, elevations);
   table.add(say("column.gap"), report.c.units.length, widths);
   for (const auto& [name, values] : parameters) {
-    table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, report.c.units), values);
+    table.add(say("parameter." + name), parameter_unit(name, contact_keys(), spec.contact.law, report.c.units), values);
   }
   return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows) + table.markup();
 }
@@ -331,10 +341,6 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   if (links.empty()) return {};
   const Words& say = report.say;
   const Units& units = report.c.units;
-  const auto unit = [&](std::string_view name) -> std::string {
-    if (name == "yield_force") return units.force;
-    return name == "slack" ? units.length : parameter_unit(name, spec.law, units);
-  };
   std::vector<double> elevations = spec.elevations;
   std::reverse(elevations.begin(), elevations.end());
   HtmlTable table;
@@ -343,7 +349,8 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   for (const Key& key : law != nullptr ? law->keys : std::vector<Key>()) {
     std::vector<double> values;
     for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
-    table.add(say("parameter." + std::string(key.name)), unit(key.name), values);
+    table.add(say("parameter." + std::string(key.name)), parameter_unit(key.name, link_keys(), spec.law, units),
+              values);
   }
   const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
   return element("h3", say("heading.links_of", {{"link", name}})) +
