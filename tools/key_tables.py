@@ -30,7 +30,9 @@ def cell(text):
 
 def row_of(told):
     value = told["value"] + (": " if told["value"] and told["doc"] else "") + told["doc"]
-    if (told.get("with") and told["with"] not in value):
+    if len(told.get("word_docs", [])) == 2:  # more of them have a table of their own
+        value = "; ".join(f'`"{word}"`: {doc}' for word, doc in zip(told["words"], told["word_docs"], strict=True))
+    if told.get("with") and told["with"] not in value:
         value += f"; with `{told['with']}`"
     return value, told.get("default", "")
 

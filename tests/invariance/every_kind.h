@@ -86,7 +86,7 @@ class EveryKindGenerator : private BuildingGenerator {
           one.yield_forces.push_back(logarithmic(0.5, 8) * one.masses[f] * static_cast<double>(heights.size() - f));
         }
         one.hardening = {chance(0.5) ? 0.0 : 0.05};
-        one.hysteresis = chance(0.5) ? Hysteresis::bilinear : Hysteresis::peak_oriented;
+        one.hysteresis = chance(0.5) ? "bilinear" : "peak-oriented";
       }
       spec.p_delta = chance(0.3);
       const double mass = one.masses[0], stiffness = one.stiffnesses[0];

@@ -4,14 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace bentur {
 namespace {
 
-std::string power_text(const char* unit, double power) {
+std::string power_text(const std::string& unit, double power) {
   if (power == 1) return unit;
-  if (power == 2 || power == 3 || power == 4) return std::string(unit) + (power == 2 ? "²" : power == 3 ? "³" : "⁴");
+  if (power == 2 || power == 3 || power == 4) return unit + (power == 2 ? "²" : power == 3 ? "³" : "⁴");
   return fmt::format("{}^{}", unit, power);
+}
+
+/// "a·b²/c" of units and their powers.
+std::string fraction(const std::vector<std::pair<std::string, double>>& units) {
+  std::string above, below;
+  for (const auto& [unit, power] : units) {
+    if (power == 0) continue;
+    std::string& side = power > 0 ? above : below;
+    side += (side.empty() ? "" : "·") + power_text(unit, std::abs(power));
+  }
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + below;
 }
 
 }  // namespace
@@ -35,19 +49,12 @@ std::string PhysicalDimension::form() const {
 }
 
 std::string PhysicalDimension::text() const {
-  const bool of_mass = force == 1 && time == 2;
-  std::string above, below;
-  const auto add = [&](const char* unit, double power) {
-    if (power == 0) return;
-    std::string& side = power > 0 ? above : below;
-    side += (side.empty() ? "" : "·") + power_text(unit, std::abs(power));
-  };
-  if (of_mass) add("mass", 1);
-  if (!of_mass) add("force", force);
-  add("length", of_mass ? length + 1 : length);
-  if (!of_mass) add("s", time);
-  if (below.empty()) return above;
-  return (above.empty() ? "1" : above) + "/" + below;
+  if (force != 1 || time != 2) return text("length", "force");
+  return fraction({{"mass", 1}, {"length", length + 1}});
+}
+
+std::string PhysicalDimension::text(const std::string& of_length, const std::string& of_force) const {
+  return fraction({{of_force, force}, {of_length, length}, {"s", time}});
 }
 
 }  // namespace bentur

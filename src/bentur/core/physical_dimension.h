@@ -21,6 +21,8 @@ struct PhysicalDimension {
   [[nodiscard]] std::string form() const;
   /// "force·s/length", or with mass "mass/length³"; empty of none.
   [[nodiscard]] std::string text() const;
+  /// The same in units, "kN·s/m"; mass is kN·s²/m there.
+  [[nodiscard]] std::string text(const std::string& of_length, const std::string& of_force) const;
 };
 
 namespace dimension {

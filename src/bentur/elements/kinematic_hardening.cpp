@@ -18,6 +18,13 @@ KinematicHardening::KinematicHardening(double stiffness, double yield_force, dou
   limit_ = (1 - hardening) * yield_force;
 }
 
+LawEntryOf<HystereticLaw> KinematicHardening::entry() {
+  return {"bilinear", "kinematic hardening", {}, {}, [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {
+            return std::make_shared<KinematicHardening>(in.number("stiffness"), in.number("yield_force"),
+                                                        in.number("hardening"));
+          }};
+}
+
 LawParameters KinematicHardening::parameters() const {
   return {{"stiffness", stiffness_}, {"yield_force", yield_force_}, {"hardening", hardening_}};
 }

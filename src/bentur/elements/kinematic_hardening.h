@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bentur/elements/law.h"
+#include "bentur/elements/law_entry.h"
 
 namespace bentur {
 
@@ -18,6 +18,7 @@ class KinematicHardening final : public HystereticLaw {
   /// @throws InvalidParameter unless stiffness > 0, yield_force > 0, 0 ≤ hardening < 1, all finite.
   KinematicHardening(double stiffness, double yield_force, double hardening);
 
+  [[nodiscard]] static LawEntryOf<HystereticLaw> entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "bilinear"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bentur/core/key.h"
+#include "bentur/elements/law.h"
 
 namespace bentur {
 

@@ -43,6 +43,20 @@ PeakOriented::PeakOriented(double stiffness, double yield_force, double hardenin
   yield_ = yield_force / stiffness;
 }
 
+LawEntryOf<HystereticLaw> PeakOriented::entry() {
+  return {"peak-oriented",
+          "unloads, then heads for the largest drift so far (concrete)",
+          {Key::number("unloading_exponent", dimension::none, Range::share,
+                       {"Unloading exponent", "Eksponen pelepasan beban"},
+                       "it unloads with k (Δ_y/Δ_max)^a, a this exponent")
+               .by_default(0)},
+          {},
+          [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {
+            return std::make_shared<PeakOriented>(in.number("stiffness"), in.number("yield_force"),
+                                                  in.number("hardening"), in.number("unloading_exponent"));
+          }};
+}
+
 LawParameters PeakOriented::parameters() const {
   return {{"stiffness", stiffness_},
           {"yield_force", yield_force_},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bentur/elements/law.h"
+#include "bentur/elements/law_entry.h"
 
 namespace bentur {
 
@@ -21,6 +21,7 @@ class PeakOriented final : public HystereticLaw {
   /// @throws InvalidParameter unless stiffness > 0, yield_force > 0, 0 ≤ hardening < 1, 0 ≤ unloading_exponent ≤ 1.
   PeakOriented(double stiffness, double yield_force, double hardening, double unloading_exponent);
 
+  [[nodiscard]] static LawEntryOf<HystereticLaw> entry();
   [[nodiscard]] std::string_view name() const noexcept override { return "peak-oriented"; }
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;

@@ -5,8 +5,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
-#include "bentur/elements/kinematic_hardening.h"
-#include "bentur/elements/peak_oriented.h"
+#include "bentur/elements/hysteretic_laws.h"
 
 namespace bentur {
 
@@ -51,6 +50,8 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick
   require_size("stiffnesses", stick.stiffnesses.size(), n);
   if (forces.size() != 1) require_size("yield_forces", forces.size(), n);
   if (stick.hardening.size() > 1) require_size("hardening", stick.hardening.size(), n);
+  const auto* const entry = find_entry(hysteretic_laws(), stick.hysteresis);
+  if (entry == nullptr) throw InvalidParameter("hysteresis", stick.hysteresis, "there is no such law of a storey");
   const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
   std::vector<std::shared_ptr<const HystereticLaw>> laws(stick.stiffnesses.size());
   bool any = false;
@@ -60,11 +61,12 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick
     const double k = scale * stick.stiffnesses[j];
     const double r = stick.hardening.empty() ? 0 : stick.hardening[stick.hardening.size() == 1 ? 0 : j];
     any = true;
-    if (stick.hysteresis == Hysteresis::bilinear) {
-      laws[j] = std::make_shared<KinematicHardening>(k, force, r);
-    } else {
-      laws[j] = std::make_shared<PeakOriented>(k, force, r, stick.unloading_exponent);
+    LawInput input = {.numbers = stick.law_numbers};
+    for (const Key& key : entry->keys) {
+      if (key.default_value) input.numbers.emplace(key.name, *key.default_value);
     }
+    input.numbers.insert({{"stiffness", k}, {"yield_force", force}, {"hardening", r}});
+    laws[j] = entry->make(input);
   }
   if (!any) laws.clear();
   return laws;

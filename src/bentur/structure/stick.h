@@ -1,17 +1,13 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bentur/structure/building.h"
 
 namespace bentur {
-
-/// How a storey that has yielded unloads and loads again.
-enum class Hysteresis {
-  bilinear,      ///< kinematic hardening (L-1)
-  peak_oriented  ///< towards the largest drift so far (L-2)
-};
 
 /// A shear building: one mass and one lateral spring per storey.
 struct Stick {
@@ -21,8 +17,9 @@ struct Stick {
   std::vector<double> yield_forces = {};  ///< V_y [force], one for all or one per storey; infinite: it stays elastic;
                                           ///< empty: all do
   std::vector<double> hardening = {};     ///< r [-], one for all or one per storey; empty: 0
-  Hysteresis hysteresis = Hysteresis::bilinear;
-  double unloading_exponent = 0;  ///< a [-] in [0, 1], of peak-oriented storeys
+  std::string hysteresis = "bilinear";    ///< how a storey that has yielded unloads and loads again: a name of
+                                          ///< hysteretic_laws()
+  std::map<std::string, double, std::less<>> law_numbers = {};  ///< what that law has beside these; defaults else
 };
 
 /// One sway per floor: M diagonal, K tridiagonal, load = the masses. `base_elevation` as assemble_plane_frame().
@@ -32,8 +29,8 @@ struct Stick {
 
 /// The law of each storey's drift, null where it stays elastic; empty where all do. `model` is made of the stick; where
 /// its stiffness has been scaled since (calibrate_period()), so is that of every law, and V_y stays as it is given.
-/// @throws InvalidParameter unless yield forces and hardening are one for all or one per storey and every value is in
-/// its range.
+/// @throws InvalidParameter unless there is such a law, yield forces and hardening are one for all or one per storey
+/// and every value is in its range.
 [[nodiscard]] std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick,
                                                                             const StructuralModel& model);
 

@@ -81,8 +81,8 @@ TEST(StoreyLaws, OneValueForAllOrOneEach) {
   EXPECT_EQ(number_of(*laws[2], "hardening"), 0.05);
   stick.yield_forces = {400};
   stick.hardening = {0.01, 0.02, 0.03};
-  stick.hysteresis = Hysteresis::peak_oriented;
-  stick.unloading_exponent = 0.4;
+  stick.hysteresis = "peak-oriented";
+  stick.law_numbers["unloading_exponent"] = 0.4;
   const auto oriented = storey_laws(stick, stick_model(stick));
   for (std::size_t j = 0; j < 3; ++j) {
     EXPECT_EQ(oriented.at(j)->name(), "peak-oriented");
@@ -112,7 +112,7 @@ TEST(StoreyLaws, BadParametersAreRefused) {
   const auto refused = [&](const std::vector<double>& forces, const std::vector<double>& hardening, double exponent) {
     stick.yield_forces = forces;
     stick.hardening = hardening;
-    stick.unloading_exponent = exponent;
+    stick.law_numbers = {{"unloading_exponent", exponent}};
     EXPECT_THROW(static_cast<void>(storey_laws(stick, model)), InvalidParameter);
   };
   refused({1, 2, 3}, {}, 0);
@@ -120,7 +120,7 @@ TEST(StoreyLaws, BadParametersAreRefused) {
   refused({0}, {}, 0);
   refused({-std::numeric_limits<double>::infinity()}, {}, 0);
   refused({1}, {1}, 0);
-  stick.hysteresis = Hysteresis::peak_oriented;
+  stick.hysteresis = "peak-oriented";
   refused({1}, {}, 1.5);
 }
 

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,19 +14,25 @@ namespace {
 /// What says how storeys yield.
 void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
   const auto word = view.word("hysteresis");
-  const auto exponent = view.number("unloading_exponent");
   stick.hardening = view.numbers("hardening", storeys);
-  if (word == "peak-oriented") {
-    stick.hysteresis = Hysteresis::peak_oriented;
-    stick.unloading_exponent = exponent.value_or(0);
-  } else if (!view.has("hysteresis") || word == "bilinear") {
-    view.refuse({"unloading_exponent"}, "is for hysteresis = \"peak-oriented\"");
+  std::vector<std::string> of_yielding = {"hardening", "hysteresis"};
+  for (const std::string& name : view.keys().names()) {
+    const auto owners = view.keys().owners(name, "hysteresis");
+    if (owners.empty()) continue;
+    of_yielding.push_back(name);
+    const auto number = view.number(name);
+    if (number && view.has(name)) stick.law_numbers[name] = *number;
+  }
+  if (word) stick.hysteresis = *word;
+  if (word || !view.has("hysteresis")) {
+    view.refuse_others("hysteresis", stick.hysteresis, [](const auto& owners) {
+      return fmt::format("is for hysteresis = \"{}\"", fmt::join(owners, "\" or \""));
+    });
   }
   if (view.has("yield_forces")) {
     stick.yield_forces = view.numbers("yield_forces", storeys);
   } else {
-    view.refuse({"hardening", "hysteresis", "unloading_exponent"},
-                "is of storeys that yield: give yield_forces too, without them all stay elastic");
+    view.refuse(of_yielding, "is of storeys that yield: give yield_forces too, without them all stay elastic");
   }
 }
 

@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "bentur/core/number_text.h"
+#include "bentur/elements/hysteretic_laws.h"
 #include "bentur/excitation/motion_measures.h"
+#include "bentur/io/schema/case_keys.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
 
@@ -19,6 +21,12 @@ namespace {
 std::string chosen_word(const Words& say, const std::string& word) {
   const std::string key = "choice." + word;
   return catalogue().texts.contains(key) ? say(key) : word;
+}
+
+/// What a key of the case is called in the report's language.
+std::string label_of(const KeyTable& table, std::string_view key, const Words& say) {
+  const Label& label = table.at(key).label;
+  return std::string(say.language() == "id" ? label.indonesian : label.english);
 }
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
@@ -72,15 +80,16 @@ Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
   const Words& say = report.say;
   const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.frame"));
-  rows.emplace_back(say("input.modulus"), quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
-  rows.emplace_back(say("input.bays"), list_text(frame.bay_widths) + " " + units.length);
-  rows.emplace_back(say("input.mass_matrix"),
+  rows.emplace_back(label_of(frame_keys(), "elastic_modulus", say),
+                    quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
+  rows.emplace_back(label_of(frame_keys(), "bay_widths", say), list_text(frame.bay_widths) + " " + units.length);
+  rows.emplace_back(label_of(frame_keys(), "mass_matrix", say),
                     say(frame.mass_matrix == MassMatrix::consistent ? "input.consistent" : "input.lumped"));
-  rows.emplace_back(say("input.condensation"),
+  rows.emplace_back(label_of(frame_keys(), "condensation", say),
                     say(frame.condensation == Condensation::static_   ? "input.static"
                         : frame.condensation == Condensation::dynamic ? "input.dynamic"
                                                                       : "input.uncondensed"));
-  if (!frame.base_coupling) rows.emplace_back(say("input.base_coupling"), say("word.no"));
+  if (!frame.base_coupling) rows.emplace_back(label_of(frame_keys(), "base_coupling", say), say("word.no"));
   const std::size_t storeys = frame.storey_heights.size();
   const bool by_length =
       std::any_of(frame.beams.begin(), frame.beams.end(), [](const Section& beam) { return beam.line_mass > 0; });
@@ -114,6 +123,19 @@ Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
   return table.markup();
 }
 
+/// The law by which storeys yield, with its own numbers.
+std::string hysteresis_text(const Stick& stick, const Words& say) {
+  const std::string key = "input." + stick.hysteresis;
+  if (!say.has(key)) return stick.hysteresis;
+  const auto* const law = find_entry(hysteretic_laws(), stick.hysteresis);
+  std::vector<std::pair<std::string, std::string>> numbers;
+  for (const Key& one : law->keys) {
+    const auto given = stick.law_numbers.find(one.name);
+    numbers.emplace_back(one.name, number(given != stick.law_numbers.end() ? given->second : *one.default_value));
+  }
+  return say(key, numbers);
+}
+
 Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
   const Words& say = report.say;
   const Units& units = report.c.units;
@@ -125,10 +147,7 @@ Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
   table.add(say("column.mass"), mass_unit(report.c), reversed(stick.masses, storeys));
   table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
   if (!stick.yield_forces.empty()) {
-    rows.emplace_back(say("input.hysteresis"),
-                      stick.hysteresis == Hysteresis::bilinear
-                          ? say("input.bilinear")
-                          : say("input.peak_oriented", {{"exponent", number(stick.unloading_exponent)}}));
+    rows.emplace_back(label_of(stick_keys(), "hysteresis", say), hysteresis_text(stick, say));
     std::vector<double> forces = reversed(stick.yield_forces, storeys);
     for (double& force : forces) force = std::isinf(force) ? std::numeric_limits<double>::quiet_NaN() : force;
     table.add(say("column.yield_force"), units.force, forces);
@@ -151,7 +170,7 @@ Html structure_echo(const MatricesSpec& spec, const Report& report, Rows& rows) 
   const Words& say = report.say;
   const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.matrices"));
-  rows.emplace_back(say("input.elevations"), list_text(spec.elevations) + " " + units.length);
+  rows.emplace_back(label_of(matrices_keys(), "elevations", say), list_text(spec.elevations) + " " + units.length);
   if (spec.mass.rows() > largest_matrix_shown) {
     rows.emplace_back(say("input.size"), fmt::format("{0} × {0}", spec.mass.rows()));
     return {};
@@ -162,7 +181,8 @@ Html structure_echo(const MatricesSpec& spec, const Report& report, Rows& rows) 
 
 Html structure_echo(const RigidSpec& spec, const Report& report, Rows& rows) {
   rows.emplace_back(report.say("input.structure"), report.say("input.rigid"));
-  rows.emplace_back(report.say("input.elevations"), list_text(spec.elevations) + " " + report.c.units.length);
+  rows.emplace_back(label_of(matrices_keys(), "elevations", report.say),
+                    list_text(spec.elevations) + " " + report.c.units.length);
   return {};
 }
 
@@ -193,30 +213,32 @@ void support_echo(const BuildingSpec& spec, const Report& report, Rows& rows) {
   const Units& units = report.c.units;
   const std::string spring = units.force + "/" + units.length;
   if (spec.p_delta || !spec.gravity_loads.empty()) {
-    rows.emplace_back(say("input.gravity"), spec.gravity_loads.empty()
-                                                ? say("input.own_weight")
-                                                : list_text(spec.gravity_loads) + " " + units.force);
+    rows.emplace_back(
+        label_of(building_keys(), "gravity_loads", say),
+        spec.gravity_loads.empty() ? say("input.own_weight") : list_text(spec.gravity_loads) + " " + units.force);
   }
   if (spec.isolation) {
     const Isolation& bearings = spec.isolation->bearings;
-    rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(report.c)));
+    rows.emplace_back(label_of(isolation_keys(), "mass", say), quantity(bearings.mass, mass_unit(report.c)));
     if (const auto& pendulum = spec.isolation->pendulum) {
-      rows.emplace_back(say("input.bearings"),
+      rows.emplace_back(label_of(building_keys(), "isolation", say),
                         say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
                                                {"radius", quantity(pendulum->radius, units.length)}}));
     } else {
       rows.emplace_back(
-          say("input.bearings"),
+          label_of(building_keys(), "isolation", say),
           say("input.bearing_law", {{"stiffness", quantity(bearings.stiffness, spring)},
                                     {"strength", quantity(bearings.characteristic_strength, units.force)}}));
     }
   }
   if (!spec.soil) return;
   const Soil soil = soil_of(*spec.soil);
-  rows.emplace_back(say("input.sway"), quantity(soil.sway.stiffness, spring) + ", " +
-                                           quantity(soil.sway.damping, units.force + "·s/" + units.length));
-  rows.emplace_back(say("input.rocking"), quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
-                                              quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
+  rows.emplace_back(
+      label_of(soil_keys(), "sway", say),
+      quantity(soil.sway.stiffness, spring) + ", " + quantity(soil.sway.damping, units.force + "·s/" + units.length));
+  rows.emplace_back(label_of(soil_keys(), "rocking", say),
+                    quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
+                        quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
 }
 
 /// Of values mode by mode those that are shown.
@@ -259,29 +281,29 @@ Html building_echo(const Report& report, Eigen::Index b) {
   if (building.is_rigid()) return element("h3", building.name) + facts(rows) + table;
   support_echo(spec, report, rows);
   const std::string damping = damping_text(spec.damping, say);
-  rows.emplace_back(say("input.damping"),
+  rows.emplace_back(label_of(building_keys(), "damping", say),
                     spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);
   if (spec.calibrate_period) {
-    rows.emplace_back(say("input.calibrated"),
+    rows.emplace_back(label_of(building_keys(), "calibrate_period", say),
                       say("input.calibrated_by", {{"period", quantity(*spec.calibrate_period, "s")},
                                                   {"factor", number(building.model.stiffness_factor.value_or(1))}}));
   }
   if (spec.base_elevation != 0) {
-    rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, report.c.units.length));
+    rows.emplace_back(label_of(building_keys(), "base_elevation", say),
+                      quantity(spec.base_elevation, report.c.units.length));
   }
-  if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, report.c.units.length));
+  if (spec.width)
+    rows.emplace_back(label_of(building_keys(), "width", say), quantity(*spec.width, report.c.units.length));
   return element("h3", building.name) + facts(rows) + table + modes_table(building, report);
 }
 
-/// Unit of what a law works with, by the law's exponent; empty where it has none or it is the law's own.
-std::string parameter_unit(std::string_view name, const std::string& law, const Units& units) {
-  const bool hertzian = law == "hertz" || law == "hertz-damp" || law == "jankowski";
-  if (name == "stiffness") return units.force + "/" + units.length + (hertzian ? "^1.5" : "");
-  if (name == "second_stiffness") return units.force + "/" + units.length;
-  if (name == "yield_penetration") return units.length;
-  if (name == "damping") return units.force + "·s/" + units.length;
-  if (name == "alpha") return "s/" + units.length;
-  return "";
+/// Unit of what a law works with; empty where it has none or it is the law's own.
+std::string parameter_unit(std::string_view name, const KeyTable& keys, const std::string& law, const Units& units) {
+  const Key* found = keys.find(name);
+  for (const Key& key : keys.keys) {
+    if (key.name == name && key.is_for("law", law)) found = &key;
+  }
+  return found == nullptr ? "" : found->dimension.text(units.length, units.force);
 }
 
 Html gap_echo(const Report& report, Eigen::Index gap) {
@@ -289,12 +311,12 @@ Html gap_echo(const Report& report, Eigen::Index gap) {
   const GapSpec& spec = report.c.gaps.at(gap);
   Rows rows;
   if (spec.elevations.empty()) {
-    rows.emplace_back(say("input.law"), say("input.no_contact"));
+    rows.emplace_back(label_of(contact_keys(), "law", say), say("input.no_contact"));
     if (!spec.widths.empty())
       rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), report.c.units.length));
     return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows);
   }
-  rows.emplace_back(say("input.law"), spec.contact.law);
+  rows.emplace_back(label_of(contact_keys(), "law", say), spec.contact.law);
   for (const auto& [name, word] : report.from_case() ? spec.contact.choices() : spec.contact.words) {
     rows.emplace_back(chosen_word(say, name), chosen_word(say, word));
   }
@@ -321,7 +343,7 @@ Html gap_echo(const Report& report, Eigen::Index gap) {
   table.add(say("column.elevation"), report.c.units.length, elevations);
   table.add(say("column.gap"), report.c.units.length, widths);
   for (const auto& [name, values] : parameters) {
-    table.add(say("parameter." + name), parameter_unit(name, spec.contact.law, report.c.units), values);
+    table.add(say("parameter." + name), parameter_unit(name, contact_keys(), spec.contact.law, report.c.units), values);
   }
   return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows) + table.markup();
 }
@@ -331,10 +353,6 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   if (links.empty()) return {};
   const Words& say = report.say;
   const Units& units = report.c.units;
-  const auto unit = [&](std::string_view name) -> std::string {
-    if (name == "yield_force") return units.force;
-    return name == "slack" ? units.length : parameter_unit(name, spec.law, units);
-  };
   std::vector<double> elevations = spec.elevations;
   std::reverse(elevations.begin(), elevations.end());
   HtmlTable table;
@@ -343,11 +361,12 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   for (const Key& key : law != nullptr ? law->keys : std::vector<Key>()) {
     std::vector<double> values;
     for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
-    table.add(say("parameter." + std::string(key.name)), unit(key.name), values);
+    table.add(say("parameter." + std::string(key.name)), parameter_unit(key.name, link_keys(), spec.law, units),
+              values);
   }
   const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
   return element("h3", say("heading.links_of", {{"link", name}})) +
-         facts({{say("input.link_law"), say("input." + spec.law)}}) + table.markup();
+         facts({{label_of(link_keys(), "law", say), say("input." + spec.law)}}) + table.markup();
 }
 
 Html motion_echo(const Report& report) {
