@@ -47,7 +47,8 @@ LawEntryOf<HystereticLaw> PeakOriented::entry() {
   return {"peak-oriented",
           "unloads, then heads for the largest drift so far (concrete)",
           {Key::number("unloading_exponent", dimension::none, Range::share,
-                       {"Unloading exponent", "Eksponen pelepasan"}, "it unloads with k (Δ_y/Δ_max)^a, a this exponent")
+                       {"Unloading exponent", "Eksponen pelepasan beban"},
+                       "it unloads with k (Δ_y/Δ_max)^a, a this exponent")
                .by_default(0)},
           {},
           [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {

@@ -205,6 +205,8 @@ std::string description_of(const Key& key) {
   if (const std::string without = default_text(key); !without.empty()) {
     text += (without.starts_with("needed") ? "; " : "; default ") + without;
   }
+  for (std::size_t i = 0; i < key.word_docs.size(); ++i)
+    text += fmt::format("\n{}: {}", key.words[i], key.word_docs[i]);
   return plain_text(text);
 }
 

@@ -5,7 +5,7 @@ namespace bentur {
 namespace {
 
 Key elevations_of_floors() {
-  return Key::number("elevations", dimension::length, Range::size, {"Elevations", "Elevasi"},
+  return Key::number("elevations", dimension::length, Range::size, {"Levels above the base", "Elevasi dari dasar"},
                      "ascending, of the floors above the own base")
       .list();
 }
@@ -33,7 +33,7 @@ const KeyTable& building_keys() {
                         "where storeys yield: see [Damping](#damping)")
                 .optional(),
             Key::number("calibrate_period", dimension::time, Range::positive,
-                        {"Calibrated period", "Periode kalibrasi"},
+                        {"Stiffness scaled to a first period of", "Kekakuan diskalakan ke periode pertama"},
                         "the stiffness is scaled until the first period is this, on a fixed base and without gravity "
                         "loads; `axial` contact stiffness is not scaled")
                 .optional("none"),
@@ -47,7 +47,7 @@ const KeyTable& building_keys() {
                     "a [wall](#walls-rigid--true) that moves with the ground, with no other key but "
                     "`elevations` and `base_elevation`")
                 .by_default(0),
-            Key::number("elevations", dimension::length, Range::level, {"Elevations", "Elevasi"},
+            Key::number("elevations", dimension::length, Range::level, {"Levels above the base", "Elevasi dari dasar"},
                         "of a wall alone: ascending, where it can be struck")
                 .list()
                 .when("rigid", {"true"}),
@@ -55,7 +55,8 @@ const KeyTable& building_keys() {
                     "the floors' weights [soften the building](#gravity-loads-p-δ)")
                 .one_of("gravity", Need::optional)
                 .by_default(0),
-            Key::number("gravity_loads", dimension::force, Range::not_negative, {"Gravity loads", "Beban gravitasi"},
+            Key::number("gravity_loads", dimension::force, Range::not_negative,
+                        {"Gravity loads (P-Δ)", "Beban gravitasi (P-Δ)"},
                         "of the structure, none for a slab; in place of `p_delta`")
                 .list("one per floor")
                 .one_of("gravity")
@@ -71,13 +72,13 @@ const KeyTable& building_keys() {
                 .optional("none"),
             Key::sub_table("frame", frame_keys(), {"Frame", "Portal"}, "a [plane frame](#buildingframe-a-plane-frame)")
                 .one_of("structure"),
-            Key::sub_table("stick", stick_keys(), {"Stick", "Model tongkat"},
+            Key::sub_table("stick", stick_keys(), {"Shear building", "Bangunan geser"},
                            "a [shear building](#buildingstick-a-shear-building)")
                 .one_of("structure"),
             Key::sub_table("matrices", matrices_keys(), {"Matrices", "Matriks"},
                            "[from another program](#buildingmatrices-from-another-program)")
                 .one_of("structure"),
-            Key::sub_table("modal", modal_keys(), {"Modes", "Moda"},
+            Key::sub_table("modal", modal_keys(), {"Modes", "Ragam"},
                            "[known by its modes](#buildingmodal-known-by-its-modes)")
                 .one_of("structure"),
             Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
@@ -145,10 +146,10 @@ const KeyTable& frame_keys() {
        Key::choice("mass_matrix", {"consistent", "lumped"}, {"Mass matrix", "Matriks massa"},
                    "lumped: half of each column to the floors it joins, rotations without mass")
            .optional(),
-       Key::choice("condensation", {"static", "dynamic", "none"}, {"Condensation", "Kondensasi"},
+       Key::choice("condensation", {"static", "dynamic", "none"}, {"Joint rotations", "Rotasi titik kumpul"},
                    "dynamic: the first mode is exact; none: joint rotations stay")
            .optional(),
-       Key::of("base_coupling", Key::Kind::flag, {"Base coupling", "Kopling dasar"},
+       Key::of("base_coupling", Key::Kind::flag, {"Mass coupling to the base", "Kopel massa dengan dasar"},
                "the mass coupling between base and ground storey counts")
            .by_default(1)}};
   return table;
@@ -213,7 +214,9 @@ const KeyTable& stick_keys() {
              .optional("none yields"),
          hardening_of_storeys().for_each("one per storey").goes_with("yield_forces")}};
     add_laws(hysteretic_laws(),
-             Key::choice("hysteresis", {}, {"Hysteresis", "Histeresis"}).optional().goes_with("yield_forces"),
+             Key::choice("hysteresis", {}, {"Storeys that yield", "Tingkat yang leleh"})
+                 .optional()
+                 .goes_with("yield_forces"),
              made.keys);
     return made;
   }();
@@ -247,11 +250,11 @@ const KeyTable& modal_keys() {
        Key::number("periods", dimension::time, Range::positive, {"Periods", "Periode"},
                    "of as many modes as are known, at most one per floor")
            .list(),
-       Key::number("shapes", dimension::none, Range::finite, {"Shapes", "Bentuk moda"},
+       Key::number("shapes", dimension::none, Range::finite, {"Shapes", "Bentuk ragam"},
                    "one list per mode, floors bottom to top, of any scale; or")
            .matrix("one per mode")
            .one_of("shapes"),
-       Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk moda"},
+       Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
                "a table beside the case, named relative to it: a row per floor, a column per mode; exactly one of the "
                "two")
            .one_of("shapes")}};

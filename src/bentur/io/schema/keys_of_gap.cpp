@@ -69,7 +69,7 @@ const KeyTable& link_keys() {
                      {"Tolerance of levels", "Toleransi elevasi"},
                      "how far apart in height those two floors may be, as in a gap")
              .optional("as in a gap")}};
-    add_laws(link_laws(), Key::choice("law", {}, {"Law", "Hukum"}), made.keys);
+    add_laws(link_laws(), Key::choice("law", {}, {"Law of the link", "Hukum penghubung"}), made.keys);
     return made;
   }();
   return table;

@@ -81,7 +81,7 @@ std::vector<Key> spectrum_keys() {
                    "`\"en-1998-1\"`: ordinates for other ratios by η = √(0.10/(0.05 + ζ)) ≥ 0.55; `\"none\"`: the same "
                    "for all")
            .optional(),
-       Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi moda"},
+       Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi ragam"},
                    "whose peaks the rules combine; both are printed")
            .optional(),
        Key::number("reduction", dimension::none, Range::positive, {"Reduction", "Reduksi"},

@@ -6,13 +6,13 @@ const KeyTable& isolation_keys() {
   static const KeyTable table = {
       "building.isolation",
       "bearings below a slab",
-      {Key::number("mass", dimension::mass, Range::positive, {"Mass of the slab", "Massa pelat"},
+      {Key::number("mass", dimension::mass, Range::positive, {"Slab above the bearings", "Pelat di atas bantalan"},
                    "of the slab; the lower halves of a frame's lowest columns join it"),
        Key::number("stiffness", dimension::stiffness, Range::positive, {"Stiffness", "Kekakuan"},
                    "after yielding; alone, of a linear bearing")
            .optional("needed but for `friction_pendulum`"),
        Key::number("characteristic_strength", dimension::force, Range::not_negative,
-                   {"Characteristic strength", "Kuat karakteristik"},
+                   {"Characteristic strength", "Kekuatan karakteristik"},
                    "Q: the force where the yielding branch crosses zero displacement")
            .by_default(0),
        Key::number("yield_displacement", dimension::length, Range::positive,
@@ -44,10 +44,14 @@ const KeyTable& soil_keys() {
   static const KeyTable table = {
       "building.soil",
       "sway and rocking of the foundation",
-      {Key::sub_table("sway", sway_keys(), {"Sway", "Geser"}, "spring and dashpot of the sway")
+      {Key::sub_table("sway", sway_keys(),
+                      {"Soil, sway: stiffness and damping", "Tanah, goyangan: kekakuan dan redaman"},
+                      "spring and dashpot of the sway")
            .one_of("ground")
            .goes_with("rocking"),
-       Key::sub_table("rocking", rocking_keys(), {"Rocking", "Guling"}, "spring and dashpot of the rotation")
+       Key::sub_table("rocking", rocking_keys(),
+                      {"Soil, rocking: stiffness and damping", "Tanah, guling: kekakuan dan redaman"},
+                      "spring and dashpot of the rotation")
            .optional()
            .goes_with("sway"),
        Key::sub_table("foundation", foundation_keys(), {"Foundation", "Fondasi"},

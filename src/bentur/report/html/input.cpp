@@ -23,6 +23,12 @@ std::string chosen_word(const Words& say, const std::string& word) {
   return catalogue().texts.contains(key) ? say(key) : word;
 }
 
+/// What a key of the case is called in the report's language.
+std::string label_of(const KeyTable& table, std::string_view key, const Words& say) {
+  const Label& label = table.at(key).label;
+  return std::string(say.language() == "id" ? label.indonesian : label.english);
+}
+
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 constexpr Eigen::Index most_modes = 8;
@@ -74,15 +80,16 @@ Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
   const Words& say = report.say;
   const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.frame"));
-  rows.emplace_back(say("input.modulus"), quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
-  rows.emplace_back(say("input.bays"), list_text(frame.bay_widths) + " " + units.length);
-  rows.emplace_back(say("input.mass_matrix"),
+  rows.emplace_back(label_of(frame_keys(), "elastic_modulus", say),
+                    quantity(frame.elastic_modulus, units.force + "/" + units.length + "²"));
+  rows.emplace_back(label_of(frame_keys(), "bay_widths", say), list_text(frame.bay_widths) + " " + units.length);
+  rows.emplace_back(label_of(frame_keys(), "mass_matrix", say),
                     say(frame.mass_matrix == MassMatrix::consistent ? "input.consistent" : "input.lumped"));
-  rows.emplace_back(say("input.condensation"),
+  rows.emplace_back(label_of(frame_keys(), "condensation", say),
                     say(frame.condensation == Condensation::static_   ? "input.static"
                         : frame.condensation == Condensation::dynamic ? "input.dynamic"
                                                                       : "input.uncondensed"));
-  if (!frame.base_coupling) rows.emplace_back(say("input.base_coupling"), say("word.no"));
+  if (!frame.base_coupling) rows.emplace_back(label_of(frame_keys(), "base_coupling", say), say("word.no"));
   const std::size_t storeys = frame.storey_heights.size();
   const bool by_length =
       std::any_of(frame.beams.begin(), frame.beams.end(), [](const Section& beam) { return beam.line_mass > 0; });
@@ -140,7 +147,7 @@ Html structure_echo(const Stick& stick, const Report& report, Rows& rows) {
   table.add(say("column.mass"), mass_unit(report.c), reversed(stick.masses, storeys));
   table.add(say("column.stiffness"), units.force + "/" + units.length, reversed(stick.stiffnesses, storeys));
   if (!stick.yield_forces.empty()) {
-    rows.emplace_back(say("input.hysteresis"), hysteresis_text(stick, say));
+    rows.emplace_back(label_of(stick_keys(), "hysteresis", say), hysteresis_text(stick, say));
     std::vector<double> forces = reversed(stick.yield_forces, storeys);
     for (double& force : forces) force = std::isinf(force) ? std::numeric_limits<double>::quiet_NaN() : force;
     table.add(say("column.yield_force"), units.force, forces);
@@ -163,7 +170,7 @@ Html structure_echo(const MatricesSpec& spec, const Report& report, Rows& rows) 
   const Words& say = report.say;
   const Units& units = report.c.units;
   rows.emplace_back(say("input.structure"), say("input.matrices"));
-  rows.emplace_back(say("input.elevations"), list_text(spec.elevations) + " " + units.length);
+  rows.emplace_back(label_of(matrices_keys(), "elevations", say), list_text(spec.elevations) + " " + units.length);
   if (spec.mass.rows() > largest_matrix_shown) {
     rows.emplace_back(say("input.size"), fmt::format("{0} × {0}", spec.mass.rows()));
     return {};
@@ -174,7 +181,8 @@ Html structure_echo(const MatricesSpec& spec, const Report& report, Rows& rows) 
 
 Html structure_echo(const RigidSpec& spec, const Report& report, Rows& rows) {
   rows.emplace_back(report.say("input.structure"), report.say("input.rigid"));
-  rows.emplace_back(report.say("input.elevations"), list_text(spec.elevations) + " " + report.c.units.length);
+  rows.emplace_back(label_of(matrices_keys(), "elevations", report.say),
+                    list_text(spec.elevations) + " " + report.c.units.length);
   return {};
 }
 
@@ -205,30 +213,32 @@ void support_echo(const BuildingSpec& spec, const Report& report, Rows& rows) {
   const Units& units = report.c.units;
   const std::string spring = units.force + "/" + units.length;
   if (spec.p_delta || !spec.gravity_loads.empty()) {
-    rows.emplace_back(say("input.gravity"), spec.gravity_loads.empty()
-                                                ? say("input.own_weight")
-                                                : list_text(spec.gravity_loads) + " " + units.force);
+    rows.emplace_back(
+        label_of(building_keys(), "gravity_loads", say),
+        spec.gravity_loads.empty() ? say("input.own_weight") : list_text(spec.gravity_loads) + " " + units.force);
   }
   if (spec.isolation) {
     const Isolation& bearings = spec.isolation->bearings;
-    rows.emplace_back(say("input.slab"), quantity(bearings.mass, mass_unit(report.c)));
+    rows.emplace_back(label_of(isolation_keys(), "mass", say), quantity(bearings.mass, mass_unit(report.c)));
     if (const auto& pendulum = spec.isolation->pendulum) {
-      rows.emplace_back(say("input.bearings"),
+      rows.emplace_back(label_of(building_keys(), "isolation", say),
                         say("input.pendulum", {{"coefficient", number(pendulum->coefficient)},
                                                {"radius", quantity(pendulum->radius, units.length)}}));
     } else {
       rows.emplace_back(
-          say("input.bearings"),
+          label_of(building_keys(), "isolation", say),
           say("input.bearing_law", {{"stiffness", quantity(bearings.stiffness, spring)},
                                     {"strength", quantity(bearings.characteristic_strength, units.force)}}));
     }
   }
   if (!spec.soil) return;
   const Soil soil = soil_of(*spec.soil);
-  rows.emplace_back(say("input.sway"), quantity(soil.sway.stiffness, spring) + ", " +
-                                           quantity(soil.sway.damping, units.force + "·s/" + units.length));
-  rows.emplace_back(say("input.rocking"), quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
-                                              quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
+  rows.emplace_back(
+      label_of(soil_keys(), "sway", say),
+      quantity(soil.sway.stiffness, spring) + ", " + quantity(soil.sway.damping, units.force + "·s/" + units.length));
+  rows.emplace_back(label_of(soil_keys(), "rocking", say),
+                    quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
+                        quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
 }
 
 /// Of values mode by mode those that are shown.
@@ -271,17 +281,19 @@ Html building_echo(const Report& report, Eigen::Index b) {
   if (building.is_rigid()) return element("h3", building.name) + facts(rows) + table;
   support_echo(spec, report, rows);
   const std::string damping = damping_text(spec.damping, say);
-  rows.emplace_back(say("input.damping"),
+  rows.emplace_back(label_of(building_keys(), "damping", say),
                     spec.tangent_damping ? say("damping.tangent", {{"damping", damping}}) : damping);
   if (spec.calibrate_period) {
-    rows.emplace_back(say("input.calibrated"),
+    rows.emplace_back(label_of(building_keys(), "calibrate_period", say),
                       say("input.calibrated_by", {{"period", quantity(*spec.calibrate_period, "s")},
                                                   {"factor", number(building.model.stiffness_factor.value_or(1))}}));
   }
   if (spec.base_elevation != 0) {
-    rows.emplace_back(say("input.base_elevation"), quantity(spec.base_elevation, report.c.units.length));
+    rows.emplace_back(label_of(building_keys(), "base_elevation", say),
+                      quantity(spec.base_elevation, report.c.units.length));
   }
-  if (spec.width) rows.emplace_back(say("input.width"), quantity(*spec.width, report.c.units.length));
+  if (spec.width)
+    rows.emplace_back(label_of(building_keys(), "width", say), quantity(*spec.width, report.c.units.length));
   return element("h3", building.name) + facts(rows) + table + modes_table(building, report);
 }
 
@@ -299,12 +311,12 @@ Html gap_echo(const Report& report, Eigen::Index gap) {
   const GapSpec& spec = report.c.gaps.at(gap);
   Rows rows;
   if (spec.elevations.empty()) {
-    rows.emplace_back(say("input.law"), say("input.no_contact"));
+    rows.emplace_back(label_of(contact_keys(), "law", say), say("input.no_contact"));
     if (!spec.widths.empty())
       rows.emplace_back(say("column.gap"), quantity(spec.widths.front(), report.c.units.length));
     return element("h3", say("heading.gap_of", {{"gap", gap_name(report.problem, gap)}})) + facts(rows);
   }
-  rows.emplace_back(say("input.law"), spec.contact.law);
+  rows.emplace_back(label_of(contact_keys(), "law", say), spec.contact.law);
   for (const auto& [name, word] : report.from_case() ? spec.contact.choices() : spec.contact.words) {
     rows.emplace_back(chosen_word(say, name), chosen_word(say, word));
   }
@@ -354,7 +366,7 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   }
   const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
   return element("h3", say("heading.links_of", {{"link", name}})) +
-         facts({{say("input.link_law"), say("input." + spec.law)}}) + table.markup();
+         facts({{label_of(link_keys(), "law", say), say("input." + spec.law)}}) + table.markup();
 }
 
 Html motion_echo(const Report& report) {
