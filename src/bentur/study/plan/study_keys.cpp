@@ -185,10 +185,19 @@ const KeyTable& distribution_keys() {
   static const KeyTable table = {
       "vary.distribution",
       "what samples are drawn from",
-      {Key::sub_table("uniform", uniform_keys(), {"Uniform", "Seragam"}).one_of("kind"),
-       Key::sub_table("log_uniform", log_uniform_keys(), {"Uniform logarithm", "Seragam logaritmik"}).one_of("kind"),
-       Key::sub_table("normal", normal_keys(), {"Normal", "Normal"}).one_of("kind"),
-       Key::sub_table("lognormal", lognormal_keys(), {"Lognormal", "Lognormal"}).one_of("kind")}};
+      {Key::sub_table("uniform", uniform_keys(), {"Uniform", "Seragam"}, "alike between `low` and `high`")
+           .one_of("kind"),
+       Key::sub_table("log_uniform", log_uniform_keys(), {"Uniform logarithm", "Seragam logaritmik"},
+                      "the logarithm alike between them")
+           .one_of("kind"),
+       Key::sub_table(
+           "normal", normal_keys(), {"Normal", "Normal"},
+           "`mean`, and `standard_deviation` or `cov` (standard deviation over mean); optional `low`, `high`")
+           .one_of("kind"),
+       Key::sub_table(
+           "lognormal", lognormal_keys(), {"Lognormal", "Lognormal"},
+           "`median`, `cov`, the standard deviation over the mean; σ² = ln(1 + cov²); optional `low`, `high`")
+           .one_of("kind")}};
   return table;
 }
 
