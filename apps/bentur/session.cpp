@@ -81,11 +81,12 @@ Failure::Failure(const Diagnostics& diagnostics) : Failure(exit_bad_input, all_o
 
 Loaded load(const std::filesystem::path& file, Purpose purpose) {
   Diagnostics diagnostics;
-  std::optional<Case> c = read_case(file, diagnostics);
+  std::vector<Building> buildings;
+  std::optional<Case> c = read_case(file, diagnostics, &buildings);
   if (!c) throw Failure(diagnostics);
   if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics);
   try {
-    Problem problem = make_still_problem(*c);
+    Problem problem = make_still_problem(*c, std::move(buildings));
     std::vector<std::filesystem::path> files = files_read(*c);
     files.push_back(file);
     return {std::move(*c), std::move(problem), std::move(files)};

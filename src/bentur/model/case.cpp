@@ -60,23 +60,6 @@ int nearest_floor(double elevation, const StructuralModel& model) {
   return static_cast<int>(std::min_element(all.begin(), all.end(), nearer) - all.begin());
 }
 
-/// The two floors that meet at an elevation, or a floor and the node in a column that it strikes.
-LevelPair floors_at(double elevation, const GapSpec& gap, const SpecAndModel& left, const SpecAndModel& right) {
-  const FloorLevels a = levels_of(left.model);
-  const FloorLevels b = levels_of(right.model);
-  const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
-  const LevelPair* const found = pair_at(elevation, pairs, a, b);
-  if (found == nullptr) {
-    if (const auto node = node_at(elevation, left, true))
-      return {*node, nearest_floor(elevation, right.model), elevation};
-    if (const auto node = node_at(elevation, right, false))
-      return {nearest_floor(elevation, left.model), *node, elevation};
-    throw InvalidParameter("elevations", std::to_string(elevation),
-                           "\"" + left.spec.name + "\" and \"" + right.spec.name + "\" have no floors there that meet");
-  }
-  return *found;
-}
-
 /// Half of the beam next to the gap, (3-4): the rightmost bay of a left building, the leftmost bay of a right one.
 double beam_end_stiffness(const BuildingSpec& spec, std::size_t floor, bool left_of_gap) {
   const auto* frame = std::get_if<PlaneFrame>(&spec.structure);
@@ -115,11 +98,12 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
   const SpecAndModel left{c.buildings[gap], buildings[gap].model};
   const SpecAndModel right{c.buildings[gap + 1], buildings[gap + 1].model};
   const double round_off = round_off_of_levels(levels_of(left.model), levels_of(right.model));
+  const std::vector<LevelPair> floors_of = floors_of_points(spec, left, right);
   std::vector<ContactPoint> points;
   for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
     ContactPoint point;
     point.left = static_cast<int>(gap);
-    const LevelPair floors = floors_at(spec.elevations[i], spec, left, right);
+    const LevelPair& floors = floors_of[i];
     point.left_floor = floors.left_floor;
     point.right_floor = floors.right_floor;
     const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
@@ -130,7 +114,7 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
     }
     point.elevation = at_level ? spec.elevations[i] : floors.elevation;
     point.width = spec.widths[i];
-    point.law = make_contact_law(spec, i, left, right);
+    point.law = make_contact_law(spec, i, left, right, floors);
     points.push_back(point);
   }
   return points;
@@ -250,14 +234,33 @@ std::map<std::string, std::string, std::less<>> ContactSpec::choices() const {
   return result;
 }
 
+std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left, const SpecAndModel& right) {
+  const FloorLevels a = levels_of(left.model), b = levels_of(right.model);
+  const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
+  std::vector<LevelPair> floors;
+  for (const double elevation : gap.elevations) {
+    if (const LevelPair* const found = pair_at(elevation, pairs, a, b)) {
+      floors.push_back(*found);
+    } else if (const auto left_node = node_at(elevation, left, true)) {
+      floors.push_back({*left_node, nearest_floor(elevation, right.model), elevation});
+    } else if (const auto right_node = node_at(elevation, right, false)) {
+      floors.push_back({nearest_floor(elevation, left.model), *right_node, elevation});
+    } else {
+      throw InvalidParameter(
+          "elevations", std::to_string(elevation),
+          "\"" + left.spec.name + "\" and \"" + right.spec.name + "\" have no floors there that meet");
+    }
+  }
+  return floors;
+}
+
 std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
-                                                   const SpecAndModel& right) {
+                                                   const SpecAndModel& right, const LevelPair& floors) {
   const ContactSpec& contact = gap.contact;
   const LawEntry* const entry = find_law(contact.law);
   if (entry == nullptr) {
     throw InvalidParameter("law", contact.law, "there is no such law");
   }
-  const LevelPair floors = floors_at(gap.elevations.at(point), gap, left, right);
   const auto left_floor = static_cast<std::size_t>(floors.left_floor);
   const auto right_floor = static_cast<std::size_t>(floors.right_floor);
   LawInput input;
@@ -464,6 +467,10 @@ Problem make_problem(const Case& c, std::vector<Building> buildings) {
   return problem_of(c, std::move(buildings));
 }
 
-Problem make_still_problem(const Case& c) { return problem_of(c, buildings_of(c)); }
+Problem make_still_problem(const Case& c) { return make_still_problem(c, buildings_of(c)); }
+
+Problem make_still_problem(const Case& c, std::vector<Building> buildings) {
+  return problem_of(c, std::move(buildings));
+}
 
 }  // namespace bentur

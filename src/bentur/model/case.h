@@ -203,17 +203,23 @@ struct SpecAndModel {
   const StructuralModel& model;
 };
 
-/// The law of contact point `point` of the gap between two buildings: with the numbers of that point, the axial
-/// stiffness of the two beams that meet there, and m_e of its two floors.
+/// Per contact point of the gap between two buildings the two floors that meet, or a floor and the node in a column
+/// that it strikes. @throws InvalidParameter where there are none.
+[[nodiscard]] std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left,
+                                                      const SpecAndModel& right);
+/// The law of contact point `point`: with the numbers of that point, the axial stiffness of the two beams that meet
+/// there, and m_e of its two floors, those of floors_of_points().
 /// @throws InvalidParameter, naming the key at fault, when the case has no such law or its values do not go together.
 [[nodiscard]] std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point,
-                                                                 const SpecAndModel& left, const SpecAndModel& right);
+                                                                 const SpecAndModel& left, const SpecAndModel& right,
+                                                                 const LevelPair& floors);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent, or has a spectrum, which has
 /// no course in time.
 [[nodiscard]] Problem make_problem(const Case& c);
 /// The same for what nothing is solved of: modes, gaps by a spectrum. A spectrum's problem has no motion.
 [[nodiscard]] Problem make_still_problem(const Case& c);
+[[nodiscard]] Problem make_still_problem(const Case& c, std::vector<Building> buildings);
 /// Where a run is asked for: whether the case has a spectrum, and says at its place what to do.
 [[nodiscard]] bool refuse_spectrum(const Case& c, Diagnostics& diagnostics);
 /// The same with the case's buildings made already.

@@ -181,9 +181,12 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
 /// contact point's law is made once, with the masses and beams it will have.
 void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& sides) {
   if (!sides.left.model || !sides.right.model) return;
+  const SpecAndModel left{sides.left.spec, *sides.left.model}, right{sides.right.spec, *sides.right.model};
+  std::vector<LevelPair> floors;
   for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
     try {
-      (void)make_contact_law(spec, i, {sides.left.spec, *sides.left.model}, {sides.right.spec, *sides.right.model});
+      if (floors.empty()) floors = floors_of_points(spec, left, right);
+      (void)make_contact_law(spec, i, left, right, floors[i]);
     } catch (const InvalidParameter& fault) {
       const auto value = contact.find(fault.parameter());
       if (!value) {

@@ -284,10 +284,12 @@ bool take_record_out(TomlValue& root) {
 
 }  // namespace
 
-std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
-                                   Diagnostics& diagnostics) {
+std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
+                                   std::vector<Building>* buildings) {
   return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
-    return read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
+    ReadCase read = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found);
+    if (buildings != nullptr && found.ok()) *buildings = read.made_buildings();
+    return std::move(read.c);
   });
 }
 
@@ -301,9 +303,10 @@ std::optional<Case> read_case_without_record(const std::string& text, const std:
   });
 }
 
-std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
+                              std::vector<Building>* buildings) {
   const auto text = read_input(file, case_input, diagnostics);
-  return text ? read_case_text(*text, file, diagnostics) : std::nullopt;
+  return text ? read_case_text(*text, file, diagnostics, buildings) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> files_read(const Case& c) {

@@ -12,12 +12,14 @@ namespace bentur {
 
 /// Reads and validates a case file and the record it names (docs/case-file.md). Every error found goes to
 /// `diagnostics`, each with file:line:column, key, value, rule and, for an unknown key, the nearest known one.
+/// @param buildings where it is given, the case's buildings: they are made in reading
 /// @return the case, or nothing when there was an error.
-[[nodiscard]] std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                            std::vector<Building>* buildings = nullptr);
 
 /// The same for a text that is already in memory. Messages carry `file`; its folder is the one record files are in.
 [[nodiscard]] std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
-                                                 Diagnostics& diagnostics);
+                                                 Diagnostics& diagnostics, std::vector<Building>* buildings = nullptr);
 
 /// A case whose record is not at hand: everything but its ground motion, in place of which there is none.
 [[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
