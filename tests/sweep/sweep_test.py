@@ -23,8 +23,11 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 MPIRUN = shutil.which("mpirun") if os.environ.get("BENTUR_MPI") == "1" else None
 ROUNDS = 3
+MPI_FILES = tempfile.TemporaryDirectory(prefix="bentur-mpi-")  # what killed ranks leave behind goes with it
 ENVIRONMENT = {
     **os.environ,
+    "TMPDIR": MPI_FILES.name,
+    "OMPI_MCA_btl_vader_backing_directory": MPI_FILES.name,
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     # What Open MPI itself never frees is not for the sanitizers to find.
