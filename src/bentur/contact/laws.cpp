@@ -17,7 +17,8 @@ Key spring_stiffness() {
                      "k; of `\"axial\"`, between two frames, 1/k = 1/K₁ + 1/K₂ with K = EA/(L/2) of the floor beams "
                      "next to the gap")
       .for_each("one per contact point")
-      .or_one_of({"axial"});
+      .or_one_of({"axial"})
+      .called({{"axial, of the floor beams next to the gap", "aksial, dari balok lantai di sisi celah"}});
 }
 
 Key hertz_law_stiffness() {
@@ -45,6 +46,7 @@ const Key& exact_or_published() {
       Key::choice("calibration", {"exact", "published"}, {"Calibration", "Kalibrasi"},
                   "how the law's parameter follows from `restitution`: so that a free impact has just this, or by a "
                   "formula of the literature")
+          .called({{"exact", "eksak"}, {"published", "menurut publikasi"}})
           .optional()
           .goes_with("restitution");
   return choice;

@@ -210,6 +210,17 @@ Key& Key::or_one_of(std::vector<std::string_view> known) {
   return *this;
 }
 
+Key& Key::called(std::vector<Label> words_for_people) {
+  word_labels = std::move(words_for_people);
+  return *this;
+}
+
+Label Key::label_of(std::string_view word) const {
+  const auto at = static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+  if (at < word_labels.size() && !word_labels[at].english.empty()) return word_labels[at];
+  return {word, word};
+}
+
 Key& Key::or_table(const KeyTable& keys) {
   table = &keys;
   return *this;

@@ -97,6 +97,7 @@ struct Key {
   std::optional<double> default_value = std::nullopt;  ///< 1 and 0 of a flag; of a choice the first word is it
   std::vector<std::string_view> words = {};            ///< also of a number: it may be one of them instead
   std::vector<std::string_view> word_docs = {};        ///< of each word what it means, where that is said apart
+  std::vector<Label> word_labels = {};                 ///< of each word, empty where the word itself will do
   const KeyTable* table = nullptr;                     ///< also of a number: it may be such a table instead
   std::int64_t least = 0, most = 0;                    ///< of a whole number; of a list of tables how many at least
   std::size_t count = 0;                               ///< of a list: how many, where that is always the same
@@ -132,10 +133,13 @@ struct Key {
   Key& when(std::string_view key, std::vector<std::string_view> any_of);
   Key& goes_with(std::string_view key);
   Key& or_one_of(std::vector<std::string_view> known);
+  Key& called(std::vector<Label> words_for_people);
   Key& or_table(const KeyTable& keys);
   Key& counted_in(std::string_view unit);
 
   [[nodiscard]] bool is_required() const { return need == Need::required; }
+  /// A value of a choice as people call it.
+  [[nodiscard]] Label label_of(std::string_view word) const;
   /// Whether it is for this word of another key, or says nothing of that one.
   [[nodiscard]] bool is_for(std::string_view key, std::string_view word) const;
 };

@@ -19,10 +19,15 @@ KinematicHardening::KinematicHardening(double stiffness, double yield_force, dou
 }
 
 LawEntryOf<HystereticLaw> KinematicHardening::entry() {
-  return {"bilinear", "kinematic hardening", {}, {}, [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {
+  return {"bilinear",
+          "kinematic hardening",
+          {},
+          {},
+          [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {
             return std::make_shared<KinematicHardening>(in.number("stiffness"), in.number("yield_force"),
                                                         in.number("hardening"));
-          }};
+          },
+          {"bilinear, kinematic hardening", "bilinear, pengerasan kinematik"}};
 }
 
 LawParameters KinematicHardening::parameters() const {

@@ -38,6 +38,7 @@ struct LawEntryOf {
   /// @throws InvalidParameter, naming the key at fault, when a value is missing, out of range, or does not go with
   /// another.
   std::shared_ptr<const Made> (*make)(const LawInput& input) = nullptr;
+  Label label = {};  ///< empty: its name will do
 };
 
 /// The law of that name; null when there is none.
@@ -53,6 +54,7 @@ void add_laws(const std::vector<LawEntryOf<Made>>& laws, Key by, std::vector<Key
   for (const auto& law : laws) {
     by.words.push_back(law.name);
     by.word_docs.push_back(law.doc);
+    by.word_labels.push_back(law.label);
   }
   keys.push_back(by);
   for (const auto& law : laws) {

@@ -27,7 +27,8 @@ LawEntryOf<Law> SpringDashpot::entry() {
           {},
           [](const LawInput& in) -> std::shared_ptr<const Law> {
             return std::make_shared<SpringDashpot>(in.number("stiffness"), in.number("damping"));
-          }};
+          },
+          {"spring and dashpot", "pegas dan peredam"}};
 }
 
 Branch SpringDashpot::branch(const LawState& /*state*/) const noexcept {
@@ -59,7 +60,8 @@ LawEntryOf<Law> Cable::entry() {
           {},
           [](const LawInput& in) -> std::shared_ptr<const Law> {
             return std::make_shared<Cable>(in.number("stiffness"), in.number("slack"));
-          }};
+          },
+          {"cable", "kabel"}};
 }
 
 Branch Cable::branch(const LawState& state) const noexcept {
@@ -94,7 +96,8 @@ LawEntryOf<Law> yielding_link_entry() {
           [](const LawInput& in) -> std::shared_ptr<const Law> {
             return std::make_shared<KinematicHardening>(in.number("stiffness"), in.number("yield_force"),
                                                         in.number("hardening"));
-          }};
+          },
+          {"yielding", "leleh"}};
 }
 
 }  // namespace bentur

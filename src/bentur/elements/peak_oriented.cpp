@@ -54,7 +54,8 @@ LawEntryOf<HystereticLaw> PeakOriented::entry() {
           [](const LawInput& in) -> std::shared_ptr<const HystereticLaw> {
             return std::make_shared<PeakOriented>(in.number("stiffness"), in.number("yield_force"),
                                                   in.number("hardening"), in.number("unloading_exponent"));
-          }};
+          },
+          {"peak-oriented", "berorientasi puncak"}};
 }
 
 LawParameters PeakOriented::parameters() const {

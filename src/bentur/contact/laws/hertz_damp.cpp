@@ -14,6 +14,7 @@ const Key& formula() {
   static const Key choice = [] {
     Key key = exact_or_published();
     key.words = {"exact", "muthukumar-desroches", "ye"};
+    key.called({{"exact", "eksak"}, {}, {}});
     return key;
   }();
   return choice;

@@ -19,6 +19,9 @@ const Key& release_choice() {
       Key::choice("release", {"zero-force", "separation", "creep"}, {"End of contact", "Akhir kontak"},
                   "when a contact ends: when the force has come down to zero, when the floors come apart, or as the "
                   "first, and then the surface recovers")
+          .called({{"zero force", "saat gaya nol"},
+                   {"separation", "saat memisah"},
+                   {"zero force, then the surface recovers", "saat gaya nol, lalu permukaan pulih"}})
           .optional();
   return choice;
 }

@@ -18,14 +18,10 @@ namespace bentur {
 namespace {
 
 /// A whole number that says where in a file to look; `good` is set to false where it is none.
-std::optional<int> read_place(const TableView& view, const char* key, const char* what, bool& good) {
-  const auto place = view.find(key);
-  if (!place) return std::nullopt;
-  const Key& known = view.key(key);
-  const auto number =
-      place->as_whole(known.least, known.most, fmt::format("must be a whole number from {} ({})", known.least, what));
-  good = good && number;
-  return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+std::optional<int> read_place(const TableView& view, const char* key, bool& good) {
+  const auto place = view.whole(key);
+  good = good && (place || !view.has(key));
+  return place ? std::optional(static_cast<int>(*place)) : std::nullopt;
 }
 
 /// The unit of the file's numbers. A file that says it needs no unit in the case, and must not be contradicted.
@@ -113,10 +109,9 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   options.time_step = view.number("time_step");
   const bool step_usable = options.time_step || !view.has("time_step");
   bool places_usable = true;
-  options.column = read_place(view, "column", "the first column of the file", places_usable);
-  options.channel = read_place(view, "channel", "the first channel of the file", places_usable);
-  options.skip_lines =
-      read_place(view, "skip_lines", "how many lines at the beginning to pass over", places_usable).value_or(0);
+  options.column = read_place(view, "column", places_usable);
+  options.channel = read_place(view, "channel", places_usable);
+  options.skip_lines = read_place(view, "skip_lines", places_usable).value_or(0);
 
   std::optional<StrongMotionRecord> record;
   if (name && format_usable && step_usable && places_usable) {
@@ -125,11 +120,7 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
     }
   }
   if (!record) {  // what can be said without the file
-    (void)view.word("unit");
-    (void)view.word("polarity");
-    const auto key = view.exactly_one("scale");
-    if (key == "pga") (void)read_acceleration(view, "pga", units);
-    if (key == "scale") (void)view.number("scale");
+    if (view.exactly_one("scale") == "pga") (void)read_acceleration(view, "pga", units);
     return std::nullopt;
   }
   // A step that rounding explains is let pass; the file's own is used.
@@ -211,11 +202,6 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return spec;
   const auto kind = view->word("kind");
-  if (kind) {
-    view->refuse_others("kind", *kind, [&](const auto& owners) {
-      return fmt::format("is for kind = \"{}\", this excitation has kind = \"{}\"", owners.front(), *kind);
-    });
-  }
   if (kind == "spectrum") {
     spec.spectrum = read_spectrum(*view, units, buildings.size(), folder, diagnostics);
     spec.delays.assign(buildings.size(), 0.0);

@@ -168,8 +168,6 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
   const auto name = contact.word("law");
   const LawEntry* const law = name ? find_law(*name) : nullptr;
   if (law == nullptr) return std::nullopt;
-  contact.refuse_others("law", *name,
-                        [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", *name); });
   ContactSpec spec;
   spec.law = law->name;
   const bool numbers = read_numbers(contact, *law, sides, spec);

@@ -70,10 +70,6 @@ LinkSpec read_link(const TomlView& entry, const std::vector<ReadBuilding>& build
   const TableView& link = *table;
   const auto name = link.word("law");
   const auto* const law = name ? find_entry(link_laws(), *name) : nullptr;
-  if (law != nullptr) {
-    link.refuse_others("law", *name,
-                       [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", *name); });
-  }
   spec.level_tolerance = link.number("level_tolerance");
   const auto sides = read_sides(link, buildings);
   if (!link.has("elevations")) link.error_missing("elevations");

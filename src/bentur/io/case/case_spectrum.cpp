@@ -120,12 +120,6 @@ SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_
   view.refuse({"delays", "wave_velocity", "kinematics"},
               "needs a course in time, which a spectrum has not: give a record to account for it");
   const auto shape = view.word("shape");
-  if (shape) {
-    view.refuse_others("shape", *shape, [&](const auto& owners) {
-      return fmt::format("is for shape = \"{}\", this spectrum has shape = \"{}\"", fmt::join(owners, "\" or \""),
-                         *shape);
-    });
-  }
   spec.shape = shape.value_or("");
   if (shape == "en-1998-1") {
     spec.spectrum.shape = read_eurocode(view, units.gravity);

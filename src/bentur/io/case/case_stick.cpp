@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,11 +21,6 @@ void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
     if (number && view.has(name)) stick.law_numbers[name] = *number;
   }
   if (word) stick.hysteresis = *word;
-  if (word || !view.has("hysteresis")) {
-    view.refuse_others("hysteresis", stick.hysteresis, [](const auto& owners) {
-      return fmt::format("is for hysteresis = \"{}\"", fmt::join(owners, "\" or \""));
-    });
-  }
   if (view.has("yield_forces")) {
     stick.yield_forces = view.numbers("yield_forces", storeys);
   } else {

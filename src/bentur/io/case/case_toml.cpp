@@ -64,15 +64,9 @@ InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& 
 }
 
 Solver read_solver(const TableView& view) {
-  const auto given = view.word("solver");
-  if (!given && view.has("solver")) return ExactSolver{};
-  const std::string chosen = given.value_or("exact");
-  view.refuse_others("solver", chosen,
-                     [](const auto& owners) { return fmt::format("is for solver = \"{}\"", owners.front()); });
-  const auto step = chosen == "runge-kutta" ? view.number("step") : std::nullopt;
-  const auto tolerance = chosen == "adaptive" ? view.number("tolerance") : std::nullopt;
-  if (chosen == "runge-kutta") return RungeKuttaSolver{step.value_or(RungeKuttaSolver{}.step)};
-  if (chosen == "adaptive") return AdaptiveSolver{tolerance.value_or(AdaptiveSolver{}.tolerance)};
+  const auto chosen = view.word("solver");
+  if (chosen == "runge-kutta") return RungeKuttaSolver{view.number("step").value_or(RungeKuttaSolver{}.step)};
+  if (chosen == "adaptive") return AdaptiveSolver{view.number("tolerance").value_or(AdaptiveSolver{}.tolerance)};
   return ExactSolver{};
 }
 
@@ -220,6 +214,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.analysis = read_analysis(root, c.excitation);
   c.code = read_code(root, buildings);
   c.screening = read_screening(root);
+  check_values(root, case_keys());
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
   if (!diagnostics.ok()) return read;
   if (std::holds_alternative<NoMotion>(c.excitation.motion) && !c.excitation.spectrum && !moves) {

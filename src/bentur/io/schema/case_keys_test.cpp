@@ -34,6 +34,7 @@ TEST(CaseKeys, EachIsWhole) {
     if (key.kind == Key::Kind::choice) {
       EXPECT_GT(key.words.size(), 1U);
     }
+    EXPECT_TRUE(key.word_labels.empty() || key.word_labels.size() == key.words.size());
     if (key.kind == Key::Kind::flag && key.form == Key::Form::one) {
       EXPECT_TRUE(key.default_value);
     }
@@ -54,6 +55,30 @@ TEST(CaseKeys, EachIsWhole) {
   });
   EXPECT_GT(count, 150U);
   EXPECT_GT(seen.size(), 30U);
+}
+
+/// What the schema says of a text by itself, no reader asking.
+std::vector<std::string> found_in(const std::string& text) {
+  Diagnostics diagnostics;
+  const TomlValue root = *parse_toml(text, "a.toml", diagnostics);
+  check_values(TomlView(root, "", "a.toml", diagnostics), case_keys());
+  std::vector<std::string> found;
+  for (const Diagnostic& one : diagnostics.errors()) found.push_back(one.message());
+  return found;
+}
+
+TEST(CaseKeys, AValueOfTheWrongKindIsRefusedThoughNobodyReadsIt) {
+  EXPECT_EQ(found_in("[analysis]\nsolver = [\"exact\"]\nboth_ways = 1\nlimits = { steps = \"many\" }\nduration = 5\n"),
+            (std::vector<std::string>{"analysis.solver is a list, must be a text in quotes",
+                                      "analysis.both_ways = 1, must be true or false",
+                                      "analysis.limits.steps = \"many\", must be a number"}));
+  EXPECT_EQ(found_in("building = [{ name = \"A\", stick = { masses = [1, \"2\"], stiffnesses = 3 }, soil = true }]\n"),
+            (std::vector<std::string>{"building[\"A\"].stick.masses[1] = \"2\", must be a number",
+                                      "building[\"A\"].stick.stiffnesses = 3, must be a list",
+                                      "building[\"A\"].soil = true, must be a table"}));
+  EXPECT_EQ(found_in("gap = [{ contact = { stiffness = \"axial\" }, width = [0.1, -1] }]\n"),
+            (std::vector<std::string>{"gap[0].width[1] = -1, must be >= 0"}));
+  EXPECT_EQ(found_in("[excitation]\npga = \"0.35 g\"\nfile = \"a\"\ncolumn = 2\n"), std::vector<std::string>());
 }
 
 TEST(CaseKeys, DefaultsAreThoseOfACaseMadeInCpp) {

@@ -31,6 +31,7 @@ const KeyTable& building_keys() {
                 .optional("needed but for `matrices.damping` and a wall"),
             Key::choice("damping_stiffness", {"initial", "tangent"}, {"Stiffness of the damping", "Kekakuan redaman"},
                         "where storeys yield: see [Damping](#damping)")
+                .called({{"initial", "awal"}, {"tangent where a storey yields", "tangen bila tingkat leleh"}})
                 .optional(),
             Key::number("calibrate_period", dimension::time, Range::positive,
                         {"Stiffness scaled to a first period of", "Kekakuan diskalakan ke periode pertama"},
@@ -98,17 +99,19 @@ const KeyTable& damping_keys() {
   static const KeyTable table = {
       "building.damping",
       "damping of a building",
-      {Key::number("modal", dimension::none, Range::share, {"Modal damping", "Redaman modal"}, "one ratio per mode")
+      {Key::number("modal", dimension::none, Range::share, {"Ratio of every mode", "Rasio setiap ragam"},
+                   "one ratio per mode")
            .list("one per mode")
            .one_of("form"),
        Key::sub_table("rayleigh", rayleigh_keys(), {"Rayleigh damping", "Redaman Rayleigh"},
                       "α M + β K with two ratios at two different periods; no mode may come out negative")
            .one_of("form"),
-       Key::number("mass_proportional", dimension::none, Range::share, {"Damping of the mass", "Redaman massa"},
+       Key::number("mass_proportional", dimension::none, Range::share,
+                   {"Mass-proportional, ratio in mode 1", "Sebanding massa, rasio pada ragam 1"},
                    "α M with this ratio in the first mode")
            .one_of("form"),
        Key::number("stiffness_proportional", dimension::none, Range::share,
-                   {"Damping of the stiffness", "Redaman kekakuan"},
+                   {"Stiffness-proportional, ratio in mode 1", "Sebanding kekakuan, rasio pada ragam 1"},
                    "β K with this ratio in the first mode, β = 2ζ/ω₁: a dashpot in each storey of a stick")
            .one_of("form")}};
   return table;
@@ -145,9 +148,13 @@ const KeyTable& frame_keys() {
            .optional("none"),
        Key::choice("mass_matrix", {"consistent", "lumped"}, {"Mass matrix", "Matriks massa"},
                    "lumped: half of each column to the floors it joins, rotations without mass")
+           .called({{"consistent", "konsisten"}, {"lumped", "tergumpal"}})
            .optional(),
        Key::choice("condensation", {"static", "dynamic", "none"}, {"Joint rotations", "Rotasi titik kumpul"},
                    "dynamic: the first mode is exact; none: joint rotations stay")
+           .called({{"condensed statically", "dikondensasi statis"},
+                    {"condensed dynamically", "dikondensasi dinamis"},
+                    {"kept", "dipertahankan"}})
            .optional(),
        Key::of("base_coupling", Key::Kind::flag, {"Mass coupling to the base", "Kopel massa dengan dasar"},
                "the mass coupling between base and ground storey counts")
@@ -280,6 +287,9 @@ const KeyTable& generic_keys() {
                    "α = H √(GA/EI): 0 bends only, 30 and more shears only; or")
            .one_of("system"),
        Key::choice("system", {"wall", "dual", "frame"}, {"System", "Sistem"}, "α = 1, 4, 12; exactly one of the two")
+           .called({{"wall, α = 1", "dinding, α = 1"},
+                    {"dual, α = 4", "ganda, α = 4"},
+                    {"frame, α = 12", "portal, α = 12"}})
            .one_of("system"),
        Key::number("yield_base_shear", dimension::none, Range::positive, {"Base shear at yield", "Geser dasar leleh"},
                    "share of the weight: the shear springs yield, each in proportion to its shear in the first mode; "

@@ -47,6 +47,8 @@ std::vector<Key> record_keys() {
            .optional("0; headings are found"),
        Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
                    "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
+           .called({{"as recorded", "seperti direkam"},
+                    {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
            .optional(),
        Key::quantity("pga", dimension::acceleration, {"Peak ground acceleration", "Percepatan tanah puncak"},
                      "scale to this peak")
@@ -66,7 +68,10 @@ std::vector<Key> harmonic_keys() {
                   Key::quantity("acceleration_amplitude", dimension::acceleration,
                                 {"Acceleration amplitude", "Amplitudo percepatan"}, "Aω²; exactly one of the two")
                       .one_of("amplitude"),
-                  Key::choice("phase", {"sine", "cosine"}, {"Phase", "Fase"}, "of the displacement").optional()});
+                  Key::choice("phase", {"sine", "cosine"}, {"Phase", "Fase"}, "of the displacement")
+                      .called({{"displacement A sin ωt", "perpindahan A sin ωt"},
+                               {"displacement A cos ωt", "perpindahan A cos ωt"}})
+                      .optional()});
 }
 
 std::vector<Key> spectrum_keys() {
@@ -166,7 +171,11 @@ const KeyTable& excitation_keys() {
         "what shakes the buildings",
         {Key::choice("kind", {"record", "harmonic", "none", "spectrum"}, {"Kind", "Jenis"},
                      "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
-                     "alone"),
+                     "alone")
+             .called({{"record", "rekaman"},
+                      {"harmonic", "harmonik"},
+                      {"none: free vibration", "tidak ada: getaran bebas"},
+                      {"design spectrum", "spektrum desain"}}),
          Key::number("delays", dimension::time, Range::not_negative, {"Delays", "Keterlambatan"},
                      "how much later the ground motion reaches it")
              .list("one per building")
@@ -178,6 +187,8 @@ const KeyTable& excitation_keys() {
              "kinematics", {"relative", "absolute"}, {"Kinematics", "Kinematika"},
              "`\"relative\"`: openings from displacements relative to the bases; `\"absolute\"`: with the ground "
              "displacement")
+             .called({{"relative to the bases", "relatif terhadap dasar"},
+                      {"ground displacement included", "perpindahan tanah disertakan"}})
              .optional()}};
     for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), spectrum_keys()}) {
       made.keys.insert(made.keys.end(), keys.begin(), keys.end());
@@ -204,7 +215,12 @@ const KeyTable& analysis_keys() {
       "how long, and how",
       {Key::number("duration", dimension::time, Range::size, {"Duration", "Durasi"})
            .optional("the record's length, (count − 1) × step; needed for the other kinds"),
-       Key::choice("solver", {"exact", "runge-kutta", "adaptive"}, {"Solver", "Penyelesai"}, "see below").optional(),
+       Key::choice("solver", {"exact", "runge-kutta", "adaptive"}, {"Solver", "Penyelesai"}, "see below")
+           .called({{"exact: closed-form between impacts, no time step",
+                     "exact: bentuk tertutup di antara benturan, tanpa langkah waktu"},
+                    {"fourth-order Runge-Kutta", "Runge-Kutta orde empat"},
+                    {"adaptive embedded Runge-Kutta pair", "pasangan Runge-Kutta adaptif"}})
+           .optional(),
        Key::number("step", dimension::time, Range::positive, {"Step", "Langkah"},
                    "in free flight; a third of it in contact; for `\"runge-kutta\"` only")
            .by_default(0.006)

@@ -1,13 +1,76 @@
 #include "bentur/io/schema/table_view.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cstddef>
 
 namespace bentur {
 namespace {
 
-/// Whether a table says what a key is for; where it says nothing of that the first word counts.
-bool applies(const Key& key, const KeyTable& keys, const TomlValue& table) {
-  return std::all_of(key.conditions.begin(), key.conditions.end(), [&](const Condition& condition) {
+using Kind = TomlValue::Kind;
+
+/// One value; of a key that takes lists one of their items.
+void check_one(const TomlView& value, const Key& key) {
+  if (value.is(Kind::table) && key.table != nullptr) return check_values(value, *key.table);
+  const bool is_text = value.is(Kind::text);
+  switch (key.kind) {
+    case Key::Kind::number:
+      if (is_text && !key.words.empty()) {
+        (void)value.as_word({key.words.begin(), key.words.end()});
+      } else {
+        (void)value.as_number(key.range);
+      }
+      break;
+    case Key::Kind::quantity:
+      if (!is_text) (void)value.as_number(Range::positive);
+      break;
+    case Key::Kind::whole:
+      (void)value.as_whole(key.least, key.most);
+      break;
+    case Key::Kind::flag:
+      (void)value.as_flag();
+      break;
+    case Key::Kind::text:
+    case Key::Kind::file:
+      (void)value.as_text();
+      break;
+    case Key::Kind::line:
+      (void)value.as_line();
+      break;
+    case Key::Kind::choice:
+      (void)value.as_word({key.words.begin(), key.words.end()});
+      break;
+    case Key::Kind::table:
+    case Key::Kind::by_building:
+      if (!value.is(Kind::table)) value.error_value("must be a table");
+      break;
+    case Key::Kind::any:
+      break;
+  }
+}
+
+/// A value or the items of a list. @param lists how deep they may be nested
+void check_all(const TomlView& value, const Key& key, int lists) {
+  if (value.has_error()) return;
+  if (lists == 0 || !value.is(Kind::list)) return check_one(value, key);
+  const std::vector<TomlValue>& items = value.value().items;
+  for (std::size_t i = 0; i < items.size(); ++i) {  // lists of numbers may be long
+    const bool right =
+        key.kind == Key::Kind::number && items[i].is_number() && broken_rule(key.range, items[i].real).empty();
+    if (right) continue;
+    const TomlView item = value.item(i);
+    const TomlValue* const name = items[i].find("name");  // which messages call it by
+    const bool named = name != nullptr && !name->text.empty();
+    check_all(named ? item.renamed(fmt::format("{}[{}]", value.path(), in_quotes(name->text))) : item, key, lists - 1);
+  }
+}
+
+}  // namespace
+
+const Condition* broken_condition(const Key& key, const KeyTable& keys, const TomlValue& table) {
+  for (const Condition& condition : key.conditions) {
     const TomlValue* const given = table.find(std::string(condition.key));
     const Key& by = keys.at(condition.key);
     std::string_view word = given != nullptr ? std::string_view(given->text) : "";
@@ -16,24 +79,63 @@ bool applies(const Key& key, const KeyTable& keys, const TomlValue& table) {
     } else if (given == nullptr) {
       word = by.words.front();
     }
-    return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
-  });
+    if (std::find(condition.words.begin(), condition.words.end(), word) == condition.words.end()) return &condition;
+  }
+  return nullptr;
 }
 
 const Key* key_of(const KeyTable& keys, std::string_view name, const TomlValue& table) {
-  const Key* first = nullptr;
+  const Key* nearest = nullptr;
+  std::ptrdiff_t most = -1;
   for (const Key& key : keys.keys) {
     if (key.name != name) continue;
-    if (applies(key, keys, table)) return &key;
-    if (first == nullptr) first = &key;
+    const Condition* const broken = broken_condition(key, keys, table);
+    if (broken == nullptr) return &key;
+    if (const std::ptrdiff_t hold = broken - key.conditions.data(); hold > most) {
+      most = hold;
+      nearest = &key;
+    }
   }
-  return first;
+  return nearest;
 }
 
-}  // namespace
+void check_values(const TomlView& table, const KeyTable& keys) {
+  for (const TomlMember& member : table.value().members) {
+    const Key* const key = key_of(keys, member.key, table.value());
+    if (key == nullptr) continue;
+    const TomlView value = *table.find(member.key);
+    const bool must_be_list = key->form == Key::Form::list || key->form == Key::Form::matrix;
+    const bool is_other = key->kind == Key::Kind::number && ((value.is(Kind::text) && !key->words.empty()) ||
+                                                             (value.is(Kind::table) && key->table != nullptr));
+    if (must_be_list && key->kind != Key::Kind::by_building && !is_other && !value.is(Kind::list)) {
+      if (!value.has_error()) value.error_value("must be a list");
+      continue;
+    }
+    check_all(value, *key, key->form == Key::Form::one ? 0 : key->form == Key::Form::matrix ? 2 : 1);
+  }
+}
 
 std::optional<TableView> TableView::of(const TomlView& view, const KeyTable& keys) {
   if (!view.is_table_of(keys.names())) return std::nullopt;
+  for (const TomlMember& member : view.value().members) {
+    const Key* const key = key_of(keys, member.key, view.value());
+    const Condition* const broken = key == nullptr ? nullptr : broken_condition(*key, keys, view.value());
+    if (broken == nullptr) continue;
+    const Key& by = keys.at(broken->key);
+    const TomlValue* const given = view.value().find(std::string(by.name));
+    if (by.kind == Key::Kind::flag || (given == nullptr && by.is_required())) continue;
+    const std::string_view word = given != nullptr ? std::string_view(given->text) : by.words.front();
+    if (std::find(by.words.begin(), by.words.end(), word) == by.words.end()) continue;
+    std::vector<std::string_view> owners;
+    for (const Key& one : keys.keys) {
+      for (const Condition& condition : one.conditions) {
+        if (one.name != key->name || condition.key != by.name) continue;
+        owners.insert(owners.end(), condition.words.begin(), condition.words.end());
+      }
+    }
+    const std::string known = fmt::format("{}", fmt::join(owners, "\" or \""));
+    view.refuse({member.key}, fmt::format("is for {} = \"{}\", not \"{}\"", by.name, known, word));
+  }
   return TableView(view, keys);
 }
 
@@ -98,20 +200,11 @@ std::optional<std::string> TableView::exactly_one(std::string_view group) const 
   std::vector<std::string> known;
   bool needed = false;
   for (const Key& key : keys_->keys) {
-    if (key.group != group || !applies(key, *keys_, value())) continue;
+    if (key.group != group || broken_condition(key, *keys_, value()) != nullptr) continue;
     known.emplace_back(key.name);
     needed = needed || key.need == Need::one_of;
   }
   return TomlView::exactly_one(known, needed ? Need::required : Need::optional);
-}
-
-void TableView::refuse_others(std::string_view by, std::string_view word,
-                              const std::function<std::string(const std::vector<std::string_view>&)>& reason) const {
-  for (const std::string& name : keys_->names()) {
-    const auto owners = keys_->owners(name, by);
-    if (!owners.empty() && std::find(owners.begin(), owners.end(), word) == owners.end())
-      refuse({name}, reason(owners));
-  }
 }
 
 const Key* key_at(const KeyTable& keys, const ParameterPath& path, const TomlValue& file) {
@@ -121,7 +214,7 @@ const Key* key_at(const KeyTable& keys, const ParameterPath& path, const TomlVal
   const Key* found = nullptr;
   for (const PathStep& step : path) {
     if (const auto* const place = std::get_if<std::size_t>(&step)) {
-      value = value->kind == TomlValue::Kind::list && *place < value->items.size() ? &value->items[*place] : &nothing;
+      value = value->kind == Kind::list && *place < value->items.size() ? &value->items[*place] : &nothing;
       continue;
     }
     const std::string& name = std::get<std::string>(step);

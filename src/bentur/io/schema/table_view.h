@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,7 +20,8 @@ class TableView : public TomlView {
   /// Keys are known already: another view has looked at them.
   TableView(const TomlView& view, const KeyTable& keys) : TomlView(view), keys_(&keys) {}
 
-  /// Nothing (and an error) unless it is a table; an error for each key that `keys` does not have.
+  /// Nothing (and an error) unless it is a table; an error for each key that `keys` does not have or
+  /// has for other words of a choice than the one made.
   [[nodiscard]] static std::optional<TableView> of(const TomlView& view, const KeyTable& keys);
 
   [[nodiscard]] const KeyTable& keys() const { return *keys_; }
@@ -46,15 +46,23 @@ class TableView : public TomlView {
   /// Of the keys of a group the one given; an error where there are more, or none and one is needed.
   [[nodiscard]] std::optional<std::string> exactly_one(std::string_view group) const;
 
-  /// An error at each key that is given and is only for other words of `by` than `word`. @param reason of those words
-  void refuse_others(std::string_view by, std::string_view word,
-                     const std::function<std::string(const std::vector<std::string_view>&)>& reason) const;
-
  private:
   [[nodiscard]] Length length(const Key& key, std::size_t count) const { return {count, std::string(key.each)}; }
 
   const KeyTable* keys_;
 };
+
+/// The first condition of a key that its table does not fulfil; null where the key counts there. Where a table says
+/// nothing of a choice its first word holds.
+[[nodiscard]] const Condition* broken_condition(const Key& key, const KeyTable& keys, const TomlValue& table);
+
+/// What the schema says of a key of this name in this table: of several the one whose conditions hold, else the one
+/// of which most hold; null where there is none.
+[[nodiscard]] const Key* key_of(const KeyTable& keys, std::string_view name, const TomlValue& table);
+
+/// An error at every value of a table and below that is not what its key takes and of which nothing has been said yet:
+/// it is right then also where nobody asks for it.
+void check_values(const TomlView& table, const KeyTable& keys);
 
 /// The key that a path leads to, and so what its numbers are; null where the schema has none.
 /// @param file the whole file: which key counts depends on what stands beside it

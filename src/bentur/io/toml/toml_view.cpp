@@ -127,6 +127,15 @@ std::nullopt_t TomlView::error_missing(const std::string& key, const std::string
   return std::nullopt;
 }
 
+bool TomlView::has_error() const {
+  const std::vector<Diagnostic> errors = diagnostics_->errors();
+  return std::any_of(errors.begin(), errors.end(), [&](const Diagnostic& one) {
+    // What was not read from a file has no place in one, but a name.
+    return one.position.line == value_->line && one.position.column == value_->column &&
+           one.position.origin == value_->origin && (value_->line > 0 || one.key == path_);
+  });
+}
+
 bool TomlView::is_table_of(const std::vector<std::string>& known) const {
   if (!is(TomlValue::Kind::table)) {
     error_value("must be a table");
@@ -220,10 +229,10 @@ std::optional<double> TomlView::as_number(Range range) const {
   return value_->real;
 }
 
-std::optional<std::int64_t> TomlView::as_whole(std::int64_t least, std::int64_t most, const std::string& rule) const {
+std::optional<std::int64_t> TomlView::as_whole(std::int64_t least, std::int64_t most) const {
   const bool good = is(TomlValue::Kind::integer) && value_->integer >= least && value_->integer <= most;
   if (good) return value_->integer;
-  return error_value(rule.empty() ? fmt::format("must be a whole number from {} to {}", least, most) : rule);
+  return error_value(fmt::format("must be a whole number from {} to {}", least, most));
 }
 
 std::vector<double> TomlView::as_numbers(Range range, const Length& length) const {

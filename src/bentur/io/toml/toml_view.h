@@ -45,6 +45,9 @@ class TomlView {
   std::nullopt_t error_missing(const std::string& key,
                                const std::string& reason = {}) const;  ///< "PATH.KEY is missing (REASON)"
 
+  /// Whether something has been said of this value itself.
+  [[nodiscard]] bool has_error() const;
+
   // Tables.
   /// False (and an error) unless this is a table; an error for each key that is not in `known`.
   [[nodiscard]] bool is_table_of(const std::vector<std::string>& known) const;
@@ -76,9 +79,8 @@ class TomlView {
   [[nodiscard]] std::vector<double> as_number_or_numbers(Range range, const Length& length) const;
   /// The same, one number said once for each.
   [[nodiscard]] std::vector<double> as_number_for_each(Range range, const Length& length) const;
-  /// A whole number in [least, most]. @param rule what a message says of it; empty: just that.
-  [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most,
-                                                     const std::string& rule = {}) const;
+  /// A whole number in [least, most].
+  [[nodiscard]] std::optional<std::int64_t> as_whole(std::int64_t least, std::int64_t most) const;
   [[nodiscard]] std::optional<std::string> as_text() const;
   /// One line without control characters, and without those that turn the direction of a text: what is printed of it
   /// cannot pass for something else.

@@ -256,6 +256,7 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
       if (study.ida) add_polarity(root, study);
       if (found.ok()) settle_normalisation(root, study);
     }
+    check_values(root, study_keys());
     if (study.ida) {
       study.ida->axis = study.axes.size();
       study.axes.emplace_back("intensity");
