@@ -252,6 +252,7 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     Problem problem = read.problem();
     read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};
+    read.c.given = std::make_shared<const TomlValue>(*root);
     if (auto& record = read.c.excitation.record) {
       const auto known = identities_.try_emplace(record->path);
       if (known.second) known.first->second = identify(record->path);

@@ -32,6 +32,7 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
   if (!found.ok()) raise_case_error(found);
   made->c = std::move(parts.c);
   made->c.source = std::move(source);
+  made->c.given = std::make_shared<const TomlValue>(root);
   made->root = std::move(root);
   made->name = name;
   made->folder = folder;

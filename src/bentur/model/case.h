@@ -33,6 +33,8 @@
 
 namespace bentur {
 
+struct TomlValue;
+
 /// Matrices from another program. Elevations are above the building's own base.
 struct MatricesSpec {
   std::vector<double> elevations;  ///< [length], ascending, > 0
@@ -185,6 +187,8 @@ struct Case {
   CodeSpec code = {};  ///< without rules: none were given
   ScreeningSpec screening = {};
   std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
+  /// What was read (io/toml), for reports; null of a case that was put together otherwise.
+  std::shared_ptr<const TomlValue> given = {};
 };
 
 /// Mass, stiffness and load of one building on a fixed base, condensed and calibrated.

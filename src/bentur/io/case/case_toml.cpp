@@ -253,9 +253,12 @@ std::optional<Case> read_parsed(const std::string& text, const std::filesystem::
   Diagnostics found;
   const std::string name = file.string();
   std::optional<Case> c;
-  if (auto root = parse_toml(text, name, found)) c = read(*root, name, found);
+  auto root = parse_toml(text, name, found);
+  const auto given = root ? std::make_shared<const TomlValue>(*root) : nullptr;
+  if (root) c = read(*root, name, found);
   diagnostics.add(found);
   if (!found.ok()) return std::nullopt;
+  c->given = given;
   c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
   return c;
 }

@@ -45,12 +45,12 @@ const KeyTable& soil_keys() {
       "building.soil",
       "sway and rocking of the foundation",
       {Key::sub_table("sway", sway_keys(),
-                      {"Soil, sway: stiffness and damping", "Tanah, goyangan: kekakuan dan redaman"},
+                      {"Soil, sway", "Tanah, goyangan"},
                       "spring and dashpot of the sway")
            .one_of("ground")
            .goes_with("rocking"),
        Key::sub_table("rocking", rocking_keys(),
-                      {"Soil, rocking: stiffness and damping", "Tanah, guling: kekakuan dan redaman"},
+                      {"Soil, rocking", "Tanah, guling"},
                       "spring and dashpot of the rotation")
            .optional()
            .goes_with("sway"),

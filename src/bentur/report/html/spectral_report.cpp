@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "bentur/core/number_text.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
@@ -69,27 +68,12 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   const Response none;
   const Report report{{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {},
                       spectral.levels};
-  const SpectrumSpec& spectrum = *c.excitation.spectrum;
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
-  std::vector<std::pair<std::string, std::string>> rows = {
-      {say("spectral.spectrum"), spectrum.file.empty() ? spectrum.shape : spectrum.file},
-      {say("spectral.parameters"), spectrum_parameters(spectrum, c.units)},
-      {say("spectral.damping"), number(spectrum.spectrum.damping_ratio)},
-      {say("spectral.combination"), spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}};
-  for (std::size_t b = 0; b < spectrum.reduction.size(); ++b) {
-    rows.emplace_back(say("spectral.reduction", {{"building", problem.buildings[b].name}}),
-                      number(spectrum.reduction[b]));
-  }
-  Html input = html::facts(rows);
-  if (c.source) input += element("h3", say("heading.case")) + element("pre", c.source->text);
   const html::PageBody body{
       .header =
           element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
-      .sections = {html::verdict_section(report),
-                   html::remarks_section(report),
-                   spectral_gap_section(report),
-                   spectral_peaks_section(report, spectral),
-                   {"input", say("heading.input"), input}}};
+      .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
+                   spectral_peaks_section(report, spectral), html::input_section(report)}};
   return html::page(say, title, body, false);
 }
 

@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/core/number_text.h"
+#include "bentur/io/schema/table_view.h"
+#include "bentur/report/html/internal/echo.h"
+
+namespace bentur::html {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+constexpr std::size_t largest_matrix_shown = 12;
+
+/// Whether what it has for each place makes a column of a table.
+bool is_of_places(const Key& key) {
+  return key.name == "elevations" || key.each == "one per storey" || key.each == "one per floor" ||
+         key.each == "one per elevation" || key.each == "one per contact point";
+}
+
+bool is_list_of_numbers(const TomlValue& value) {
+  return value.kind == Kind::list &&
+         std::all_of(value.items.begin(), value.items.end(), [](const TomlValue& item) { return item.is_number(); });
+}
+
+std::vector<double> from_the_top(const TomlValue& list) {
+  std::vector<double> values;
+  for (const TomlValue& item : list.items) {
+    values.insert(values.begin(), std::isinf(item.real) ? std::numeric_limits<double>::quiet_NaN() : item.real);
+  }
+  return values;
+}
+
+class Echo {
+ public:
+  explicit Echo(const Report& report) : say_(report.say), c_(report.c) {}
+
+  /// @param of the name of the table, before those of its keys; empty: it needs none
+  void add(const KeyTable& keys, const TomlValue& given, const std::string& of = {}) {
+    std::vector<std::pair<const Key*, const TomlValue*>> columns;
+    for (const Key& key : keys.keys) {
+      if (broken_condition(key, keys, given) != nullptr) continue;
+      const TomlValue* const value = given.find(std::string(key.name));
+      if (value == nullptr) {
+        add_default(key, given, of);
+      } else if (is_of_places(key) && is_list_of_numbers(*value) && value->items.size() > 1 &&
+                 (columns.empty() || columns.front().second->items.size() == value->items.size())) {
+        columns.emplace_back(&key, value);
+      } else {
+        add_value(key, *value, given, of);
+      }
+    }
+    if (columns.size() == 1) {
+      add_value(*columns.front().first, *columns.front().second, given, of);
+    } else if (!columns.empty()) {
+      add_columns_of(columns, of);
+    }
+  }
+
+  [[nodiscard]] Html markup(const Rows& more) {
+    rows_.insert(rows_.end(), more.begin(), more.end());
+    return (rows_.empty() ? Html() : facts(rows_)) + tables_;
+  }
+
+ private:
+  [[nodiscard]] std::string label(const Key& key) const { return label_text(key.label, say_); }
+  [[nodiscard]] std::string label(const Key& key, const std::string& of) const {
+    return of.empty() ? label(key) : of + ": " + label(key);
+  }
+
+  [[nodiscard]] std::string text(const TomlValue& value, const Key& key) const {
+    std::string joined;
+    switch (value.kind) {
+      case Kind::integer:
+      case Kind::real:
+        return std::isinf(value.real) ? "∞" : with_power(number(value.real));
+      case Kind::boolean:
+        return say_(value.boolean ? "word.yes" : "word.no");
+      case Kind::text:
+        return label_text(key.label_of(value.text), say_);
+      case Kind::list:
+        for (const TomlValue& item : value.items) joined += (joined.empty() ? "" : ", ") + text(item, key);
+        return joined.empty() ? "–" : joined;
+      default:
+        return {};
+    }
+  }
+  [[nodiscard]] std::string text_with_unit(const TomlValue& value, const Key& key, const TomlValue& given) const {
+    const TomlValue* const stated = given.find(std::string(key.own_unit));  // "in `unit`"
+    const std::string unit = stated != nullptr ? stated->text : unit_of(key, c_);
+    const bool has_unit = !unit.empty() && (value.is_number() || is_list_of_numbers(value)) &&
+                          !(value.kind == Kind::list && value.items.empty());
+    return text(value, key) + (has_unit ? "\u00A0" + unit : "");
+  }
+
+  void add_default(const Key& key, const TomlValue& given, const std::string& of) {
+    const auto has = [&](std::string_view name) { return given.find(std::string(name)) != nullptr; };
+    if (key.need != Need::optional || (!key.with.empty() && !has(key.with))) return;
+    TomlValue value;
+    if (key.kind == Key::Kind::choice && key.otherwise.empty() && key.group.empty()) {
+      value = toml_text(std::string(key.words.front()));
+    } else if (key.kind == Key::Kind::flag && key.default_value == 1.0) {
+      value.kind = Kind::boolean;
+      value.boolean = true;
+    } else if (key.kind == Key::Kind::number && key.group.empty() && key.default_value.value_or(0) != 0) {
+      value = toml_number(*key.default_value);
+    } else {
+      return;
+    }
+    rows_.emplace_back(label(key, of), say_("input.default", {{"value", text_with_unit(value, key, given)}}));
+  }
+
+  void add_value(const Key& key, const TomlValue& value, const TomlValue& given, const std::string& of) {
+    const bool is_list = value.kind == Kind::list && !value.items.empty();
+    if (key.kind == Key::Kind::by_building) {
+      for (const TomlMember& member : value.members) {
+        rows_.emplace_back(label(key) + ", " + member.key, text_with_unit(member.value, key, given));
+      }
+    } else if (value.kind == Kind::table && key.table != nullptr) {
+      add(*key.table, value, label(key));
+    } else if (is_list && key.table != nullptr) {
+      add_tables(key, value);
+    } else if (is_list && value.items.front().kind == Kind::list) {
+      add_matrix(label(key, of), unit_of(key, c_), value);
+    } else {
+      rows_.emplace_back(label(key, of), text_with_unit(value, key, given));
+    }
+  }
+
+  void add_columns_of(const std::vector<std::pair<const Key*, const TomlValue*>>& columns, const std::string& of) {
+    HtmlTable table;
+    const auto is_elevations = [](const auto& column) { return column.first->name == "elevations"; };
+    if (std::none_of(columns.begin(), columns.end(), is_elevations)) {
+      const bool storeys = columns.front().first->each == "one per storey";
+      table.add(storeys ? say_("column.storey") : "", "", numbers_from_the_top(columns.front().second->items.size()));
+    }
+    for (const auto& [key, value] : columns) table.add(label(*key), unit_of(*key, c_), from_the_top(*value));
+    add_table(of, table);
+  }
+
+  /// A list of tables, a row for each.
+  void add_tables(const Key& key, const TomlValue& list) {
+    if (list.items.size() == 1) return add(*key.table, list.items.front(), label(key));
+    HtmlTable table;
+    table.add("", "", numbers_from_the_top(list.items.size()));
+    for (const Key& one : key.table->keys) {
+      std::vector<double> values;
+      for (const TomlValue& item : list.items) {
+        const TomlValue* const value = item.find(std::string(one.name));
+        values.insert(values.begin(), value != nullptr ? value->real : std::numeric_limits<double>::quiet_NaN());
+      }
+      const bool given = std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
+      if (given) table.add(label(one), unit_of(one, c_), values);
+    }
+    add_table(label(key), table);
+  }
+
+  void add_matrix(const std::string& name, const std::string& unit, const TomlValue& list) {
+    const std::size_t columns = list.items.front().items.size();
+    if (list.items.size() > largest_matrix_shown || columns > largest_matrix_shown) {
+      rows_.emplace_back(name, fmt::format("{} × {}", list.items.size(), columns));
+      return;
+    }
+    HtmlTable table;
+    for (std::size_t j = 0; j < columns; ++j) {
+      std::vector<double> values;
+      for (const TomlValue& row : list.items) values.push_back(row.items.at(j).real);
+      table.add(std::to_string(j + 1), "", values);
+    }
+    add_table(unit.empty() ? name : fmt::format("{} [{}]", name, unit), table);
+  }
+
+  void add_table(const std::string& name, const HtmlTable& table) {
+    if (!name.empty()) tables_ += element("p", name);
+    tables_ += table.markup();
+  }
+
+  const Words& say_;
+  const Case& c_;
+  Rows rows_;
+  Html tables_;
+};
+
+}  // namespace
+
+std::vector<std::string> numbers_from_the_top(std::size_t count) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = count; i > 0; --i) numbers.push_back(std::to_string(i));
+  return numbers;
+}
+
+std::string unit_of(const Key& key, const Case& c) {
+  if (!key.own_unit.empty()) return std::string(key.own_unit);
+  return key.dimension == dimension::mass ? mass_unit(c) : key.dimension.text(c.units.length, c.units.force);
+}
+
+Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more) {
+  Echo made(report);
+  made.add(keys, given);
+  return made.markup(more);
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/key.h"
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/report/html/internal/sections.h"
+
+namespace bentur::html {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+[[nodiscard]] inline std::string label_text(const Label& label, const Words& say) {
+  return std::string(say.language() == "id" ? label.indonesian : label.english);
+}
+
+/// "3", "2", "1".
+[[nodiscard]] std::vector<std::string> numbers_from_the_top(std::size_t count);
+
+/// Unit of the numbers of a key in the units of the case; empty where they have none.
+[[nodiscard]] std::string unit_of(const Key& key, const Case& c);
+
+/// A table of the case as it was given, those below it too: every key by its label, with its unit, and what is without
+/// it where that is not nothing. Values of storeys, floors and elevations stand from the top down.
+/// @param more rows after those of the keys
+[[nodiscard]] Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more = {});
+
+}  // namespace bentur::html
