@@ -42,7 +42,7 @@ CLASSES = {
     "Matrices": (("building", "matrices"), "", []),
     "Modal": (("building", "modal"), "", [("structure/known/modal.h", "ModalBuilding"), ("structure/known/modal.h", "ModalModel")]),
     "Generic": (("building", "generic"), "", [("structure/known/generic.h", "GenericBuilding"), ("structure/known/generic.h", "generic_model")]),
-    "Isolation": (("building", "isolation"), "", [("structure/support.h", "Isolation")]),
+    "Isolation": (("building", "isolation"), "", [("elements/bearing_laws.h", "bilinear_bearings")]),
     "Soil": (("building", "soil"), "", [("structure/support.h", "Soil"), ("structure/support.h", "soil_of")]),
     "Building": (("building",), "Exactly one of frame, stick, matrices, modal, generic, or ``rigid=True``.", []),
     "Contact": (("gap", "contact"), "", [(f"contact/laws/{law.split()[0]}.h", law.split()[1]) for law in LAWS]),

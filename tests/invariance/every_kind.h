@@ -93,7 +93,10 @@ class EveryKindGenerator : private BuildingGenerator {
       const double support = uniform(0, 1);
       if (support < 0.3) {
         IsolationSpec isolation;
-        isolation.bearings = {mass, 0.03 * stiffness, chance(0.7) ? uniform(0.2, 1.0) * mass : 0.0, 0.005, 0.0};
+        isolation.mass = mass;
+        isolation.numbers = {{"stiffness", 0.03 * stiffness},
+                             {"characteristic_strength", chance(0.7) ? uniform(0.2, 1.0) * mass : 0.0},
+                             {"yield_displacement", 0.005}};
         spec.isolation = isolation;
       } else if (support < 0.5) {
         SoilSpec soil;

@@ -56,12 +56,13 @@ struct InUnits {
     scale(generic.floor_masses, mass);
   }
   void operator()(IsolationSpec& isolation) const {
-    Isolation& bearings = isolation.bearings;
-    bearings.mass *= mass;
-    bearings.stiffness *= stiffness;
-    bearings.characteristic_strength *= units.force;
-    bearings.yield_displacement *= units.length;
-    bearings.damping *= stiffness;
+    isolation.mass *= mass;
+    isolation.damping *= stiffness;
+    for (const Key& key : find_entry(bearing_laws(), isolation.law)->keys) {
+      if (isolation.numbers.contains(key.name)) {
+        isolation.numbers.find(key.name)->second *= key.dimension.factor(units.length, units.force);
+      }
+    }
   }
   void operator()(SoilSpec& spec) const {
     Soil& soil = spec.soil;

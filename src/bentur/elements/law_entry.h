@@ -18,6 +18,7 @@ struct LawInput {
   std::map<std::string, double, std::less<>> numbers;
   std::map<std::string, std::string, std::less<>> words = {};  ///< choices; the default where one is not given
   double effective_mass = 0;  ///< of a contact m_e = m₁m₂/(m₁ + m₂) of the two floors [mass] > 0
+  double weight = 0;          ///< of bearings: all that they carry [force] > 0
 
   /// @throws InvalidParameter, naming the key, when it is not given.
   [[nodiscard]] double number(std::string_view key) const;

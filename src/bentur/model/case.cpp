@@ -309,6 +309,12 @@ Soil soil_of(const SoilSpec& spec) {
   return spec.half_space ? soil_of(*spec.half_space, spec.soil.mass, spec.soil.inertia) : spec.soil;
 }
 
+Bearings bearings_of(const IsolationSpec& spec, double weight) {
+  const auto* const entry = find_entry(bearing_laws(), spec.law);
+  if (entry == nullptr) throw InvalidParameter("isolation", spec.law, "there are no such bearings");
+  return *entry->make({.numbers = spec.numbers, .weight = weight});
+}
+
 Building make_building(const BuildingSpec& spec) { return make_building(spec, structural_model(spec)); }
 
 namespace {
@@ -323,12 +329,8 @@ Support support_of(const BuildingSpec& spec, const StructuralModel& model) {
     support.gravity = gravity;
   }
   if (spec.isolation) {
-    const Isolation& bearings = spec.isolation->bearings;
-    support.isolation = bearings;
-    if (spec.isolation->pendulum) {
-      const double weight = spec.gravity * mass_above_bearings(model, bearings.mass);
-      support.isolation = isolation_of(*spec.isolation->pendulum, bearings.mass, bearings.damping, weight);
-    }
+    const double weight = spec.gravity * mass_above_bearings(model, spec.isolation->mass);
+    support.isolation = {spec.isolation->mass, bearings_of(*spec.isolation, weight), spec.isolation->damping};
   }
   if (spec.soil) support.soil = soil_of(*spec.soil);
   return support;

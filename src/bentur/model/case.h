@@ -22,6 +22,7 @@
 #include "bentur/model/gap/modal_combination.h"
 #include "bentur/model/gap/screening.h"
 #include "bentur/model/link.h"
+#include "bentur/model/support_spec.h"
 #include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
@@ -46,21 +47,6 @@ struct MatricesSpec {
 struct RigidSpec {
   std::vector<double> elevations;  ///< [length] above the base, ascending
 };
-
-/// [building.isolation]: bearings, or friction pendulums, whose strength and stiffness follow from the weight above.
-struct IsolationSpec {
-  Isolation bearings;
-  std::optional<FrictionPendulum> pendulum;
-};
-
-/// [building.soil], as given.
-struct SoilSpec {
-  Soil soil;  ///< with a half-space only mass and inertia are meant
-  std::optional<HalfSpace> half_space;
-};
-
-/// Springs and dashpots, given or of the half-space.
-[[nodiscard]] Soil soil_of(const SoilSpec& spec);
 
 struct BuildingSpec {
   std::string name;

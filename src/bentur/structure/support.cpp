@@ -10,7 +10,6 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
-#include "bentur/elements/kinematic_hardening.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -94,24 +93,8 @@ MatrixXd below_zero(const MatrixXd& rows) {
 
 void check(const Isolation& isolation) {
   require_positive("isolation.mass", isolation.mass);
-  require_positive("isolation.stiffness", isolation.stiffness);
-  require_not_negative("isolation.characteristic_strength", isolation.characteristic_strength);
+  require_positive("isolation.stiffness", isolation.bearings.stiffness);
   require_not_negative("isolation.damping", isolation.damping);
-  if (isolation.characteristic_strength > 0) {
-    require_positive("isolation.yield_displacement", isolation.yield_displacement);
-  }
-}
-
-double initial_stiffness(const Isolation& isolation) {
-  if (isolation.characteristic_strength == 0) return isolation.stiffness;
-  return isolation.stiffness + isolation.characteristic_strength / isolation.yield_displacement;
-}
-
-std::shared_ptr<const HystereticLaw> bearing_law(const Isolation& isolation) {
-  if (isolation.characteristic_strength == 0) return nullptr;
-  const double k = initial_stiffness(isolation);
-  const double yield = isolation.characteristic_strength + isolation.stiffness * isolation.yield_displacement;
-  return std::make_shared<KinematicHardening>(k, yield, isolation.stiffness / k);
 }
 
 /// What the structure is before it is put on something.
@@ -139,7 +122,7 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   const MatrixXd drifts = drift_rows(model);
   model.mass = to.transpose() * mass * to;
   model.stiffness = above.carried(model.stiffness);
-  model.stiffness(0, 0) += initial_stiffness(isolation);
+  model.stiffness(0, 0) += isolation.bearings.stiffness;
   structure.damping = above.carried(structure.damping);
   structure.damping(0, 0) += isolation.damping;
   VectorXd load(n + 1);
@@ -149,7 +132,7 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   model.drifts = below_zero(drifts * above.b);
   model.drifts(0, 0) = 1;
   model.shears = below_zero(shears * above.b);
-  model.shears(0, 0) = initial_stiffness(isolation);
+  model.shears(0, 0) = isolation.bearings.stiffness;
   carry_rows(above, model);
   if (model.left_joints.size() > 0) {
     model.left_joints = below_zero(model.left_joints);
@@ -212,18 +195,6 @@ void put_on_soil(const Soil& soil, Structure& structure) {
 
 }  // namespace
 
-Isolation isolation_of(const FrictionPendulum& pendulum, double slab_mass, double damping, double weight) {
-  require_positive("friction_pendulum.coefficient", pendulum.coefficient);
-  require_positive("friction_pendulum.radius", pendulum.radius);
-  require_positive("friction_pendulum.yield_displacement", pendulum.yield_displacement);
-  require_positive("weight", weight);
-  return {.mass = slab_mass,
-          .stiffness = weight / pendulum.radius,
-          .characteristic_strength = pendulum.coefficient * weight,
-          .yield_displacement = pendulum.yield_displacement,
-          .damping = damping};
-}
-
 double mass_above_bearings(const StructuralModel& model, double slab_mass) {
   return rigid_body(model).mass + slab_mass;
 }
@@ -270,7 +241,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   if (whole.shears.size() == 0 && support.gravity) whole.shears = shear_rows(whole);  // of K, not of K − K_g
   if (support.isolation) {
     put_on_bearings(*support.isolation, structure);
-    if (const auto law = bearing_law(*support.isolation); law || !storey_laws.empty()) {
+    if (const auto& law = support.isolation->bearings.law; law || !storey_laws.empty()) {
       if (storey_laws.empty()) storey_laws.resize(whole.floors() - 1);
       storey_laws.insert(storey_laws.begin(), law);
     }

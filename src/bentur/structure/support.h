@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/elements/bearing_laws.h"
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 
@@ -16,23 +17,11 @@ struct GravityLoads {
 };
 
 /// Bearings below a slab: one more floor, at the base, the first of all lists.
-///   V = (L-1) with k = stiffness + Q/Δ_y, r = stiffness/k, V_y = Q + stiffness Δ_y; linear where Q = 0.
 struct Isolation {
-  double mass = 0;                     ///< of the slab [mass] > 0
-  double stiffness = 0;                ///< after yielding; of a linear bearing all of it [force/length] > 0
-  double characteristic_strength = 0;  ///< Q, the force where the yielding branch crosses Δ = 0 [force] ≥ 0
-  double yield_displacement = 0;       ///< Δ_y [length] > 0 where Q > 0
-  double damping = 0;                  ///< of a dashpot beside it [force·s/length] ≥ 0
+  double mass = 0;         ///< of the slab [mass] > 0
+  Bearings bearings = {};  ///< with a stiffness > 0
+  double damping = 0;      ///< of a dashpot beside them [force·s/length] ≥ 0
 };
-
-/// Friction pendulums: Q = μ W, stiffness = W/R, W all weight above them, the slab's too.
-struct FrictionPendulum {
-  double coefficient = 0;         ///< μ [-] > 0
-  double radius = 0;              ///< R [length] > 0
-  double yield_displacement = 0;  ///< Δ_y [length] > 0
-};
-/// @param weight W [force] > 0. @throws InvalidParameter when a value is outside its range.
-[[nodiscard]] Isolation isolation_of(const FrictionPendulum& pendulum, double slab_mass, double damping, double weight);
 /// All that moves above the bearings, slab included [mass].
 [[nodiscard]] double mass_above_bearings(const StructuralModel& model, double slab_mass);
 

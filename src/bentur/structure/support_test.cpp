@@ -132,10 +132,11 @@ TEST(Support, PeriodOfAFrictionPendulum) {
   const StructuralModel model = stick_model({{3, 3}, {90, 80}, {9e10, 8e10}});
   const double weight = gravity * mass_above_bearings(model, 100);
   EXPECT_DOUBLE_EQ(weight, gravity * 270);
-  const Isolation isolation = isolation_of({0.06, 2.0, 0.0008}, 100, 0, weight);
-  EXPECT_DOUBLE_EQ(isolation.characteristic_strength, 0.06 * weight);
-  Isolation sliding = isolation;  // beyond yield: a linear bearing of the stiffness after it
-  sliding.characteristic_strength = 0;
+  const LawInput input = {.numbers = {{"coefficient", 0.06}, {"radius", 2.0}, {"yield_displacement", 0.0008}},
+                          .weight = weight};
+  const Isolation isolation = {.mass = 100, .bearings = *find_entry(bearing_laws(), "friction_pendulum")->make(input)};
+  // Beyond yield: a linear bearing of the stiffness after it.
+  const Isolation sliding = {.mass = 100, .bearings = bilinear_bearings(weight / 2, 0, 0)};
   const Building building = on({.isolation = sliding}, model);
   EXPECT_NEAR(period_of(building) / (2 * std::numbers::pi * std::sqrt(2.0 / gravity)), 1, 1e-7);
   EXPECT_TRUE(building.storey_laws.empty());
@@ -151,7 +152,7 @@ TEST(Support, PeriodOfAFrictionPendulum) {
 
 TEST(Support, SlabIsTheFirstFloor) {
   const StructuralModel model = stick_model(three_storeys(), 1.5);
-  const Isolation isolation = {.mass = 35, .stiffness = 400, .damping = 6};
+  const Isolation isolation = {.mass = 35, .bearings = bilinear_bearings(400, 0, 0), .damping = 6};
   const Building building = on({.isolation = isolation}, model);
   EXPECT_TRUE(building.model.has_slab);
   EXPECT_EQ(building.model.elevations, (std::vector<double>{1.5, 5.0, 8.0, 11.0}));
@@ -204,15 +205,16 @@ TEST(Support, OnSoilGravityActsOnTotalSways) {
 
 TEST(Support, ImpossibleOnesAreRefused) {
   const StructuralModel model = stick_model(one_storey());
-  const Isolation isolation = {.mass = 35, .stiffness = 400};
+  const Isolation isolation = {.mass = 35, .bearings = bilinear_bearings(400, 0, 0)};
   const Soil soil = {.sway = {1e5, 0}, .rocking = {1e6, 0}, .mass = 1, .inertia = 1};
   EXPECT_NE(message_of({.isolation = isolation, .soil = soil}, model), "");
-  for (const Isolation& wrong :
-       {Isolation{.mass = 0, .stiffness = 400}, Isolation{.mass = 35, .stiffness = 0},
-        Isolation{.mass = 35, .stiffness = 400, .characteristic_strength = 5, .yield_displacement = 0},
-        Isolation{.mass = 35, .stiffness = 400, .damping = -1}}) {
+  for (const Isolation& wrong : {Isolation{.mass = 0, .bearings = isolation.bearings}, Isolation{.mass = 35},
+                                 Isolation{.mass = 35, .bearings = isolation.bearings, .damping = -1}}) {
     EXPECT_NE(message_of({.isolation = wrong}, model), "");
   }
+  EXPECT_THROW((void)bilinear_bearings(0, 0, 0), InvalidParameter);
+  EXPECT_THROW((void)bilinear_bearings(400, -1, 0), InvalidParameter);
+  EXPECT_THROW((void)bilinear_bearings(400, 5, 0), InvalidParameter);
   for (double Soil::*value : {&Soil::mass, &Soil::inertia}) {
     Soil wrong = soil;
     wrong.*value = 0;

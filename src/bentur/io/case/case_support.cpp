@@ -1,4 +1,4 @@
-#include <cmath>
+#include <fmt/format.h>
 
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
@@ -6,13 +6,6 @@
 
 namespace bentur {
 namespace {
-
-std::optional<FrictionPendulum> read_pendulum(const TableView& isolation) {
-  const auto view = isolation.table("friction_pendulum");
-  if (!view) return std::nullopt;
-  return FrictionPendulum{view->number("coefficient").value_or(0), view->number("radius").value_or(0),
-                          view->number("yield_displacement").value_or(0)};
-}
 
 Soil::Impedance read_impedance(const TableView& view, const std::string& key) {
   if (!view.has(key)) view.error_missing(key);
@@ -28,28 +21,34 @@ void read_gravity(const TableView& view, ReadBuilding& building) {
   if (view.has("p_delta")) view.find("p_delta")->error("and gravity_loads exclude one another: give one of them");
 }
 
+/// Numbers of a law of bearings, from the table that they stand in.
+void read_bearings(const TableView& view, const LawEntryOf<Bearings>& law, IsolationSpec& spec) {
+  spec.law = law.name;
+  for (const Key& key : law.keys) {
+    const std::string name(key.name);
+    if (key.is_required() && !view.key(name).is_required() && !view.has(name)) view.error_missing(name);
+    if (const auto number = view.number(key.name)) spec.numbers.emplace(name, *number);
+  }
+}
+
 void read_isolation(const TomlView& given, ReadBuilding& building) {
   const auto table = TableView::of(given, isolation_keys());
   if (!table) return;
   const TableView& view = *table;
   IsolationSpec spec;
-  Isolation& bearings = spec.bearings;
-  bearings.mass = view.number("mass").value_or(0);
-  bearings.damping = view.number("damping").value_or(0);
-  if (view.has("friction_pendulum")) {
-    spec.pendulum = read_pendulum(view);
-    view.refuse({"stiffness", "characteristic_strength", "yield_displacement"},
-                "follows from friction_pendulum and the weight above it");
-  } else {
-    if (!view.has("stiffness")) view.error_missing("stiffness");
-    bearings.stiffness = view.number("stiffness").value_or(0);
-    bearings.characteristic_strength = view.number("characteristic_strength").value_or(0);
-    if (bearings.characteristic_strength > 0) {
-      if (!view.has("yield_displacement")) view.error_missing("yield_displacement");
-      bearings.yield_displacement = view.number("yield_displacement").value_or(0);
-    } else {
-      view.refuse({"yield_displacement"}, "goes with characteristic_strength > 0");
+  spec.mass = view.number("mass").value_or(0);
+  spec.damping = view.number("damping").value_or(0);
+  const auto& own = bearing_laws().front();
+  if (const auto other = view.exactly_one("law")) {
+    if (const auto numbers = view.table(*other)) read_bearings(*numbers, *find_entry(bearing_laws(), *other), spec);
+    for (const Key& key : own.keys) {
+      view.refuse({std::string(key.name)}, fmt::format("follows from {} and the weight above it", *other));
     }
+  } else {
+    read_bearings(view, own, spec);
+    const bool yields = spec.numbers["characteristic_strength"] > 0;
+    if (yields && !view.has("yield_displacement")) view.error_missing("yield_displacement");
+    if (!yields) view.refuse({"yield_displacement"}, "goes with characteristic_strength > 0");
   }
   building.spec.isolation = spec;
 }

@@ -25,7 +25,6 @@ namespace bentur {
 
 // keys_of_support.cpp
 [[nodiscard]] const KeyTable& isolation_keys();
-[[nodiscard]] const KeyTable& pendulum_keys();
 [[nodiscard]] const KeyTable& soil_keys();
 [[nodiscard]] const KeyTable& sway_keys();
 [[nodiscard]] const KeyTable& rocking_keys();

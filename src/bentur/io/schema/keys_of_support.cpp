@@ -1,42 +1,44 @@
+#include "bentur/elements/bearing_laws.h"
 #include "bentur/io/schema/case_keys.h"
 
 namespace bentur {
 
-const KeyTable& isolation_keys() {
-  static const KeyTable table = {
-      "building.isolation",
-      "bearings below a slab",
-      {Key::number("mass", dimension::mass, Range::positive, {"Slab above the bearings", "Pelat di atas bantalan"},
-                   "of the slab; the lower halves of a frame's lowest columns join it"),
-       Key::number("stiffness", dimension::stiffness, Range::positive, {"Stiffness", "Kekakuan"},
-                   "after yielding; alone, of a linear bearing")
-           .optional("needed but for `friction_pendulum`"),
-       Key::number("characteristic_strength", dimension::force, Range::not_negative,
-                   {"Characteristic strength", "Kekuatan karakteristik"},
-                   "Q: the force where the yielding branch crosses zero displacement")
-           .by_default(0),
-       Key::number("yield_displacement", dimension::length, Range::positive,
-                   {"Displacement at yield", "Perpindahan leleh"},
-                   "Δ_y, goes with Q: the stiffness before yielding is `stiffness` + Q/Δ_y")
-           .optional(),
-       Key::number("damping", dimension::dashpot, Range::not_negative, {"Damping", "Redaman"},
-                   "of a dashpot beside them")
-           .by_default(0),
-       Key::sub_table("friction_pendulum", pendulum_keys(), {"Friction pendulum", "Pendulum gesek"},
-                      "in place of stiffness, strength and displacement: Q = μW, stiffness W/R, W all weight above, "
-                      "the slab's too")
-           .optional()}};
-  return table;
+namespace {
+
+/// Of each law of bearings but the first its table; keys point to them.
+const std::vector<KeyTable>& bearing_tables() {
+  static const std::vector<KeyTable> tables = [] {
+    std::vector<KeyTable> made;
+    for (const auto& law : bearing_laws()) made.push_back({law.name, law.label.english, law.keys});
+    made.erase(made.begin());
+    return made;
+  }();
+  return tables;
 }
 
-const KeyTable& pendulum_keys() {
-  static const KeyTable table = {
-      "building.isolation.friction_pendulum",
-      "friction pendulum bearings",
-      {Key::number("coefficient", dimension::none, Range::positive, {"Friction", "Koefisien gesek"}, "μ"),
-       Key::number("radius", dimension::length, Range::positive, {"Radius", "Jari-jari"}, "R"),
-       Key::number("yield_displacement", dimension::length, Range::positive,
-                   {"Displacement at yield", "Perpindahan leleh"}, "Δ_y")}};
+}  // namespace
+
+const KeyTable& isolation_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "building.isolation",
+        "bearings below a slab",
+        {Key::number("mass", dimension::mass, Range::positive, {"Slab above the bearings", "Pelat di atas bantalan"},
+                     "of the slab; the lower halves of a frame's lowest columns join it")}};
+    const auto& laws = bearing_laws();
+    for (Key key : laws.front().keys) {
+      if (key.is_required()) key.optional("needed without another law of bearings");
+      made.keys.push_back(key);
+    }
+    made.keys.push_back(Key::number("damping", dimension::dashpot, Range::not_negative, {"Damping", "Redaman"},
+                                    "of a dashpot beside them")
+                            .by_default(0));
+    for (std::size_t i = 1; i < laws.size(); ++i) {
+      made.keys.push_back(Key::sub_table(laws[i].name, bearing_tables()[i - 1], laws[i].label, laws[i].doc)
+                              .one_of("law", Need::optional));
+    }
+    return made;
+  }();
   return table;
 }
 
@@ -44,13 +46,10 @@ const KeyTable& soil_keys() {
   static const KeyTable table = {
       "building.soil",
       "sway and rocking of the foundation",
-      {Key::sub_table("sway", sway_keys(),
-                      {"Soil, sway", "Tanah, goyangan"},
-                      "spring and dashpot of the sway")
+      {Key::sub_table("sway", sway_keys(), {"Soil, sway", "Tanah, goyangan"}, "spring and dashpot of the sway")
            .one_of("ground")
            .goes_with("rocking"),
-       Key::sub_table("rocking", rocking_keys(),
-                      {"Soil, rocking", "Tanah, guling"},
+       Key::sub_table("rocking", rocking_keys(), {"Soil, rocking", "Tanah, guling"},
                       "spring and dashpot of the rotation")
            .optional()
            .goes_with("sway"),

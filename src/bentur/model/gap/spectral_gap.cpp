@@ -128,7 +128,7 @@ std::optional<SpectralObstacle> spectral_obstacle(const Case& c) {
   }
   for (std::size_t b = 0; b < c.buildings.size(); ++b) {
     const auto& isolation = c.buildings[b].isolation;
-    if (!isolation || (!isolation->pendulum && isolation->bearings.characteristic_strength == 0)) continue;
+    if (!isolation || bearings_of(*isolation, 1).law == nullptr) continue;
     return SpectralObstacle{b,
                             "has bearings that yield, whose initial stiffness tells no displacement: for a spectrum "
                             "give stiffness and damping of an equivalent linear bearing, or give a record"};

@@ -111,9 +111,9 @@ TEST(SpectralGap, LinksAndBearingsThatYieldHaveNone) {
   Case c =
       spectral_pair(stick_of("A", {100.0}, {4e4}, 0.05), stick_of("B", {100.0}, {9e4}, 0.05), {3.0}, asce_spectrum);
   EXPECT_FALSE(spectral_obstacle(c));
-  c.buildings[1].isolation = IsolationSpec{.bearings = {.mass = 50, .stiffness = 1e3}, .pendulum = {}};
+  c.buildings[1].isolation = IsolationSpec{.mass = 50, .numbers = {{"stiffness", 1e3}, {"yield_displacement", 0.01}}};
   EXPECT_FALSE(spectral_obstacle(c)) << "linear bearings have modes like any other storey";
-  c.buildings[1].isolation->bearings.characteristic_strength = 40;
+  c.buildings[1].isolation->numbers["characteristic_strength"] = 40;
   ASSERT_TRUE(spectral_obstacle(c));
   EXPECT_EQ(spectral_obstacle(c)->building, 1U);
   c.links = {LinkSpec{}};
