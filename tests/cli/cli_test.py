@@ -1013,7 +1013,7 @@ kind = "spectrum"
         case = self.FOLDER / "spectrum-table.toml"
         gap, = json.loads(self.done("gap", case, "--json").stdout)["gaps"]
         for language, words in (("en", ["Difference", "Screening", "0.004232 m too small", "nothing was simulated",
-                                       "What codes amplify, of Six: divided by"]),
+                                       "What codes amplify is divided by</th><td>8, 5<"]),
                                 ("id", ["Selisih", "Penapisan", "kurang 0.004232 m", "tidak ada yang disimulasikan"])):
             output = self.folder / "r.html"
             self.done("report", case, "-o", output, "--lang", language)

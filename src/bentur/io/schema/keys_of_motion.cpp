@@ -24,7 +24,7 @@ std::vector<Key> of_shape(const Words& shapes, std::vector<Key> keys) {
 }
 
 Key unit_of_file(std::string_view doc) {
-  return Key::choice("unit", views(acceleration_units()), {"Unit of the record", "Satuan rekaman"}, doc);
+  return Key::choice("unit", views(acceleration_units()), {"Unit of the file", "Satuan berkas"}, doc);
 }
 
 std::vector<Key> record_keys() {
@@ -89,7 +89,8 @@ std::vector<Key> spectrum_keys() {
        Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi ragam"},
                    "whose peaks the rules combine; both are printed")
            .optional(),
-       Key::number("reduction", dimension::none, Range::positive, {"Reduction", "Reduksi"},
+       Key::number("reduction", dimension::none, Range::positive,
+                   {"What codes amplify is divided by", "Yang diperbesar peraturan dibagi"},
                    "such as R/I_e: the rules of codes take peaks divided by it")
            .for_each("one per building")
            .by_default(1)});
