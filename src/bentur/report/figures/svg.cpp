@@ -21,7 +21,7 @@ constexpr double letters = 8.0 / 72 * 2.54 / pixel;        // 8 pt [px]
 constexpr double baseline = 0.36 * letters;                // below the middle of a line of text
 constexpr double frame_line = 0.7;                         // [px]
 constexpr double major_tick = 3.6, minor_tick = 2;         // [px]
-constexpr double number_gap = 0.12, number_depth = 0.26;   // of numbers from the frame: to its left, below it [cm]
+constexpr double number_gap = 0.12, number_depth = 0.33;   // of numbers from the frame: to its left, below it [cm]
 constexpr double scale_gap = 0.2, scale_thickness = 0.25;  // of a map's colours [cm]
 constexpr int shades = 64;                                 // that a map's colours have
 
