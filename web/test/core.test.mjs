@@ -133,17 +133,6 @@ test("in other units a case is the same buildings", () => {
   }
 });
 
-test("numbers have their units", () => {
-  JSON.parse(one.open(read("m12-el-centro.toml"), "case.toml"));
-  const units = JSON.parse(one.units(read("m12-el-centro.toml")));
-  assert.equal(units['["building",0,"frame","elastic_modulus"]'], "kgf/cm²");
-  assert.equal(units['["gap",0,"width"]'], "cm");
-  assert.equal(units['["building",0,"damping"]'], undefined);
-  const every = readFileSync(`${source}/web/test/every-unit.toml`, "utf8");
-  JSON.parse(one.open(every, "case.toml"));
-  assert.equal(JSON.parse(one.units(every))['["gap",0,"contact","stiffness"]'], "kN/m^1.5");
-});
-
 /** What a schema says of every key, each of its meanings by itself. */
 const told = (node) => Object.entries(node).flatMap(([name, one]) =>
   (typeof one !== "object" || one === null ? [] : [...(name === "x-bentur" ? one : []), ...told(one)]));

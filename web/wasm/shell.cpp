@@ -10,7 +10,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <variant>
 #include <vector>
 
 #include "bentur/core/errors.h"
@@ -24,7 +23,6 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
-#include "bentur/io/schema/table_view.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/html/page_parts.h"
@@ -55,30 +53,6 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 Json failure(const std::string& message, int line = 0, int column = 0, const std::string& key = "") {
   return {{"ok", false},
           {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key}, {"message", message}}}}};
-}
-
-/// The unit of every number of a case that has one, by the JSON of its path.
-void units_of(const TomlValue& value, const TomlValue& root, const Units& units, ParameterPath& path, Json& found) {
-  for (const TomlMember& member : value.members) {
-    path.emplace_back(member.key);
-    units_of(member.value, root, units, path, found);
-    path.pop_back();
-  }
-  if (value.items.size() > 1000) return;  // a page shows fewer
-  for (std::size_t i = 0; i < value.items.size(); ++i) {
-    path.emplace_back(i);
-    units_of(value.items[i], root, units, path, found);
-    path.pop_back();
-  }
-  if (!value.is_number()) return;
-  const Key* const key = key_at(case_keys(), path, root);
-  if (key == nullptr) return;
-  const std::string unit =
-      key->own_unit.empty() ? key->dimension.text(units.length, units.force) : std::string(key->own_unit);
-  if (unit.empty()) return;
-  Json steps = Json::array();
-  for (const PathStep& step : path) std::visit([&](const auto& one) { steps.push_back(one); }, step);
-  found[text_of(steps)] = unit;
 }
 
 Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
@@ -275,17 +249,6 @@ std::string Studio::in_units(const std::string& text, const std::string& length,
   });
 }
 
-std::string Studio::units(const std::string& text) const {
-  return guarded([&]() -> Json {
-    Json found = Json::object();
-    Diagnostics unread;
-    const std::optional<TomlValue> root = parse_toml(text, "", unread);
-    ParameterPath path;
-    if (root && case_) units_of(*root, *root, case_->units, path, found);
-    return found;
-  });
-}
-
 std::string Studio::schema() const {
   Json units = Json::object();
   for (const std::string& one : length_units()) units["length"][one] = metres(one);
@@ -426,7 +389,6 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .function("putFile", &Studio::put_file)
       .function("open", &Studio::open)
       .function("inUnits", &Studio::in_units)
-      .function("units", &Studio::units)
       .function("schema", &Studio::schema)
       .function("recordUnit", &Studio::record_unit)
       .function("solve", &Studio::solve)

@@ -35,10 +35,6 @@ class Studio {
   [[nodiscard]] std::string in_units(const std::string& text, const std::string& length,
                                      const std::string& force) const;
 
-  /// The units of a text's numbers as one reads them, in those of the case that is open: {"[\"gap\",0,\"width\"]":
-  /// "cm"}.
-  [[nodiscard]] std::string units(const std::string& text) const;
-
   /// {case: what `bentur schema` says, units: {length: {m: 1, ...}, force: {N: 1, ...}}}, units in
   /// metres and newtons.
   [[nodiscard]] std::string schema() const;

@@ -7,7 +7,7 @@ import {
   told, tooLong, typing, width,
 } from "./state";
 import { number, say } from "./texts";
-import { decimal, type Leaf, leaf, type Outline, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
+import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
 
 export function Errors({ goTo }: { goTo: (line: number, column: number) => void }) {
   const list = errors.value;
@@ -71,7 +71,8 @@ function NumberField({ at, from, title }: { at: Leaf; from: number; title: strin
   const value = at.value as number;
   const anchor = useRef(value);
   if (!(Math.abs(value) <= 4 * Math.abs(anchor.current)) || (anchor.current === 0 && value !== 0)) anchor.current = value;
-  const { label, key } = fieldOf(at.path, from), unit = result.value?.units[JSON.stringify(at.path)];
+  const { label, key } = fieldOf(at.path, from);
+  const unit = key?.unit?.replace(/length|force/g, (what) => unitOf(what as "length").unit);
   const set = (next: number) => {
     const made = key?.number?.type === "integer" ? Math.round(next) : next;
     if (Number.isFinite(made)) change(put(text.value, at, made));
@@ -116,17 +117,16 @@ function Choice({ name, options, value, set }: { name: string; options: string[]
 }
 
 /** The unit that a case has, and all there are with what they are in metres or newtons. */
-function unitOf(now: Outline, what: "length" | "force") {
+function unitOf(what: "length" | "force") {
   const all = schema.value?.units[what] ?? {}, names = Object.keys(all);
-  const unit = String(leaf(now, ["units", what])?.value ?? names[0]);
+  const unit = String(leaf(found.value, ["units", what])?.value ?? names[0]);
   return { unit, names, size: all[unit] ?? 1 };
 }
 
 /** The units of all numbers; another choice converts them, in the case file and everywhere. */
 export function Units() {
-  const now = found.value;
-  if (!now) return null;
-  const length = unitOf(now, "length"), force = unitOf(now, "force");
+  if (!found.value) return null;
+  const length = unitOf("length"), force = unitOf("force");
   return <>
     <Choice name={nameOf("units", "length")} options={length.names} value={length.unit} set={(unit) => inUnits(unit, force.unit)} />
     <Choice name={nameOf("units", "force")} options={force.names} value={force.unit} set={(unit) => inUnits(length.unit, unit)} />
@@ -168,14 +168,14 @@ export function Form() {
   const groups = (table: string) => now.tables.map((one) => one.path)
     .filter((path) => path.length === 2 && path[0] === table).slice(0, 12);
   const excitation = (key: string) => leaf(now, ["excitation", key])?.value;
-  const kind = excitation("kind"), metre = unitOf(now, "length").size;
+  const kind = excitation("kind"), metre = unitOf("length").size;
   const isTable = ({ "x-bentur": [key] }: Node) => key.kind === "table" && key.form === "one";
   const others = Object.entries(schema.value.case.properties!).filter(([name, node]) => isTable(node) && name !== "excitation" &&
     now.leaves.some((one) => one.path[0] === name && typeof one.value === "number")).map(([name]) => name);
   return (
     <div class="form">
       {groups("building").map((path, i) => <Group key={i} path={path} title={String(leaf(now, [...path, "name"])?.value ?? `${i + 1}`)} />)}
-      <p><button type="button" onClick={() => change(withNeighbour(text.value, metre, unitOf(now, "force").size))}>{say("form.add")}</button></p>
+      <p><button type="button" onClick={() => change(withNeighbour(text.value, metre, unitOf("force").size))}>{say("form.add")}</button></p>
       {groups("gap").map((path, i) => <Group key={i} path={path} title={say("gap.of", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} />)}
       {groups("link").map((path, i) => <Group key={i} path={path} title={say("form.link", { n: i + 1 })} />)}
       <Group path={["excitation"]} title={nameOf("excitation")} />

@@ -27,10 +27,10 @@ export interface Overview {
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
 }
-/** What `bentur schema` says of a key in one of its meanings, and of all that stands there. */
+/** What `bentur schema` says of a key in one of its meanings: `unit` in words, "force/length". */
 export interface Key {
   kind: string; form: string; label: { en: string; id: string }; group?: string; with?: string;
-  words?: string[]; when?: Record<string, string[]>;
+  unit?: string; words?: string[]; when?: Record<string, string[]>;
   number?: {
     type?: string; minimum?: number; exclusiveMinimum?: boolean;
     maximum?: number; exclusiveMaximum?: boolean; not?: object;
@@ -51,7 +51,7 @@ export type Request = Common & (
   | { kind: "units"; length: string; force: string }
   | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; units: Record<string, string>; motion: string; histories: Histories; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; motion: string; histories: Histories; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
   | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }

@@ -54,7 +54,7 @@ async function answer(request: Request): Promise<void> {
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
     const histories = studio.histories();
-    return post({ id, kind: "result", overview, units: JSON.parse(studio.units(request.text)), motion: studio.motion(request.language), histories,
+    return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
       milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));
   }
   if (request.kind === "take") {

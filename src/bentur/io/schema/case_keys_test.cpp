@@ -105,6 +105,7 @@ TEST(JsonSchema, SaysOfEachMeaningWhatANumberMayBe) {
   };
   EXPECT_EQ(number("pga", 0), (nlohmann::json{{"type", "number"}, {"minimum", 0.0}, {"exclusiveMinimum", true}}));
   EXPECT_EQ(number("scale", 0)["not"]["enum"][0], 0);
+  EXPECT_EQ(excitation["properties"]["pga"]["x-bentur"][0]["unit"], "length/s²");
   EXPECT_EQ(number("column", 0)["minimum"], 1);
   EXPECT_EQ(number("column", 1)["minimum"], 2);
   // A spectrum has accelerations without a file, and their unit.
