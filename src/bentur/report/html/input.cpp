@@ -233,10 +233,11 @@ void support_echo(const BuildingSpec& spec, const Report& report, Rows& rows) {
   }
   if (!spec.soil) return;
   const Soil soil = soil_of(*spec.soil);
+  const std::string ground = label_of(building_keys(), "soil", say) + ": ";
   rows.emplace_back(
-      label_of(soil_keys(), "sway", say),
+      ground + label_of(soil_keys(), "sway", say),
       quantity(soil.sway.stiffness, spring) + ", " + quantity(soil.sway.damping, units.force + "·s/" + units.length));
-  rows.emplace_back(label_of(soil_keys(), "rocking", say),
+  rows.emplace_back(ground + label_of(soil_keys(), "rocking", say),
                     quantity(soil.rocking.stiffness, units.force + "·" + units.length) + ", " +
                         quantity(soil.rocking.damping, units.force + "·" + units.length + "·s"));
 }
