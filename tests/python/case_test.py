@@ -380,6 +380,8 @@ def test_laws_of_ones_own_that_cannot_stand_there_are_refused():
         linked(bentur.BranchLaw(branches=[bentur.Branch(guards=[bentur.Guard(then=0)])]))
     with pytest.raises(bentur.CaseError, match="hardening.* is not for a law of one's own"):
         yielding(hardening(0.1), hardening=0.1)
+    with pytest.raises(ValueError, match='name = "cable", is that of a law'):
+        linked(bentur.BranchLaw(name="cable", branches=[bentur.Branch(stiffness=1e5)]))
     with pytest.raises(bentur.CaseError, match='stiffness .*is not for law = "mine"'):
         linked(hardening(0.1), stiffness=1.0)
 

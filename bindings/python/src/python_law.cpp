@@ -10,6 +10,8 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/elements/hysteretic_laws.h"
+#include "bentur/model/link.h"
 
 namespace py = pybind11;
 
@@ -223,7 +225,7 @@ std::vector<BranchData> branches_of(const py::handle& law) {
 
 template <class Made, class Make>
 std::shared_ptr<const LawEntryOf<Made>> entry(const PyLaw& law, Make make) {
-  return std::make_shared<const LawEntryOf<Made>>(LawEntryOf<Made>{.name = law.name, .make = std::move(make)});
+  return std::make_shared<const LawEntryOf<Made>>(LawEntryOf<Made>{law.name, {}, {}, {}, std::move(make)});
 }
 
 }  // namespace
@@ -231,6 +233,10 @@ std::shared_ptr<const LawEntryOf<Made>> entry(const PyLaw& law, Make make) {
 std::shared_ptr<const OwnLaw> own_law(const py::object& given) {
   const auto law = std::make_shared<PyLaw>(given.attr("name").cast<std::string>(), given);
   const std::string& name = law->name;
+  if (find_law(name) != nullptr || find_entry(link_laws(), name) != nullptr ||
+      find_entry(hysteretic_laws(), name) != nullptr) {
+    throw InvalidParameter("name", '"' + name + '"', "is that of a law of bentur's: give this one another");
+  }
   if (py::hasattr(given, "force")) {
     const auto made = std::make_shared<const ForceLaw>(name, given.attr("force"), given.attr("energy"));
     law->contact = entry<ContactLaw>(*law, [made](const LawInput& /*input*/) { return made; });

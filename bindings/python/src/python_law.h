@@ -20,7 +20,7 @@ struct PyLaw final : OwnLaw {
   pybind11::object given;
 };
 
-/// A bentur.ForceLaw or bentur.BranchLaw, as a case takes it.
+/// A bentur.ForceLaw or bentur.BranchLaw, as a case takes it. @throws InvalidParameter where a listed law has its name.
 [[nodiscard]] std::shared_ptr<const OwnLaw> own_law(const pybind11::object& given);
 
 /// What a function of a law has raised in this thread, if anything, is raised again. The lock must be held.
