@@ -165,13 +165,12 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
     return std::nullopt;
   }
   const TableView contact = *TableView::of(*view, contact_keys());
-  const auto name = contact.word("law");
-  const LawEntry* const law = name ? find_law(*name) : nullptr;
-  if (law == nullptr) return std::nullopt;
-  contact.refuse_others("law", *name,
-                        [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", *name); });
   ContactSpec spec;
+  const LawEntry* const law = contact.law("law", contact_laws(), &OwnLaw::contact, spec.own);
+  if (law == nullptr) return std::nullopt;
   spec.law = law->name;
+  contact.refuse_others("law", spec.own ? "" : law->name,
+                        [&](const auto& /*owners*/) { return fmt::format("is not for law = \"{}\"", law->name); });
   const bool numbers = read_numbers(contact, *law, sides, spec);
   const bool choices = read_choices(contact, *law, spec);
   return numbers && choices ? std::optional(spec) : std::nullopt;

@@ -126,7 +126,7 @@ Html structure_echo(const PlaneFrame& frame, const Report& report, Rows& rows) {
 /// The law by which storeys yield, with its own numbers.
 std::string hysteresis_text(const Stick& stick, const Words& say) {
   const std::string key = "input." + stick.hysteresis;
-  if (!say.has(key)) return stick.hysteresis;
+  if (stick.own || !say.has(key)) return stick.hysteresis;
   const auto* const law = find_entry(hysteretic_laws(), stick.hysteresis);
   std::vector<std::pair<std::string, std::string>> numbers;
   for (const Key& one : law->keys) {
@@ -358,7 +358,7 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   std::reverse(elevations.begin(), elevations.end());
   HtmlTable table;
   table.add(say("column.elevation"), units.length, elevations);
-  const auto* const law = find_entry(link_laws(), spec.law);
+  const auto* const law = find_entry(link_laws(), spec.law, spec.own);
   for (const Key& key : law != nullptr ? law->keys : std::vector<Key>()) {
     std::vector<double> values;
     for (std::size_t i = spec.elevations.size(); i-- > 0;) values.push_back(spec.number(key.name, i));
@@ -367,7 +367,7 @@ Html link_echo(const Report& report, const LinkSpec& spec, const std::vector<Eig
   }
   const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
   return element("h3", say("heading.links_of", {{"link", name}})) +
-         facts({{label_of(link_keys(), "law", say), say("input." + spec.law)}}) + table.markup();
+         facts({{label_of(link_keys(), "law", say), spec.own ? spec.law : say("input." + spec.law)}}) + table.markup();
 }
 
 Html motion_echo(const Report& report) {
