@@ -150,7 +150,7 @@ Journal Journal::resume(const fs::path& file, const JournalOrigin& origin) {
   if (std::memcmp(head.magic, FileHead{}.magic, sizeof head.magic) != 0 || head.origin_bytes > largest_origin) {
     refuse(file, "is not the journal of a sweep");
   }
-  std::string packed(head.origin_bytes, '\0');
+  std::string packed(static_cast<std::size_t>(head.origin_bytes), '\0');
   open.read(packed, sizeof head);
   if (head.checksum != checksum(packed, 0)) refuse(file, "is damaged");
   if (const auto differs = difference(nlohmann::json::from_msgpack(packed), origin)) {
