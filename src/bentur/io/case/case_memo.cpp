@@ -39,7 +39,7 @@ void append_content(const TomlValue& value, std::string& key) {
       break;
     case TomlValue::Kind::text:
       append_text(value.text, key);
-      append_bytes(value.law.get(), key);
+      append_bytes(reinterpret_cast<std::uintptr_t>(value.law.get()), key);
       break;
     case TomlValue::Kind::integer:
       append_bytes(value.integer, key);

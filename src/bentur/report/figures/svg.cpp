@@ -263,7 +263,7 @@ class Drawing {
         continue;
       }
       data += fmt::format("{}{} {}", is_begun ? "L" : "M", length(px), length(py));
-      if (is_area) back = fmt::format("L{} {}", length(px), length(upper)) + back;
+      if (is_area) back.insert(0, fmt::format("L{} {}", length(px), length(upper)));
       is_begun = true;
     }
     close();
