@@ -28,7 +28,7 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
-from ._own_laws import Branch, BranchLaw, ForceLaw, Guard, Numbers, OwnLaw, Table, table_of
+from ._own_laws import Branch, BranchLaw, ForceLaw, Guard, Numbers, Table
 
 '''
 LAWS = ("linear Linear", "kelvin_voigt KelvinVoigt", "kelvin_voigt_approach KelvinVoigtApproach", "darmawan Darmawan",
@@ -56,7 +56,7 @@ CLASSES = {
 }
 # What is of Python alone: a record given as an array, a law of one's own.
 OWN = {"Excitation": "values: ArrayLike | None = field(default=None, repr=False)"}
-ALSO = {("Gap", "contact"): "ForceLaw | BranchLaw"}
+ALSO = {("Gap", "contact"): "ForceLaw | BranchLaw", ("Link", "law"): "BranchLaw", ("Stick", "hysteresis"): "BranchLaw"}
 PLAIN = {"number": "float", "quantity": "float | str", "whole": "int", "flag": "bool", "text": "str", "line": "str",
          "file": "str | PathLike[str]"}
 
@@ -81,7 +81,8 @@ def words_of(told):
 def type_of(schema, name, way, key, told):
     first = told[0]
     if first["kind"] == "choice":
-        return words_of(told) if first["form"] == "one" else f"{words_of(told)} | Sequence[{words_of(told)}]"
+        words = " | ".join(filter(None, [words_of(told), ALSO.get((name, key))]))
+        return words if first["form"] == "one" else f"{words} | Sequence[{words}]"
     if first["kind"] == "by_building":
         return "Mapping[str, Numbers]"
     if first["kind"] == "table":
@@ -140,7 +141,7 @@ def class_of(root, schema, name):
     for key, said in table["properties"].items():
         told += lines_of_key(key, said["x-bentur"])
         kind = type_of(said, name, way, key, said["x-bentur"])
-        if key in table.get("required", []):
+        if key in table.get("required", []) and not any("when" in one for one in said["x-bentur"]):
             fields.append(f"{key}: {kind}")
         elif name == "Units" and "default" in said:
             fields.append(f"{key}: {kind} = {json.dumps(said['default'])}")
@@ -152,7 +153,7 @@ def class_of(root, schema, name):
 
 
 def written(root, schema):
-    exported = sorted([*CLASSES, "Branch", "BranchLaw", "ForceLaw", "Guard", "Numbers", "OwnLaw", "Table", "table_of"])
+    exported = sorted([*CLASSES, "Branch", "BranchLaw", "ForceLaw", "Guard"])
     names = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in exported) + "]\n\n\n"
     return HEAD + names + "".join(class_of(root, schema, name) for name in CLASSES).rstrip("\n") + "\n"
 

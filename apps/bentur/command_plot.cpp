@@ -11,7 +11,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/report/figures/figure_files.h"
-#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/figures/picture.h"
 #include "bentur/report/kinds/kinds.h"
 #include "commands.h"
 #include "picture.h"
@@ -90,8 +90,9 @@ void expect_picture(const std::filesystem::path& file, const OutputRules& rules)
   if (!is_picture(file) || std::any_of(name.begin(), name.end(), is_control)) {
     throw Failure(exit_bad_input, fmt::format("bentur: --output {}: must end in .svg, .pdf or .png", file.string()));
   }
-  if (!gnuplot_version()) throw Failure(exit_other, std::string("bentur: ") + NoGnuplot().what());
-  expect_figure(file.parent_path(), name, {file.extension().string().substr(1)}, rules);
+  const std::string format = file.extension().string().substr(1);
+  if (!can_draw(format)) throw Failure(exit_other, std::string("bentur: ") + NoConverter().what());
+  expect_figure(file.parent_path(), name, {format}, rules);
 }
 
 void write_picture(const std::filesystem::path& file, const Figure& figure, const OutputRules& rules) {

@@ -7,7 +7,6 @@
 #include "arguments.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
-#include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/report_figures.h"
 #include "bentur/report/html/spectral_report.h"
@@ -57,7 +56,7 @@ std::string from_case(const Loaded& loaded, ReportOptions options) {
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
-  if (gnuplot_version()) results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
+  results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
   options.figures = report_figures(results, options.language);
   return report_html(results, options);
 }

@@ -13,7 +13,7 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/figure_files.h"
-#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/figures/picture.h"
 #include "bentur/report/kinds/kinds.h"
 #include "commands.h"
 #include "output.h"
@@ -264,8 +264,8 @@ class RunOutput {
       std::string list;
       for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
       message(fmt::format("Wrote the figures {} into {}", list, pictures.string()));
-    } catch (const NoGnuplot& error) {
-      message(fmt::format("bentur: {}; their data and scripts are in {}", error.what(), pictures.string()));
+    } catch (const NoConverter& error) {
+      message(fmt::format("bentur: {}; all else is in {}", error.what(), pictures.string()));
     }
   }
 

@@ -10,7 +10,7 @@ namespace bentur::cli {
 /// Whether a file's name ends as a picture's does.
 [[nodiscard]] bool is_picture(const std::filesystem::path& file);
 
-/// Before the work: @throws Failure when the name has no such ending (exit_bad_input) or gnuplot is missing
+/// Before the work: @throws Failure when the name has no such ending (exit_bad_input) or what draws it is missing
 /// (exit_other), RefusedOutput when it or what stands beside it must not be written.
 void expect_picture(const std::filesystem::path& file, const OutputRules& rules);
 

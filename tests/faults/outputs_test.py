@@ -19,7 +19,6 @@ import unittest
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
-GNUPLOT = shutil.which("gnuplot") is not None
 MINE = "something of the user's own\n"
 STUDY = 'case = "case.toml"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.2, 0.4]\n'
 IDA = 'case = "case.toml"\n[ida]\nintensity = "pga"\nunit = "g"\nlevels = [0.1, 0.2]\n'
@@ -62,8 +61,6 @@ class Outputs(unittest.TestCase):
                 yield name, command
 
     def picture_writers(self):
-        if not GNUPLOT:
-            return
         self.bentur("run", "case.toml", "-q", "-o", "results")
         for name, command in (("plot", ["plot", "results", "opening", "-o"]),
                               ("picture", ["spectrum", self.record.name, "--unit", "g", "-o"])):
@@ -214,9 +211,8 @@ class Inputs(Outputs):
         for file in before:
             for force in [], ["--force"]:
                 self.assertIn("is read by", self.refused("report", "results", "-o", file, *force))
-        if GNUPLOT:
-            os.link(self.folder / "results/histories.nc", self.folder / "opening.svg")
-            self.assertIn("is read by", self.refused("plot", "results", "opening", "--force"))
+        os.link(self.folder / "results/histories.nc", self.folder / "opening.svg")
+        self.assertIn("is read by", self.refused("plot", "results", "opening", "--force"))
         self.assertEqual({file: file.read_bytes() for file in before}, before)
 
 
@@ -357,8 +353,8 @@ class CaseCopies(Outputs):
 
 class OldFigures(Outputs):
     def test_never_stay_beside_new_results(self):
-        if not GNUPLOT:
-            self.skipTest("gnuplot is not installed")
+        if shutil.which("rsvg-convert") is None:
+            self.skipTest("rsvg-convert is not installed")
         figures = self.folder / "out/figures"
         self.bentur("run", "case.toml", "-q", "-o", "out", "--figures", "svg,pdf")
         self.assertTrue((figures / "force.pdf").exists())

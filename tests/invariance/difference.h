@@ -61,7 +61,7 @@ inline Difference difference(const Response& one, const Response& other, double 
     return {infinite, fmt::format("status {} and {}: {}{}", static_cast<int>(one.status),
                                   static_cast<int>(other.status), one.message, other.message)};
   }
-  const double hardest = largest(one, &Impact::impulse);
+  const double hardest = largest(one, &Impact::impulse), strongest = largest(one, &Impact::peak_force);
   const double farthest = farthest_displacement(one);  // gaps needed are differences of such ways
   for (int point = 0; point < static_cast<int>(one.points.size()); ++point) {
     const std::vector<Impact> a = impacts_at(one, point), b = impacts_at(other, point);
@@ -82,12 +82,12 @@ inline Difference difference(const Response& one, const Response& other, double 
       const double length = a[i].end - a[i].start;
       const double weakness = a[i].impulse > 0 ? std::max(1.0, weak * hardest / a[i].impulse) : 1.0;
       if (length > 0) result.note(length, b[i].end - b[i].start, length * weakness, of("duration"));
-      const auto of_impact = [&](double Impact::*member, const char* what) {
-        const double scale = std::max(a[i].*member, weak * largest(one, member));
+      const auto of_impact = [&](double Impact::*member, double most, const char* what) {
+        const double scale = std::max(a[i].*member, weak * most);
         if (scale > 0) result.note(a[i].*member, b[i].*member, scale, of(what));
       };
-      of_impact(&Impact::peak_force, "peak force");
-      of_impact(&Impact::impulse, "impulse");
+      of_impact(&Impact::peak_force, strongest, "peak force");
+      of_impact(&Impact::impulse, hardest, "impulse");
     }
   }
   for (std::size_t b = 0; b < one.buildings.size(); ++b) {

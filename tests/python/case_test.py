@@ -1,6 +1,7 @@
 """Cases from files, texts and classes; results; records; own laws; Ctrl-C and threads."""
 
 import concurrent.futures
+import multiprocessing
 import os
 import pickle
 import signal
@@ -129,8 +130,8 @@ def test_replace():
         case.replace({"gap[3].width": 1})
     with pytest.raises(bentur.CaseError, match="gap"):
         case.replace({"gap[x].contact": {"law": "linear", "stiffness": 1e8}})
-    with pytest.raises(ValueError, match=r"only gap\[N\]\.contact can"):
-        case.replace({"gap[x].contact": bentur.ForceLaw(force=hertz)})
+    with pytest.raises(bentur.CaseError, match="gap.0..width = \"own\", must be a number"):
+        case.replace({"gap[0].width": bentur.ForceLaw(force=hertz)})
 
 
 def test_a_record_given_as_an_array_is_the_record_of_the_file():
@@ -147,6 +148,20 @@ def test_a_record_given_as_an_array_is_the_record_of_the_file():
     still = again.replace({"excitation": {"kind": "harmonic", "period": 0.5, "displacement_amplitude": 0.02}})
     assert same(bentur.run(still), bentur.run(pickle.loads(pickle.dumps(still))))
     assert len(times) == len(values) == 1560 and np.abs(values).max() == pytest.approx(341.7, rel=1e-15)
+
+
+def test_errors_of_a_record_given_as_an_array_name_no_file():
+    def motion(**more):
+        return {"kind": "record", "values": [0.0, 1.0, 0.5], "time_step": 0.01, "unit": "m/s2", **more}
+
+    bad = motion(values=[0.0, float("nan"), 0.5]), motion(unit=None), motion(time_step=None), motion(values=[])
+    for one in bad:
+        with pytest.raises(bentur.CaseError) as caught:
+            pair(excitation=one)
+        assert "excitation" in str(caught.value) and "bentur-" not in str(caught.value), str(caught.value)
+    with pytest.raises(bentur.CaseError) as caught:
+        pair(excitation=motion()).replace({"excitation.unit": "parsec"})
+    assert "bentur-" not in str(caught.value)
 
 
 def test_a_record_given_as_an_array_leaves_the_folder_to_other_files(tmp_path):
@@ -294,6 +309,83 @@ def test_branches_that_cannot_be_are_refused():
         pair().replace({"gap[0].contact": bentur.BranchLaw(branches=[bentur.Branch(guards=[bentur.Guard(then=4)])])})
 
 
+def linked(law, **more):
+    link = bentur.Link(between=["soft", "stiff"], elevations=[3.0], law=law, **more)
+    return pair(link=[link], analysis={"duration": 5.0, "energy_audit": True})
+
+
+def yielding(hysteresis, **more):
+    stick = bentur.Stick(storey_heights=[3.0, 3.0], masses=[1e5, 8e4], stiffnesses=[9e6, 6e6], yield_forces=[1e5, 4e4],
+                         hysteresis=hysteresis, **more)
+    building = [bentur.Building(name="soft", damping=0.05, stick=stick),
+                {"name": "stiff", "damping": 0.05,
+                 "stick": {"storey_heights": [3.0], "masses": [1e5], "stiffnesses": [9e6]}}]
+    return pair(building=building, analysis={"duration": 5.0, "energy_audit": True})
+
+
+def hardening(ratio):
+    """Kinematic hardening, in units of yield force and yield deformation."""
+    def to(branch, sign):  # while V stays inside r Δ ± (1 − r)
+        return bentur.Guard(constant=1 - ratio, force=-sign, deformation=sign * ratio, then=branch)
+
+    def line(sign):
+        return bentur.Branch(base=sign * (1 - ratio), stiffness=ratio, guards=[bentur.Guard(speed=sign, then=1)],
+                             unloading_stiffness=1.0)
+
+    elastic = bentur.Branch(base=None, stiffness=1.0, guards=[to(2, 1), to(3, -1)])
+    return bentur.BranchLaw(branches=[elastic, line(1), line(-1)], name="mine")
+
+
+def test_a_link_of_ones_own_is_the_one_it_copies():
+    expected = bentur.run(linked("spring-dashpot", stiffness=2e6, damping=3e4))
+    law = bentur.BranchLaw(branches=[bentur.Branch(stiffness=2e6, damping=3e4)], name="mine")
+    found = bentur.run(linked(law))
+    assert found.summary["links"][0]["points"][0]["link"]["law"] == "mine"
+    a, b = (one.summary["links"][0]["points"][0] for one in (expected, found))
+    assert a["peak_compression"] == b["peak_compression"] > 0 and a["energy_dissipated"] == b["energy_dissipated"] > 0
+    assert expected.summary["buildings"] == found.summary["buildings"]
+    # a cable: two branches, of which the first has no force
+    cable = bentur.BranchLaw(branches=[bentur.Branch(guards=[bentur.Guard(constant=0.01, deformation=1.0, then=2)]),
+                                       bentur.Branch(base=2e4, stiffness=2e6,
+                                                     guards=[bentur.Guard(constant=-0.01, deformation=-1.0, then=1)])])
+    expected, found = bentur.run(linked("cable", stiffness=2e6, slack=0.01)), bentur.run(linked(cable))
+    assert expected.summary["links"][0]["points"][0]["peak_tension"] > 0
+    assert expected.summary["buildings"] == found.summary["buildings"]
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.1])
+def test_storeys_of_ones_own_are_those_they_copy(ratio):
+    expected = bentur.run(yielding("bilinear", hardening=ratio))
+    found = bentur.run(yielding(hardening(ratio)))
+    assert expected.summary["buildings"][0]["ductility"][0] > 2  # both storeys yield, many times
+    for key in ("ductility", "residual_drift_ratio", "peak_displacement", "peak_storey_shear"):
+        a, b = (one.summary["buildings"][0][key] for one in (expected, found))
+        assert a == pytest.approx(b, rel=1e-9), key
+    assert found.summary["solver"]["energy_residual"] < 1e-9
+    if ratio == 0:  # else a law of one's own gives back what its unloading stiffness says, without the hardening
+        a, b = (one.summary["buildings"][0]["hysteretic_energy"] for one in (expected, found))
+        assert a == pytest.approx(b, rel=1e-9)
+    assert same(found, bentur.run(pickle.loads(pickle.dumps(found.case))))
+
+
+def test_laws_of_ones_own_that_cannot_stand_there_are_refused():
+    of_contacts = bentur.ForceLaw(force=hertz, name="mine")
+    for make, key in ((linked, "link[0].law"), (yielding, 'building["soft"].stick.hysteresis')):
+        with pytest.raises(bentur.CaseError) as caught:
+            make(of_contacts)
+        assert str(caught.value).startswith(f'error: {key} = "mine", is a law of contacts alone')
+    with pytest.raises(bentur.CaseError, match="branches.0. = another line, must be F = δ in a storey"):
+        yielding(bentur.BranchLaw(branches=[bentur.Branch(stiffness=2.0)]))
+    with pytest.raises(bentur.CaseError, match="then = 0, must be the number of a branch, from 1 to 1"):
+        linked(bentur.BranchLaw(branches=[bentur.Branch(guards=[bentur.Guard(then=0)])]))
+    with pytest.raises(bentur.CaseError, match="hardening.* is not for a law of one's own"):
+        yielding(hardening(0.1), hardening=0.1)
+    with pytest.raises(ValueError, match='name = "cable", is that of a law'):
+        linked(bentur.BranchLaw(name="cable", branches=[bentur.Branch(stiffness=1e5)]))
+    with pytest.raises(bentur.CaseError, match='stiffness .*is not for law = "mine"'):
+        linked(hardening(0.1), stiffness=1.0)
+
+
 def long_case():
     return pair(analysis={"duration": 2e5, "output_step": 1.0, "solver": "adaptive", "limits": {"steps": 1e12}})
 
@@ -366,8 +458,31 @@ def test_vary():
     assert found.peak_force.attrs["units"] == "N"
 
 
+def test_laws_of_ones_own_vary():
+    pytest.importorskip("xarray")
+    laws = [bentur.ForceLaw(force=hertz, name="mine"), {"law": "linear", "stiffness": 1e8}]
+    found = bentur.vary(pair(), {"gap[0].contact": laws, "gap[0].width": [0.0, 0.02]},
+                        labels={"gap[0].contact": ["mine", "linear"]}, threads=2)
+    for label, law in zip(("mine", "linear"), laws, strict=True):
+        expected = bentur.run(pair().replace({"gap[0].contact": law})).summary["gaps"][0]["points"][0]["peak_force"]
+        assert float(found.peak_force.sel(contact=label, width=0.02).squeeze()) == expected
+    dampers = [bentur.BranchLaw(name=str(c), branches=[bentur.Branch(damping=c)]) for c in (1e4, 1e5)]
+    forces = bentur.vary(linked(dampers[0]), {"link[0].law": dampers}).link_peak_compression
+    assert forces.law.values.tolist() == ["10000.0", "100000.0"] and len(set(forces.values.ravel())) == 2
+
+    def broken(penetration, speed):
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        bentur.vary(pair(), {"gap[0].contact": [bentur.ForceLaw(force=broken)]})
+
+
 def stiffening(penetration, speed):
     return 4e7 * penetration**1.5 * (1 + 0.1 * speed)
+
+
+def impacts_of(case):
+    return bentur.run(case).impact_count
 
 
 def test_a_law_of_ones_own_goes_to_other_processes():
@@ -375,5 +490,9 @@ def test_a_law_of_ones_own_goes_to_other_processes():
     again = pickle.loads(pickle.dumps(case))
     assert bentur.run(case).impact_count > 0
     assert same(bentur.run(case), bentur.run(again))
+    widths = [0.0, 0.02]
+    with concurrent.futures.ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
+        counts = list(pool.map(impacts_of, [case.replace({"gap[0].width": width}) for width in widths]))
+    assert counts == [bentur.run(case.replace({"gap[0].width": width})).impact_count for width in widths]
     with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
         pickle.dumps(pair().replace({"gap[0].contact": bentur.ForceLaw(force=lambda d, v: 1e8 * d)}))

@@ -5,6 +5,7 @@ import io
 import json
 import re
 import subprocess
+from pathlib import Path
 
 import doors
 import numpy as np
@@ -246,3 +247,70 @@ def test_studies(kind, text, root, program, tmp_path):
         assert len(given.lines) == len(fitted.lines) > 0
     gaps = json.loads(output(program, "gap", study, "--json"))
     assert list(doors.differences(gaps, bentur.minimum_gap(study))) == []
+
+
+class Enough(Exception):
+    """Raised to stop a study."""
+
+
+def stopped(study, output, **more):
+    """A sweep in Python that is stopped after some of its runs."""
+    def stop(done):
+        if done > 0:
+            raise Enough
+
+    with pytest.raises(Enough):
+        bentur.sweep(study, output=output, threads=1, progress=stop, **more)
+    assert Path(f"{output}.part").exists() and not output.exists()
+
+
+def test_studies_resume(root, program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("netCDF4")
+    study, output = tmp_path / "study.toml", tmp_path / "results" / "r.nc"
+    text = STUDY.format(case=root / "examples" / "m12-el-centro.toml").replace("[0.0, 0.2, 0.4]", str([0.01 * i for i in range(40)]))
+    study.write_text(text)
+    expected = bentur.sweep(study)
+    subprocess.run([program, "sweep", study, "-o", tmp_path / "program.nc", "-q"], check=True)
+
+    stopped(study, output)
+    part = Path(f"{output}.part")
+    with pytest.raises(RuntimeError, match="r.nc.part: results of an unfinished sweep are there: go on with resume=True, or remove"):
+        bentur.sweep(study, output=output)
+    study.write_text(text + "# another\n")
+    with pytest.raises(RuntimeError, match="was begun with another study: line 11 has changed. Remove it to begin anew"):
+        bentur.sweep(study, output=output, resume=True)
+    study.write_text(text)
+    shares = []
+    datasets_are_equal(expected, bentur.sweep(study, output=output, resume=True, threads=1, progress=shares.append))
+    assert not part.exists() and shares[-1] == 1
+    with xarray.open_dataset(output) as here, xarray.open_dataset(tmp_path / "program.nc") as there:
+        datasets_are_equal(there, here)
+
+    # finished results are left as they are, those of another study are not lost
+    written = output.stat().st_mtime_ns
+    datasets_are_equal(expected, bentur.sweep(study, output=output, resume=True))
+    assert output.stat().st_mtime_ns == written
+    study.write_text(text + "# another\n")
+    with pytest.raises(RuntimeError, match="these finished results were begun with another study: line 11 has changed. "
+                                           "Without resume=True they are replaced"):
+        bentur.sweep(study, output=output, resume=True)
+    study.write_text(text)
+
+    # either door goes on with what the other one has begun
+    output.unlink()
+    stopped(study, output)
+    subprocess.run([program, "sweep", study, "-o", output, "-q", "--resume"], check=True)
+    with xarray.open_dataset(output) as found:
+        datasets_are_equal(expected, found)
+    datasets_are_equal(expected, bentur.sweep(study, output=output, resume=True))
+
+    case = root / "examples" / "m12-el-centro.toml"
+    with pytest.raises(bentur.RefusedOutput, match="m12-el-centro.toml: not written"):
+        bentur.sweep(study, output=case, force=True)
+    other = tmp_path / "notes.nc"
+    other.write_text("mine")
+    with pytest.raises(bentur.RefusedOutput, match="force=True"):
+        bentur.sweep(study, output=other)
+    with pytest.raises(ValueError, match="resume goes with output"):
+        bentur.sweep(study, resume=True)

@@ -34,8 +34,8 @@ def test_of_a_run(name, result):
 
 
 def test_the_palette_is_that_of_the_figures():
-    script = (ROOT / "src/bentur/report/figures/script.cpp").read_text()
-    assert all(f'"{tone}"' in script for tone in (*bentur.plot.TONES, bentur.plot.PALE))
+    colours = (ROOT / "src/bentur/report/figures/internal/colours.h").read_text()
+    assert all(f'"{tone}"' in colours for tone in (*bentur.plot.TONES, bentur.plot.PALE))
 
 
 def test_force_is_the_exact_course(result):

@@ -3,11 +3,12 @@
 import importlib.util
 import sys
 
-missing = [name for name in ("numpy", "pytest", "xarray", "pandas", "netCDF4") if importlib.util.find_spec(name) is None]
-if missing:
-    print(f"skipped: without {', '.join(missing)} (Debian: {', '.join('python3-' + m.lower() for m in missing)})")
-    sys.exit(77)
+if __name__ == "__main__":  # and not in the processes that a test starts
+    missing = [n for n in ("numpy", "pytest", "xarray", "pandas", "netCDF4") if importlib.util.find_spec(n) is None]
+    if missing:
+        print(f"skipped: without {', '.join(missing)} (Debian: {', '.join('python3-' + m.lower() for m in missing)})")
+        sys.exit(77)
 
-import pytest  # noqa: E402
+    import pytest
 
-sys.exit(pytest.main(sys.argv[1:]))
+    sys.exit(pytest.main(sys.argv[1:]))

@@ -123,7 +123,7 @@ class Reports(unittest.TestCase):
             self.assertEqual(self.js(f"{MISPLACED}({json.dumps(font)})"), [], font)
 
     def well_worded(self, page, language):
-        """No word of gnuplot, of the command line or of the other language."""
+        """No word of the command line or of the other language."""
         text = page.read_text()
         self.assertNotIn("<title>", text.replace("<title>", "", 1), "that of the page alone")
         for word in "using 1:2", "Gnuplot", "--at", "--from":

@@ -133,12 +133,39 @@ test("in other units a case is the same buildings", () => {
   }
 });
 
-test("numbers have their units", () => {
-  JSON.parse(one.open(read("m12-el-centro.toml"), "case.toml"));
-  const units = JSON.parse(one.units(read("m12-el-centro.toml")));
-  assert.equal(units['["building",0,"frame","elastic_modulus"]'], "kgf/cm²");
-  assert.equal(units['["gap",0,"width"]'], "cm");
-  assert.equal(units['["building",0,"damping"]'], undefined);
+/** What a schema says of every key, each of its meanings by itself. */
+const told = (node) => Object.entries(node).flatMap(([name, one]) =>
+  (typeof one !== "object" || one === null ? [] : [...(name === "x-bentur" ? one : []), ...told(one)]));
+
+test("the form has the schema that bentur writes, and the units that it knows", () => {
+  const { case: mine, units } = JSON.parse(one.schema());
+  const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["schema"], { encoding: "utf8" }));
+  assert.deepEqual({ ...mine, title: "" }, { ...theirs, title: "" });
+  const { length, force } = mine.properties.units.properties;
+  assert.deepEqual([Object.keys(units.length), Object.keys(units.force)], [length.enum, force.enum]);
+  assert.equal(units.length.ft, 0.3048);
+  assert.equal(units.force.kip, 453.59237 * 9.80665);
+});
+
+test("a record says its unit, whatever its name, or none", () => {
+  const unit = (bytes) => { one.putFile("some.txt", bytes); return one.recordUnit("some.txt"); };
+  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good.AT2`)), "g");
+  assert.equal(unit("0.00 0.1\n0.01 0.2\n0.02 0.1\n"), "");
+  assert.equal(unit(""), "");
+  assert.equal(one.recordUnit("none.txt"), "");
+});
+
+test("the page has no text that the schema has, and none twice", () => {
+  const texts = readFileSync(`${source}/web/app/src/texts.ts`, "utf8");
+  const [en, id] = [...texts.matchAll(/^const (?:en|id)\b[^]*?^}/gm)].map(([block]) =>
+    new Map([...block.matchAll(/(?:"([\w.]+)"|\b(\w+)): ("(?:[^"\\]|\\.)*")/g)].map((found) => [found[1] ?? found[2], JSON.parse(found[3])])));
+  assert.ok(en.size > 90 && id.size === en.size, `${en.size}`);
+  const seen = new Set(told(JSON.parse(one.schema()).case).map(({ label }) => `${label.en} | ${label.id}`));
+  for (const [word, text] of en) {
+    const both = `${text} | ${id.get(word)}`;
+    assert.ok(!seen.has(both), `${word}: ${both}`);
+    seen.add(both);
+  }
 });
 
 test("what is too large is refused at once, with its size", () => {

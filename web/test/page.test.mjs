@@ -7,8 +7,9 @@ import { tmpdir } from "node:os";
 import { after, before, test } from "node:test";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
+import { getStaticTOMLValue, parseTOML } from "toml-eslint-parser";
 import { curveDone, launch, open, solved } from "./browser.mjs";
-import { difference, isLoose } from "./core.mjs";
+import { difference, isLoose, studio } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
 const file = process.env.BENTUR_PAGE;
@@ -195,7 +196,7 @@ test("a case file is opened, and its form and its text are one", async () => {
     // The example's record lies in ../data there, and here too.
     await solved(page);
     await page.click("text=Form");
-    const gap = page.getByRole("spinbutton", { name: "Width" });
+    const gap = page.getByRole("spinbutton", { name: "Gap m", exact: true });
     await gap.fill("0.5");
     await gap.press("Tab");
     await solved(page);
@@ -204,6 +205,70 @@ test("a case file is opened, and its form and its text are one", async () => {
     await page.click("text=Add a neighbour known by little");
     await solved(page);
     assert.equal((await page.$$(".verdict [data-gap]")).length, 2);
+  });
+});
+
+/** Every number of a case with what the schema says of it: each table's keys, of several of a name the one that counts. */
+function numbersOf(schema, value, node = schema, place = { label: [], told: undefined }) {
+  if (typeof value === "number") return [place];
+  if (Array.isArray(value)) return value.flatMap((one, i) => numbersOf(schema, one, node, { ...place, label: [...place.label, i + 1] }));
+  if (typeof value !== "object") return [];
+  const tables = (one) => (one.properties ? [one.properties] : [one.items ?? [], one.anyOf ?? []].flat().flatMap(tables));
+  const keys = Object.assign({}, ...tables(node));
+  return Object.entries(value).flatMap(([name, below]) => {
+    if (!keys[name]) return numbersOf(schema, below, {}, { ...place, label: [...place.label, name] }); // of a building
+    const all = keys[name]["x-bentur"];
+    const counts = ([by, words]) => words.includes(`${value[by] ?? keys[by]["x-bentur"][0].words?.[0] ?? false}`);
+    const told = all.length === 1 ? all[0] : all.find(({ when }) => Object.entries(when ?? {}).every(counts));
+    return numbersOf(schema, below, keys[name], { label: [...place.label, told.label], told, title: keys[name].description, structure: place.structure || told.group === "structure" && told.label.en });
+  });
+}
+
+test("the form says of every number what the schema says, and slides no further", async () => {
+  const { case: schema, units } = JSON.parse((await studio(source)).schema());
+  const every = readFileSync(`${source}/web/test/every-unit.toml`, "utf8");
+  const record = 'kind = "record"\nfile = "el-centro-1940-ns.csv"\nunit = "g"\nscale = -0.5\ncolumn = 2\nskip_lines = 0\n\n';
+  const texts = [every, every.replace(/kind = "harmonic"[^[]*/, record).replace("output_step = 0.01", "output_step = 0.01\nlimits = { memory = 200, steps = 1e6 }")];
+  const refuses = ({ minimum: least = -Infinity, maximum: most = Infinity, exclusiveMinimum: above, exclusiveMaximum: below, not }, value) =>
+    value < least || value > most || (above && value === least) || (below && value === most) || (not && value === 0);
+  await on(async (page) => {
+    await solved(page);
+    await page.click("text=Form");
+    let parts = 0;
+    for (const text of texts) {
+      const value = getStaticTOMLValue(parseTOML(text));
+      const sections = [...new Set(["building", "gap", "link", "excitation", ...Object.keys(schema.properties)])]; // as the form has them
+      const wanted = sections.flatMap((name) => (name in value ? numbersOf(schema, { [name]: value[name] }) : []));
+      assert.ok(wanted.length > 120, `${wanted.length}`);
+      for (const language of ["en", "id"]) {
+        await page.selectOption("#language", language);
+        await write(page, text);
+        const labelled = ({ label, structure }) => label.slice(typeof label[1] === "number" ? 2 : 1).filter((part) => !part.en || part.en !== structure)
+          .map((part) => (typeof part === "number" ? ` ${part}` : `: ${part[language] ?? part}`)).join("").replace(/^: /, "");
+        const shown = await page.$$eval(".field:has(input[type=range])", (all) => all.map((one) => {
+          const slider = one.querySelector("input[type=range]");
+          const [min, max, step] = ["min", "max", "step"].map((name) => Number(slider[name]));
+          return { label: one.querySelector("span").firstChild.textContent, unit: one.querySelector("small")?.textContent.trim(), title: one.title, min, max, step, now: one.querySelector("input[type=number]").valueAsNumber };
+        }));
+        assert.deepEqual(shown.map(({ label, title }) => [label, title]), wanted.map((one) => [labelled(one), one.title]));
+        for (const [i, { label, unit, min, max, step, now }] of shown.entries()) {
+          const { number, unit: said } = wanted[i].told;
+          assert.equal(unit, said?.replace("length", "m").replace("force", "kN"), label);
+          for (const end of [min, max]) assert.ok(!refuses(number, end), `${label}: ${end}`);
+          assert.ok(min < max && min <= now && now <= max, `${label}: ${min} ${now} ${max}`);
+          if (number.type === "integer") assert.ok(step === 1 && Number.isInteger(min), label);
+          if (number.minimum !== 0 || !(number.maximum <= 1)) continue;
+          assert.ok(min <= step && max >= number.maximum - step, `${label}: ${max}`); // a part of one, all of it
+          ++parts;
+        }
+        for (const unit of ["kN/m²", "kN·s²/m", "kN/m^1.5"]) assert.ok(shown.some((one) => one.unit === unit), unit);
+        const options = (name) => page.$$eval("label.choice", (all, called) => [...all.find((one) => one.firstChild.textContent.trim() === called).querySelectorAll("option")].map((option) => option.value), name);
+        const called = (table, name) => schema.properties[table].properties[name]["x-bentur"][0].label[language];
+        for (const what of ["length", "force"]) assert.deepEqual(await options(called("units", what)), Object.keys(units[what]));
+        if (text !== every) assert.deepEqual((await options(called("excitation", "unit"))).slice(1), schema.properties.excitation.properties.unit.enum);
+      }
+    }
+    assert.ok(parts > 20, `${parts}`);
   });
 });
 
@@ -272,12 +337,12 @@ test("other units are the same buildings, and back again the same text", async (
     const text = await page.inputValue(editor);
     const before = JSON.parse(await download(page, "summary"));
     const choose = async (name, unit) => {
-      await page.getByLabel(name).selectOption(unit);
+      await page.getByRole("combobox", { name }).selectOption(unit);
       await page.waitForFunction(([at, word]) => document.querySelector(at).value.includes(`= "${word}"`), [editor, unit]);
       await solved(page);
     };
-    await choose("Length in", "mm");
-    await choose("Force in", "N");
+    await choose("Length", "mm");
+    await choose("Force", "N");
     const after = JSON.parse(await download(page, "summary"));
     assert.deepEqual(after.units, { length: "mm", force: "N" });
     before.gaps[0].points.forEach((point, i) => {
@@ -291,7 +356,7 @@ test("other units are the same buildings, and back again the same text", async (
     assert.match(await page.textContent(".gap-slider output"), /^2 mm$/);
     assert.match(await page.textContent(".verdict"), /37 times.*\d.N at level 3000.mm/);
     assert.match(await page.textContent("#impacts"), /Peak force N/);
-    const field = page.getByRole("spinbutton", { name: "Width mm", exact: true });
+    const field = page.getByRole("spinbutton", { name: "Gap mm", exact: true });
     assert.equal(await field.inputValue(), "2");
     await field.fill("3");
     await field.press("Tab");
@@ -299,8 +364,8 @@ test("other units are the same buildings, and back again the same text", async (
     assert.match(await page.inputValue(editor), /\nwidth = 3\.0 /);
     await field.fill("2");
     await field.press("Tab");
-    await choose("Length in", "cm");
-    await choose("Force in", "kgf");
+    await choose("Length", "cm");
+    await choose("Force", "kgf");
     const numbers = (all) => all.replace(/#.*/g, "").match(/[-+]?\d[\d.e+-]*/g).map(Number);
     assert.deepEqual(numbers(await page.inputValue(editor)), numbers(text));
     assert.deepEqual((await page.inputValue(editor)).match(/#.*/g), text.match(/#.*/g));
@@ -590,6 +655,13 @@ test("another record is made as strong as the one before, and stands the same wa
     await page.click("text=Harmonic ground motion");
     await solved(page);
     assert.doesNotMatch(await page.inputValue(editor), /pga|polarity/);
+  });
+  await on(async (page) => { // what a file is shows in it, not in its name
+    await solved(page);
+    await drop(page, "other.txt", at2(0.1));
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("other.txt"), editor);
+    await solved(page);
+    assert.doesNotMatch(await page.inputValue(editor), /\nunit = /);
   });
   await on(async (page) => { // a ground motion that is told in one line
     await solved(page);

@@ -10,20 +10,21 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <variant>
 #include <vector>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
+#include "bentur/core/units.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/parameter_units.h"
+#include "bentur/io/records/record_files.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/json_schema.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
-#include "bentur/model/quantities.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/story_text.h"
@@ -52,27 +53,6 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 Json failure(const std::string& message, int line = 0, int column = 0, const std::string& key = "") {
   return {{"ok", false},
           {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key}, {"message", message}}}}};
-}
-
-/// The unit of every number of a case that has one, by the JSON of its path.
-void units_of(const TomlValue& value, const TomlValue& root, const Units& units, ParameterPath& path, Json& found) {
-  for (const TomlMember& member : value.members) {
-    path.emplace_back(member.key);
-    units_of(member.value, root, units, path, found);
-    path.pop_back();
-  }
-  if (value.items.size() > 1000) return;  // a page shows fewer
-  for (std::size_t i = 0; i < value.items.size(); ++i) {
-    path.emplace_back(i);
-    units_of(value.items[i], root, units, path, found);
-    path.pop_back();
-  }
-  if (!value.is_number()) return;
-  const std::string unit = parameter_units(path, root, units);
-  if (unit.empty() || unit == "1") return;
-  Json steps = Json::array();
-  for (const PathStep& step : path) std::visit([&](const auto& one) { steps.push_back(one); }, step);
-  found[text_of(steps)] = unit_text(unit);
 }
 
 Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
@@ -197,13 +177,8 @@ Json list(const Eigen::VectorXd& values) {
 
 Json gap_overview(const RunResults& run, Eigen::Index gap) {
   const GapOutcome found = gap_outcome(run.problem, run.response, gap);
-  const std::optional<double> reversed = gap_needed_reversed(run.problem, run.response, gap);
-  Json one = {{"name", gap_name(run.problem, gap)},
-              {"impacts", found.impacts},
-              {"width", found.governing.width},
-              {"needed", found.governing.gap_needed},
-              {"reversed", reversed ? Json(*reversed) : Json()},
-              {"elevation", found.governing.elevation}};
+  Json one = {
+      {"name", gap_name(run.problem, gap)}, {"width", found.governing.width}, {"needed", found.governing.gap_needed}};
   if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
     const PointSummary& worst = run.response.points[*found.hardest];
     one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
@@ -275,15 +250,17 @@ std::string Studio::in_units(const std::string& text, const std::string& length,
   });
 }
 
-std::string Studio::units(const std::string& text) const {
-  return guarded([&]() -> Json {
-    Json found = Json::object();
-    Diagnostics unread;
-    const std::optional<TomlValue> root = parse_toml(text, "", unread);
-    ParameterPath path;
-    if (root && case_) units_of(*root, *root, case_->units, path, found);
-    return found;
-  });
+std::string Studio::schema() const {
+  Json units = Json::object();
+  for (const std::string& one : length_units()) units["length"][one] = metres(one);
+  for (const std::string& one : force_units()) units["force"][one] = newtons(one);
+  return fmt::format("{{\"case\": {}, \"units\": {}}}", json_schema(case_keys(), "A case"), text_of(units));
+}
+
+std::string Studio::record_unit(const std::string& path) const {
+  Diagnostics unread;
+  const auto record = read_record(folder / "cases" / path, {}, unread);
+  return record ? record->unit : "";
 }
 
 std::string Studio::solve(const emscripten::val& output_step, const emscripten::val& progress) {
@@ -323,10 +300,7 @@ std::string Studio::summary() const { return run_ ? summary_json(*run_, BENTUR_V
 
 std::string Studio::impacts() const { return run_ ? impacts_csv(run_->view()) : ""; }
 
-std::string Studio::gaps() const {
-  if (!run_) return "";
-  return gap_json(*run_, BENTUR_VERSION);
-}
+std::string Studio::gaps() const { return run_ ? gap_json(*run_, BENTUR_VERSION) : ""; }
 
 std::string Studio::modes() const { return run_ ? modes_json(run_->problem.buildings, run_->c.units) : ""; }
 
@@ -368,24 +342,19 @@ std::string Studio::overview(const std::string& language) const {
     for (const ContactPoint& point : run.problem.points) {
       points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
     }
-    Json answer = {{"ok", true},
-                   {"title", run.c.title},
-                   {"version", BENTUR_VERSION},
-                   {"duration", run.problem.duration},
-                   {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
-                   {"gaps", gaps},
-                   {"buildings", buildings},
-                   {"points", points},
-                   {"impacts", impacts},
-                   {"impactCount", run.response.impacts.size()},
-                   {"force", largest_force(run.response)},
-                   {"amplification", largest_amplification(run.response)},
-                   {"statements", statements_of(run, say)}};
-    if (run.response.collapse) {
-      answer["collapse"] = {{"building", run.problem.buildings[run.response.collapse->building].name},
-                            {"time", run.response.collapse->time}};
-    }
-    return answer;
+    return {{"ok", true},
+            {"title", run.c.title},
+            {"version", BENTUR_VERSION},
+            {"duration", run.problem.duration},
+            {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
+            {"gaps", gaps},
+            {"buildings", buildings},
+            {"points", points},
+            {"impacts", impacts},
+            {"impactCount", run.response.impacts.size()},
+            {"force", largest_force(run.response)},
+            {"amplification", largest_amplification(run.response)},
+            {"statements", statements_of(run, say)}};
   });
 }
 
@@ -421,7 +390,8 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .function("putFile", &Studio::put_file)
       .function("open", &Studio::open)
       .function("inUnits", &Studio::in_units)
-      .function("units", &Studio::units)
+      .function("schema", &Studio::schema)
+      .function("recordUnit", &Studio::record_unit)
       .function("solve", &Studio::solve)
       .function("summary", &Studio::summary)
       .function("impacts", &Studio::impacts)

@@ -35,9 +35,12 @@ class Studio {
   [[nodiscard]] std::string in_units(const std::string& text, const std::string& length,
                                      const std::string& force) const;
 
-  /// The units of a text's numbers as one reads them, in those of the case that is open: {"[\"gap\",0,\"width\"]":
-  /// "cm"}.
-  [[nodiscard]] std::string units(const std::string& text) const;
+  /// {case: what `bentur schema` says, units: {length: {m: 1, ...}, force: {N: 1, ...}}}, units in
+  /// metres and newtons.
+  [[nodiscard]] std::string schema() const;
+
+  /// The unit that a record says it is in; empty where it says none, or is none.
+  [[nodiscard]] std::string record_unit(const std::string& path) const;
 
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
@@ -53,11 +56,11 @@ class Studio {
   [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html, without figures
   /// What the page tells first, JSON, with the report's sentences in that language.
   [[nodiscard]] std::string overview(const std::string& language) const;
-  [[nodiscard]] emscripten::val histories() const;  ///< {time, buildings, points, ground}
+  [[nodiscard]] emscripten::val histories() const;  ///< {time, ground, opening, force, buildings}
 
   /// Peak force and largest amplification of the case that is open with gap `gap` (0 the first) this wide [length]: its
   /// narrowest point, the others wider by as much as they are. Buildings move freely once for all widths.
-  /// @return {ok, errors, force, amplification, impacts}
+  /// @return {ok, errors, force, amplification}
   [[nodiscard]] std::string at_width(int gap, double width);
 
  private:

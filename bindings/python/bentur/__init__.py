@@ -7,6 +7,7 @@
 docs/python.md has the rest.
 """
 
+from . import _model
 from ._case import Case
 from ._core import version as __version__
 from ._errors import CaseError, Finding, RefusedOutput, SolveError
@@ -22,60 +23,19 @@ from ._functions import (
     response_spectrum,
     run,
 )
-from ._model import (
-    Analysis,
-    Branch,
-    BranchLaw,
-    Building,
-    Contact,
-    Excitation,
-    ForceLaw,
-    Frame,
-    Gap,
-    Generic,
-    Guard,
-    Initial,
-    Isolation,
-    Link,
-    Matrices,
-    Modal,
-    Section,
-    Soil,
-    Stick,
-    Units,
-)
+from ._model import *
 from ._result import Result
 from ._study import fragility, ida, sweep, vary
 
 __all__ = [
-    "Analysis",
-    "Branch",
-    "BranchLaw",
-    "Building",
     "Case",
     "CaseError",
-    "Contact",
-    "Excitation",
     "Finding",
-    "ForceLaw",
-    "Frame",
-    "Gap",
-    "Generic",
-    "Guard",
-    "Initial",
-    "Isolation",
-    "Link",
-    "Matrices",
-    "Modal",
     "Record",
     "RefusedOutput",
     "Result",
-    "Section",
-    "Soil",
     "SolveError",
     "Spectrum",
-    "Stick",
-    "Units",
     "__version__",
     "example",
     "examples",
@@ -90,3 +50,4 @@ __all__ = [
     "sweep",
     "vary",
 ]
+__all__ += _model.__all__

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import astuple
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,10 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arguments, _core, _model
-
-# What stands in the case where a law of Python's own takes its place.
-_STAND_IN = {"law": "linear", "stiffness": 1.0}
-_CONTACT = re.compile(r"gap\[(\d+)\]\.contact", re.ASCII)
+from ._errors import CaseError
+from ._own_laws import Table, table_of
 
 
 class Case:
@@ -46,46 +45,29 @@ class Case:
     def __init__(
         self,
         *,
-        building: Sequence[_model.Building | _model.Table],
-        gap: Sequence[_model.Gap | _model.Table],
-        excitation: _model.Excitation | _model.Table,
+        building: Sequence[_model.Building | Table],
+        gap: Sequence[_model.Gap | Table],
+        excitation: _model.Excitation | Table,
         title: str | None = None,
-        units: _model.Units | _model.Table | None = None,
-        link: Sequence[_model.Link | _model.Table] | None = None,
-        initial: _model.Initial | _model.Table | None = None,
-        analysis: _model.Analysis | _model.Table | None = None,
-        code: _model.Table | None = None,
-        screening: _model.Table | None = None,
+        units: _model.Units | Table | None = None,
+        link: Sequence[_model.Link | Table] | None = None,
+        initial: _model.Initial | Table | None = None,
+        analysis: _model.Analysis | Table | None = None,
+        code: Table | None = None,
+        screening: Table | None = None,
         folder: str | PathLike[str] = ".",
     ) -> None:
-        given = {
-            "title": title,
-            "units": units,
-            "building": building,
-            "gap": gap,
-            "link": link,
-            "excitation": excitation,
-            "initial": initial,
-            "analysis": analysis,
-            "code": code,
-            "screening": screening,
-        }
+        given = {key: value for key, value in locals().items() if key not in ("self", "folder")}
         made = Case.from_dict(given, folder=folder)
-        self._made, self._laws, self._files = made._made, made._laws, made._files
+        self._made, self._files = made._made, made._files
 
     _made: _core.Case
-    _laws: list[tuple[int, _model.OwnLaw]]  # of gaps
-    _files: list[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
+    _files: Sequence[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
 
     @classmethod
-    def _of(
-        cls,
-        core: _core.Case,
-        laws: list[tuple[int, _model.OwnLaw]] | None = None,
-        files: list[tempfile.TemporaryDirectory[str]] | None = None,
-    ) -> Case:
+    def _of(cls, core: _core.Case, files: Sequence[tempfile.TemporaryDirectory[str]] = ()) -> Case:
         case = cls.__new__(cls)
-        case._made, case._laws, case._files = core, laws or [], files or []
+        case._made, case._files = core, files
         return case
 
     @classmethod
@@ -108,22 +90,11 @@ class Case:
         if not isinstance(values, Mapping):
             raise TypeError(f"values is a {type(values).__name__}, must be the tables of a case")
         folder = _arguments.path("folder", folder)
-        tables = _model.table_of({key: value for key, value in values.items() if key != "gap"})
-        laws: list[tuple[int, _model.OwnLaw]] = []
-        gaps: list[Any] = []
-        for number, gap in enumerate(values.get("gap") or []):
-            contact = gap.get("contact") if isinstance(gap, Mapping) else gap.contact
-            table = _model.table_of(gap)
-            if isinstance(contact, _model.ForceLaw | _model.BranchLaw):
-                contact._made()  # says what is wrong with it
-                laws.append((number, contact))
-                table["contact"] = dict(_STAND_IN)
-            gaps.append(table)
-        if "gap" in values:
-            tables["gap"] = gaps
+        tables = table_of(values)
         files: list[tempfile.TemporaryDirectory[str]] = []
         _write_values(tables, files)
-        return cls._of(_core.Case.from_values(tables, "", folder), laws, files)
+        with _naming_no_file(files):
+            return cls._of(_core.Case.from_values(tables, "", folder), files)
 
     def replace(self, values: Mapping[str, Any]) -> Case:
         """The same case with other values, by their keys: ``case.replace({"gap[0].width": 0.03})``.
@@ -133,28 +104,11 @@ class Case:
 
         :raises CaseError: where that makes no case.
         """
-        laws = list(self._laws)
-        plain: dict[str, Any] = {}
-        for key, value in values.items():
-            of_gap = _CONTACT.fullmatch(key)
-            if of_gap:
-                laws = [one for one in laws if one[0] != int(of_gap[1])]
-            if isinstance(value, _model.ForceLaw | _model.BranchLaw):
-                if not of_gap:
-                    raise ValueError(f"{key} cannot be a law of Python's own: only gap[N].contact can")
-                value._made()
-                laws.append((int(of_gap[1]), value))
-                plain[key] = dict(_STAND_IN)
-            else:
-                plain[key] = _model.table_of(value)
-        return Case._of(self._made.with_values(plain), laws, self._files)
-
-    @property
-    def _made_laws(self) -> list[tuple[int, _core.ContactLaw]]:
-        return [(gap, law._made()) for gap, law in self._laws]
+        with _naming_no_file(self._files):
+            return Case._of(self._made.with_values(table_of(values)), self._files)
 
     def to_dict(self) -> dict[str, Any]:
-        """The tables of the case as they were given. A law of Python's own is not among them."""
+        """The tables of the case as they were given."""
         return self._made.values()
 
     @property
@@ -216,17 +170,13 @@ class Case:
     def __reduce__(self) -> tuple[Any, ...]:
         if self.text is not None:
             return _unpickled, (self.text, self._made.name, str(self.folder))
-        return _unpickled, (_with_record(self), "", str(self.folder), self._laws)
+        return _unpickled, (_with_record(self), "", str(self.folder))
 
 
-def _unpickled(
-    content: str | dict[str, Any], name: str, folder: str, laws: Sequence[tuple[int, _model.OwnLaw]] = ()
-) -> Case:
+def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
     if isinstance(content, str):
         return Case.from_text(content, name=name, folder=folder)
-    case = Case.from_dict(content, folder=folder)
-    case._laws = list(laws)
-    return case
+    return Case.from_dict(content, folder=folder)
 
 
 def _with_record(case: Case) -> dict[str, Any]:
@@ -252,6 +202,18 @@ def _write_values(tables: dict[str, Any], files: list[tempfile.TemporaryDirector
     file.write_text(text, encoding="ascii")
     excitation["file"] = str(file)
     excitation.setdefault("format", "one-column")
+
+
+@contextmanager
+def _naming_no_file(files: Sequence[tempfile.TemporaryDirectory[str]]) -> Iterator[None]:
+    """Errors of a record that was given as an array name its key, and the value by its line."""
+    try:
+        yield
+    except CaseError as error:
+        found = [astuple(one) for one in error.errors]
+        for name in [str(Path(one.name).resolve() / "values.txt") for one in files]:
+            found = [tuple(x.replace(name, "excitation.values") if isinstance(x, str) else x for x in one) for one in found]
+        raise CaseError(found) from None
 
 
 def as_case(case: Case | str | PathLike[str]) -> Case:

@@ -9,22 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import missing
+from ._errors import imported
 
 #: Name, names of the dimensions, values, attributes. Of a group all but the values begin with "group/".
 Variable = tuple[str, tuple[str, ...], NDArray[Any], dict[str, Any]]
 
 
-def import_xarray(what: str) -> Any:
-    try:
-        import xarray
-    except ImportError:
-        raise missing("xarray", what) from None
-    return xarray
-
-
-def dataset(xarray: Any, attributes: dict[str, Any], variables: Iterable[Variable], group: str = "") -> Any:
-    """An xarray.Dataset of a group, or of what is in none; the coordinates of its dimensions are in it."""
+def dataset(what: str, attributes: dict[str, Any], variables: Iterable[Variable], group: str = "") -> Any:
+    """An xarray.Dataset of a group, or of what is in none, for `what`; the coordinates of its dimensions are in it."""
     own, others = _split(variables, group)
     outside, _ = _split(others, "") if group else ([], [])
     coordinates = {word for *_, told in (*own, *outside) for word in str(told.get("coordinates", "")).split()}
@@ -36,7 +28,7 @@ def dataset(xarray: Any, attributes: dict[str, Any], variables: Iterable[Variabl
         name: (dims, values, {key: value for key, value in told.items() if key != "coordinates"})
         for name, dims, values, told in (*own, *shared)
     }
-    return xarray.Dataset(
+    return imported("xarray", what).Dataset(
         {name: one for name, one in made.items() if name not in coordinates},
         coords={name: one for name, one in made.items() if name in coordinates},
         attrs=attributes,
@@ -60,7 +52,7 @@ def by_name(variables: Iterable[Variable], buildings: int, group: str = "") -> d
 def netcdf(attributes: dict[str, Any], variables: Iterable[Variable]) -> bytes | None:
     """A NetCDF-4 file as bytes, the same as the program's to whoever reads it; None without netCDF4."""
     try:
-        import netCDF4
+        netCDF4 = imported("netCDF4", "a file of results")
     except ImportError:
         return None
     file = netCDF4.Dataset("results.nc", "w", memory=1 << 20)
@@ -87,15 +79,25 @@ def netcdf(attributes: dict[str, Any], variables: Iterable[Variable]) -> bytes |
 
 def is_histories(file: Path) -> bool:
     """Whether a file is ``histories.nc`` of a run."""
+    names, _ = _results(file)
+    return "displacement_1" in names
+
+
+def attributes_of_study(file: Path, is_ida: bool) -> dict[str, str] | None:
+    """Of a file of results of a study; None of any other file."""
+    names, attributes = _results(file)
+    return attributes if "status" in names and ("intensity" in names) == is_ida else None
+
+
+def _results(file: Path) -> tuple[set[str], dict[str, str]]:
+    """Names of the variables and attributes of a file that bentur has written; of others none."""
     try:
-        import netCDF4
-    except ImportError:
-        return False
-    try:
-        with netCDF4.Dataset(file) as found:
-            return str(getattr(found, "history", "")).startswith("written by bentur") and "displacement_1" in found.variables
-    except OSError:
-        return False
+        with imported("netCDF4", "a file of results").Dataset(file) as found:
+            attributes = {name: str(found.getncattr(name)) for name in found.ncattrs()}
+            ours = attributes.get("history", "").startswith("written by bentur")
+            return (set(found.variables), attributes) if ours else (set(), {})
+    except (ImportError, OSError):
+        return set(), {}
 
 
 def _split(variables: Iterable[Variable], group: str) -> tuple[list[Variable], list[Variable]]:

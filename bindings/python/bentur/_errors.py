@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import astuple, dataclass
+from importlib import import_module
+from typing import Any
 
 _Told = tuple[str, int, int, str, str, str, str, str]  # the fields of a Finding
 
@@ -55,6 +57,10 @@ class RefusedOutput(FileExistsError):
     """Writing there would harm a file; the message names it, says why, and what to do. Nothing was written."""
 
 
-def missing(package: str, what: str) -> ImportError:
-    """For what needs a package that is not there."""
-    return ImportError(f"{what} needs {package}, which is not installed: pip install {package}")
+def imported(name: str, what: str) -> Any:
+    """A module that `what` needs. :raises ImportError: that says so where it is not there."""
+    try:
+        return import_module(name)
+    except ImportError:
+        package = name.partition(".")[0]
+        raise ImportError(f"{what} needs {package}, which is not installed: pip install {package}") from None

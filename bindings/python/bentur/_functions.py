@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
 from ._case import Case, as_case
-from ._errors import missing
+from ._errors import imported
 from ._result import Result
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def run(
         output_step = _arguments.positive("output_step", output_step)
     step = (output_step or asked._made.output_step) if histories else 0.0
     with shown(progress, asked.title or "run") as told:
-        return Result(_core.solve(asked._made, step, asked._made_laws, told), asked)
+        return Result(_core.solve(asked._made, step, told), asked)
 
 
 def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
@@ -93,11 +93,7 @@ def minimum_gap(
             return found
         if at is not None:
             raise ValueError("at is for a study with [ida]")
-        asked = as_case(case)
-        if _core.has_spectrum(asked._made):
-            found = json.loads(_core.spectral_gap_json(asked._made))
-            return found
-        found = json.loads(_core.solve(asked._made, 0.0, asked._made_laws, told).gap_json())
+        found = json.loads(_core.gap_json(as_case(case)._made, told))
         return found
 
 
@@ -169,21 +165,18 @@ class Spectrum:
     @property
     def dataset(self) -> xarray.Dataset:
         """The same with units. :raises ImportError: without xarray."""
-        try:
-            import xarray
-        except ImportError:
-            raise missing("xarray", "the Dataset of a spectrum") from None
         units = {
             "displacement": self.length,
             "pseudo_velocity": f"{self.length} s-1",
             "pseudo_acceleration": f"{self.length} s-2",
             "absolute_acceleration": f"{self.length} s-2",
         }
-        return xarray.Dataset(
+        found: xarray.Dataset = imported("xarray", "the Dataset of a spectrum").Dataset(
             {name: ("period", getattr(self, name), {"units": unit}) for name, unit in units.items()},
             coords={"period": ("period", self.period, {"units": "s", "long_name": "period of linear oscillators"})},
             attrs={"damping_ratio": self.damping_ratio},
         )
+        return found
 
 
 def response_spectrum(

@@ -1,15 +1,14 @@
-"""Contact laws of your own, and how values of Python become the tables of a case."""
+"""Laws of your own, and how values of Python become the tables of a case."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from typing import Any
+from os import PathLike, fspath
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-
-from . import _core
 
 Numbers = float | Sequence[float] | NDArray[np.floating[Any]]
 Table = Mapping[str, Any]
@@ -30,31 +29,32 @@ class ForceLaw:
     force: Callable[[float, float], float]
     name: str = "own"
     energy: Callable[[float], float] | None = None
-
-    def _made(self) -> _core.ContactLaw:
-        return _core.ForceLaw(self.name, self.force, self.energy)
+    stands_for_law: ClassVar[bool] = True
 
 
 @dataclass(kw_only=True)
 class Guard:
-    """A branch lasts while ``constant + deformation·δ + speed·δ̇ ≥ 0``; then branch `then` follows (0: apart)."""
+    """A branch lasts while ``constant + deformation·δ + speed·δ̇ + force·F ≥ 0``; then branch `then` follows, counted
+    from 1 (0: floors apart)."""
 
     then: int
     constant: float = 0.0
     deformation: float = 0.0
     speed: float = 0.0
+    force: float = 0.0
 
 
 @dataclass(kw_only=True)
 class Branch:
     """F = base + stiffness·δ + damping·δ̇, while every guard holds.
 
-    :param touching: ``False``: no force is to be counted as an impact, as of a surface that has come apart.
+    :param base: None: whatever lets F go on from where the branch before has ended, as where a storey unloads.
+    :param touching: of a contact; ``False``: no force is to be counted as an impact, as of a surface come apart.
     :param unloading_stiffness: [force/length] by which energy is given back; 0: `stiffness`.
     """
 
-    guards: Sequence[Guard]
-    base: float = 0.0
+    guards: Sequence[Guard] = ()
+    base: float | None = 0.0
     stiffness: float = 0.0
     damping: float = 0.0
     touching: bool = True
@@ -63,29 +63,36 @@ class Branch:
 
 @dataclass(kw_only=True)
 class BranchLaw:
-    """A contact law of your own made of straight branches, so that ``solver="exact"`` has no time step for it either.
+    """A law of your own made of straight branches, so that ``solver="exact"`` has no time step for it either: of a
+    contact, a link or the storeys of a stick (``gap[0].contact``, ``link[0].law``, ``stick.hysteresis``).
 
-    A contact begins in branch 1, the first of the list; branch 0 is the floors apart.
+    A contact begins in branch 1, the first of the list; branch 0 is the floors apart, and every branch has a guard to
+    end it. A link or storey is in branch 1 from the start; δ > 0 is what brings a link's buildings closer.
+
+    Storeys have one law, told in units of each one's yield force and yield deformation, ``yield_forces`` and
+    ``yield_forces/stiffnesses``: branch 1 is F = δ, with base 0 and stiffness 1.
     """
 
     branches: Sequence[Branch]
     name: str = "own"
-
-    def _made(self) -> _core.ContactLaw:
-        return _core.BranchLaw(self.name, list(self.branches))
+    stands_for_law: ClassVar[bool] = True
 
 
 OwnLaw = ForceLaw | BranchLaw
 
 
-def table_of(value: Any) -> Any:
-    """What a case is read from: classes become tables, keys that are None are left out."""
+def table_of(value: Any, key: str = "") -> Any:
+    """What a case is read from at a key: classes become tables, keys that are None are left out."""
+    if isinstance(value, OwnLaw):
+        return {"law": value} if key.endswith("contact") else value
     if is_dataclass(value) and not isinstance(value, type):
-        return {f.name: table_of(getattr(value, f.name)) for f in fields(value) if getattr(value, f.name) is not None}
+        value = {f.name: getattr(value, f.name) for f in fields(value)}
     if isinstance(value, Mapping):
-        return {key: table_of(one) for key, one in value.items() if one is not None}
+        return {name: table_of(one, str(name)) for name, one in value.items() if one is not None}
+    if isinstance(value, PathLike):
+        return fspath(value)
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     if isinstance(value, list | tuple):
-        return [table_of(one) for one in value]
+        return [table_of(one, key) for one in value]
     return value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._dataset import Variable, by_name, dataset, import_xarray, is_histories, netcdf
-from ._errors import missing
+from ._dataset import Variable, by_name, dataset, is_histories, netcdf
+from ._errors import imported
 
 if TYPE_CHECKING:
     import pandas
@@ -35,17 +36,12 @@ class Result:
     def __init__(self, run: _core.Run, case: Case) -> None:
         self._run = run
         self.case = case
-        self._summary: dict[str, Any] | None = None
-        self._told: tuple[dict[str, Any], list[Variable]] | None = None
-        self._shown: _core.Run | None = None
 
-    @property
+    @cached_property
     def summary(self) -> dict[str, Any]:
         """The summary as ``summary.json`` has it (docs/result-files.md)."""
-        if self._summary is None:
-            self._summary = json.loads(self.to_json())
-        assert self._summary is not None
-        return self._summary
+        found: dict[str, Any] = json.loads(self.to_json())
+        return found
 
     def to_json(self) -> str:
         """The summary as ``bentur run CASE --json`` prints it."""
@@ -61,12 +57,10 @@ class Result:
         """``length`` and ``force``; time is in s."""
         return {"length": self.case.length, "force": self.case.force}
 
-    @property
+    @cached_property
     def _file(self) -> tuple[dict[str, Any], list[Variable]]:
         """What ``histories.nc`` holds: its attributes and variables."""
-        if self._told is None:
-            self._told = self._run.variables()
-        return self._told
+        return self._run.variables()
 
     def _values(self, name: str) -> Any:
         """Of a variable; none where there is no such variable."""
@@ -87,10 +81,6 @@ class Result:
 
         :raises ImportError: without pandas.
         """
-        try:
-            import pandas
-        except ImportError:
-            raise missing("pandas", "the table of impacts") from None
         at = self._values("impact_point").astype(int)
         columns: dict[str, Any] = {name: self._values("point_" + name)[at] for name in ("left", "right", "elevation")}
         struck = self._values("point_struck")
@@ -99,7 +89,7 @@ class Result:
         for key, unit, values, whole in self._run.impacts():
             columns[key] = values.astype(bool) if whole else values
             units[key] = unit
-        table = pandas.DataFrame(columns)
+        table: Any = imported("pandas", "the table of impacts").DataFrame(columns)
         table.attrs["units"] = units
         return table
 
@@ -151,7 +141,7 @@ class Result:
         :raises ValueError: as :attr:`exact`.
         """
         self.exact  # noqa: B018  # says so where there is none
-        data: xarray.Dataset = dataset(import_xarray("the Dataset of a run"), *self._file, "exact")
+        data: xarray.Dataset = dataset("the Dataset of a run", *self._file, "exact")
         return data
 
     @property
@@ -161,7 +151,7 @@ class Result:
         :raises ImportError: without xarray.
         """
         self.histories  # noqa: B018  # says so where there are none
-        data: xarray.Dataset = dataset(import_xarray("the Dataset of a run"), *self._file)
+        data: xarray.Dataset = dataset("the Dataset of a run", *self._file)
         return data
 
     @property
@@ -191,19 +181,17 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        run = self._run if len(self._values("time")) else self._at_report_step()
+        run = self._run if len(self._values("time")) else self._at_report_step
         return run.report_html(language)
 
+    @cached_property
     def _at_report_step(self) -> _core.Run:
         """The run with histories close enough for the motion of its page; solved once."""
-        if self._shown is None:
-            step = _core.report_output_step(self.case._made)
-            self._shown = _core.solve(self.case._made, step, self.case._made_laws, None)
-        return self._shown
+        return _core.solve(self.case._made, _core.report_output_step(self.case._made), None)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""
-        page = self._at_report_step().report_html("en").replace("</head>", _FIRST_SCREEN + "</head>", 1)
+        page = self._at_report_step.report_html("en").replace("</head>", _FIRST_SCREEN + "</head>", 1)
         page = page.replace("&", "&amp;").replace('"', "&quot;")
         # A frame of its own: neither the notebook's style nor its scripts reach the page, nor the other way round.
         return (

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._errors import missing
+from ._errors import imported
 
 if TYPE_CHECKING:
     import xarray
@@ -48,13 +48,10 @@ STYLE: dict[str, Any] = {
 def _axes(ax: Axes | None, height: float = 2.2) -> Axes:
     if ax is not None:
         return ax
-    try:
-        import matplotlib.pyplot as plt
-    except ImportError:
-        raise missing("matplotlib", "a figure") from None
+    plt = imported("matplotlib.pyplot", "a figure")
     style: Any = STYLE
     with plt.rc_context(style):
-        _, made = plt.subplots(figsize=(COLUMN, height), layout="constrained")
+        made: Axes = plt.subplots(figsize=(COLUMN, height), layout="constrained")[1]
     return made
 
 

@@ -1,3 +1,4 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -119,16 +120,8 @@ void bind_case(py::module_& module) {
       .def("matrices", [](const PyCase& c, std::size_t b) {
         const StructuralModel& model = c.problem.buildings.at(b).model;
         py::dict found;
-        const auto matrix = [](const Eigen::MatrixXd& values) {
-          py::array_t<double> array({values.rows(), values.cols()});
-          auto view = array.mutable_unchecked<2>();
-          for (Eigen::Index i = 0; i < values.rows(); ++i) {
-            for (Eigen::Index j = 0; j < values.cols(); ++j) view(i, j) = values(i, j);
-          }
-          return array;
-        };
-        found["mass"] = matrix(model.mass);
-        found["stiffness"] = matrix(model.stiffness);
+        found["mass"] = model.mass;
+        found["stiffness"] = model.stiffness;
         found["elevations"] = array_of(model.elevations);
         return found;
       });

@@ -11,7 +11,6 @@
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
 #include "bentur/model/run_results.h"
-#include "python_law.h"
 
 namespace bentur::python {
 
@@ -24,12 +23,6 @@ struct PyCase {
   std::filesystem::path folder;  ///< that record files are relative to
 };
 
-/// A law in place of the case's, at all points of a gap.
-struct OwnLaw {
-  Eigen::Index gap = 0;
-  std::shared_ptr<ContactLaw> law;
-};
-
 /// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.
 struct PyRun {
   RunResults results;
@@ -39,7 +32,6 @@ void bind_case(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_records(pybind11::module_& module);
 void bind_study(pybind11::module_& module);
-void bind_laws(pybind11::module_& module);
 
 /// Calls `progress` with the fraction done, no more than 20 times a second, and asks for Ctrl-C. What either raises
 /// stops the work and is raised by rethrow().

@@ -14,7 +14,6 @@ PYBIND11_MODULE(_core, module) {
     return study ? bentur::json_schema(bentur::study_keys(), "A study of bentur")
                  : bentur::json_schema(bentur::case_keys(), "A case of bentur");
   });
-  bentur::python::bind_laws(module);
   bentur::python::bind_case(module);
   bentur::python::bind_run(module);
   bentur::python::bind_records(module);

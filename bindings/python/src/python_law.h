@@ -3,21 +3,37 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bentur/contact/law.h"
+#include "bentur/model/own_law.h"
 
 namespace bentur::python {
 
+/// A law of Python's own, in the place of a law's name in a case, with what Python gave it as.
+struct PyLaw final : OwnLaw {
+  PyLaw(const std::string& of, pybind11::object as) : OwnLaw(of), given(std::move(as)) {}
+  ~PyLaw() override;
+
+  pybind11::object given;
+};
+
+/// A bentur.ForceLaw or bentur.BranchLaw, as a case takes it. @throws InvalidParameter where a listed law has its name.
+[[nodiscard]] std::shared_ptr<const OwnLaw> own_law(const pybind11::object& given);
+
+/// What a function of a law has raised in this thread, if anything, is raised again. The lock must be held.
+void rethrow_of_laws();
+[[nodiscard]] bool law_has_raised() noexcept;
+
 /// A contact law whose force is a Python function F(δ, δ̇), called while the floors touch; what it gives below zero
-/// counts as zero. It is solved as any force that is not linear is. An exception ends the run: the force is then NaN,
-/// and error() tells what it was.
+/// counts as zero. It is solved as any force that is not linear is. An exception ends the run: from then on the force
+/// is NaN in this thread, and rethrow_of_laws() tells why.
 class ForceLaw final : public ContactLaw {
  public:
   /// @param energy a function of δ: what the contact would give back; None: the work of F(δ, 0)
-  ForceLaw(std::string name, pybind11::function force, pybind11::object energy)
+  ForceLaw(std::string name, pybind11::object force, pybind11::object energy)
       : name_(std::move(name)), force_(std::move(force)), energy_(std::move(energy)) {}
   ~ForceLaw() override;
 
@@ -27,47 +43,68 @@ class ForceLaw final : public ContactLaw {
   [[nodiscard]] double force(const LawState& state, double penetration, double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
-  /// Raises what the function has raised, if anything. The lock must be held.
-  void rethrow() const;
-
  private:
   [[nodiscard]] double called(const pybind11::object& function, double penetration, double speed,
                               bool with_speed) const noexcept;
 
   std::string name_;
-  pybind11::function force_;
-  pybind11::object energy_;
-  mutable pybind11::object error_;
+  pybind11::object force_, energy_;
 };
 
 /// One branch of a BranchLaw: F = base + stiffness δ + damping δ̇ while every guard is ≥ 0.
 struct BranchData {
-  bool touching = true;
-  double base = 0, stiffness = 0, damping = 0;
-  std::vector<Guard> guards;
-  std::vector<int> then;           ///< the branch that follows when guard i has failed
+  /// A guard ≥ 0 whose sum has a term force·F besides, and the branch that follows once it has failed.
+  struct End {
+    Guard guard;
+    double force = 0;  ///< [X/force]
+    int then = 0;
+  };
+
+  bool touching = true;        ///< of a contact
+  std::optional<double> base;  ///< [force]; nothing: F goes on from where the branch before has ended
+  double stiffness = 0, damping = 0;
   double unloading_stiffness = 0;  ///< [force/length] that energy is given back by; 0: `stiffness`
+  std::vector<End> ends = {};
 };
 
-/// A contact law that is branches with guards and nothing else, so that `exact` solves it as its own. Branch 0 is the
-/// floors apart; a contact begins in branch 1.
-class BranchLaw final : public ContactLaw {
+/// A law that is branches and nothing else, so that `exact` solves it as its own. Branches count from 1. A contact
+/// begins in branch 1, and 0 is the floors apart; a link or storey is in branch 1 from the start. Memory: 0 the base of
+/// a branch that goes on from another. Base: ContactLaw, Law or HystereticLaw.
+template <class Base>
+class BranchLaw : public Base {
  public:
-  /// @throws InvalidParameter unless there are a branch, guards to end it, at most most_guards of them, and branches
-  /// that they lead to.
+  /// @throws InvalidParameter unless there is a branch, with guards to end it where it is a contact's, at most
+  /// most_guards of them, and branches that they lead to.
   BranchLaw(std::string name, std::vector<BranchData> branches);
 
   [[nodiscard]] std::string_view name() const noexcept override { return name_; }
   [[nodiscard]] LawParameters parameters() const override { return {}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
-  [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
-                              double closing_speed) const noexcept override;
-  [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
+  [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
+                              double speed) const noexcept override;
+  [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
+
+ protected:
+  [[nodiscard]] const BranchData* data(const LawState& state) const noexcept;
+  [[nodiscard]] static double unloading_stiffness(const BranchData& now) noexcept;
 
  private:
   std::string name_;
   std::vector<BranchData> data_;
-  std::vector<Branch> branches_;
+};
+
+/// The law of a storey, whose branches are told in units of its yield force and yield deformation.
+class StoreyLaw final : public BranchLaw<HystereticLaw> {
+ public:
+  /// @throws InvalidParameter as BranchLaw, and unless branch 1 has base 0, stiffness 1 and no damping.
+  StoreyLaw(std::string name, std::vector<BranchData> branches, double stiffness, double yield_force);
+
+  [[nodiscard]] double initial_stiffness() const noexcept override { return stiffness_; }
+  [[nodiscard]] double yield_deformation() const noexcept override { return yield_deformation_; }
+  [[nodiscard]] double residual(const LawState& state, double deformation) const noexcept override;
+
+ private:
+  double stiffness_, yield_deformation_;
 };
 
 }  // namespace bentur::python

@@ -1,3 +1,4 @@
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -35,8 +36,9 @@ py::dict read(const std::filesystem::path& file, const std::string& format, cons
 }
 
 /// Peaks of oscillators, one row per period: displacement, pseudo-velocity, pseudo- and absolute acceleration.
-py::array_t<double> spectrum(const py::array_t<double, py::array::c_style | py::array::forcecast>& values,
-                             double time_step, double factor, const std::vector<double>& periods, double damping) {
+Eigen::Matrix<double, Eigen::Dynamic, 4> spectrum(
+    const py::array_t<double, py::array::c_style | py::array::forcecast>& values, double time_step, double factor,
+    const std::vector<double>& periods, double damping) {
   SampledMotion motion{time_step, {values.data(), values.data() + values.size()}};
   for (double& a : motion.acceleration) a *= factor;
   std::vector<OscillatorPeaks> peaks;
@@ -44,14 +46,10 @@ py::array_t<double> spectrum(const py::array_t<double, py::array::c_style | py::
     const py::gil_scoped_release unlocked;
     peaks = response_spectrum(motion, periods, damping);
   }
-  py::array_t<double> rows({static_cast<py::ssize_t>(peaks.size()), py::ssize_t{4}});
-  auto view = rows.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < view.shape(0); ++i) {
+  Eigen::Matrix<double, Eigen::Dynamic, 4> rows(std::ssize(peaks), 4);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const OscillatorPeaks& p = peaks[static_cast<std::size_t>(i)];
-    view(i, 0) = p.displacement;
-    view(i, 1) = p.pseudo_velocity;
-    view(i, 2) = p.pseudo_acceleration;
-    view(i, 3) = p.absolute_acceleration;
+    rows.row(i) << p.displacement, p.pseudo_velocity, p.pseudo_acceleration, p.absolute_acceleration;
   }
   return rows;
 }

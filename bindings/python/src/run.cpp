@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "bentur/core/errors.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
@@ -19,6 +18,7 @@
 #include "bentur/solve/effort.h"
 #include "bentur/structure/modes.h"
 #include "case_run.h"
+#include "python_law.h"
 #include "toml_python.h"
 
 namespace py = pybind11;
@@ -55,19 +55,9 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 namespace {
 
-std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std::vector<OwnLaw>& laws,
-                              const py::object& progress) {
+std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const py::object& progress) {
   if (Diagnostics found; refuse_spectrum(given.c, found)) raise_case_error(found);
   Problem problem = given.problem;
-  for (const OwnLaw& own : laws) {
-    bool there = false;
-    for (ContactPoint& point : problem.points) {
-      if (point.left != own.gap) continue;
-      point.law = own.law;
-      there = true;
-    }
-    if (!there) throw InvalidParameter("laws", std::to_string(own.gap), "is no gap with contact points");
-  }
   SolveOptions options = solve_options(given.c);
   options.output_step = output_step;
   options.course = output_step > 0;
@@ -85,10 +75,9 @@ std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const std
     response = solve(problem, given.c.analysis.solver, options);
   }
   watcher.rethrow();
-  for (const OwnLaw& own : laws) {
-    if (const auto* force = dynamic_cast<const ForceLaw*>(own.law.get())) force->rethrow();
-  }
-  if (response.status != Status::done && response.status != Status::collapsed) raise_solve_error(response.message);
+  rethrow_of_laws();
+  if (response.status != Status::done && response.status != Status::collapsed)
+    raise_error("SolveError", response.message);
   const py::gil_scoped_release unlocked;
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
@@ -148,7 +137,7 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
     files.commit();
     return names;
   } catch (const RefusedOutput& refused) {
-    raise_refused(refused.what());
+    raise_error("RefusedOutput", refused.what());
   }
 }
 
@@ -196,52 +185,18 @@ void bind_run(py::module_& module) {
           },
           py::arg("language") = "en");
 
+  module.def("solve", &solved, py::arg("case"), py::arg("output_step"), py::arg("progress"));
   module.def(
-      "solve",
-      [](const PyCase& given, double output_step, const py::list& laws, const py::object& progress) {
-        std::vector<OwnLaw> own;
-        for (const py::handle one : laws) {
-          const auto pair = one.cast<py::tuple>();
-          own.push_back({pair[0].cast<Eigen::Index>(), pair[1].cast<std::shared_ptr<ContactLaw>>()});
-        }
-        return solved(given, output_step, own, progress);
+      "gap_json",
+      [](const PyCase& given, const py::object& progress) {
+        const Case& c = given.c;
+        if (!c.excitation.spectrum) return gap_json(solved(given, 0, progress)->results, BENTUR_VERSION);
+        return spectral_gap_json(c, given.problem,
+                                 spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), BENTUR_VERSION);
       },
-      py::arg("case"), py::arg("output_step"), py::arg("laws"), py::arg("progress"));
-  module.def("has_spectrum", [](const PyCase& given) { return given.c.excitation.spectrum.has_value(); });
-  module.def("spectral_gap_json", [](const PyCase& given) {
-    const Case& c = given.c;
-    return spectral_gap_json(c, given.problem, spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units),
-                             BENTUR_VERSION);
-  });
+      py::arg("case"), py::arg("progress"));
   module.def("report_output_step", [](const PyCase& given) { return report_output_step(given.problem); });
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
-}
-
-void bind_laws(py::module_& module) {
-  py::class_<ContactLaw, std::shared_ptr<ContactLaw>>(module, "ContactLaw");
-  py::class_<ForceLaw, ContactLaw, std::shared_ptr<ForceLaw>>(module, "ForceLaw")
-      .def(py::init<std::string, py::function, py::object>(), py::arg("name"), py::arg("force"), py::arg("energy"));
-  py::class_<BranchLaw, ContactLaw, std::shared_ptr<BranchLaw>>(module, "BranchLaw")
-      .def(py::init([](const std::string& name, const py::list& branches) {
-             std::vector<BranchData> data;
-             for (const py::handle one : branches) {
-               BranchData branch;
-               branch.touching = one.attr("touching").cast<bool>();
-               branch.base = one.attr("base").cast<double>();
-               branch.stiffness = one.attr("stiffness").cast<double>();
-               branch.damping = one.attr("damping").cast<double>();
-               branch.unloading_stiffness = one.attr("unloading_stiffness").cast<double>();
-               for (const py::handle guard : one.attr("guards")) {
-                 branch.guards.push_back({.constant = guard.attr("constant").cast<double>(),
-                                          .deformation = guard.attr("deformation").cast<double>(),
-                                          .speed = guard.attr("speed").cast<double>()});
-                 branch.then.push_back(guard.attr("then").cast<int>());
-               }
-               data.push_back(std::move(branch));
-             }
-             return std::make_shared<BranchLaw>(name, std::move(data));
-           }),
-           py::arg("name"), py::arg("branches"));
 }
 
 }  // namespace bentur::python

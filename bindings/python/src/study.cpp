@@ -1,14 +1,18 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
 
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/gap/gap_study.h"
-#include "bentur/study/study_runs.h"
+#include "bentur/study/study_output.h"
 #include "bentur/study/study_variables.h"
 #include "case_run.h"
+#include "python_law.h"
 #include "toml_python.h"
 
 namespace py = pybind11;
@@ -18,51 +22,143 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A study that has been read and checked.
+/// A study that has been read and checked, and what its runs have given: kept here, or in the journal of its file.
 class PyStudy {
  public:
-  explicit PyStudy(std::unique_ptr<StudyRuns> runs) : runs_(std::move(runs)), results_(runs_->plan().runs()) {}
+  explicit PyStudy(std::unique_ptr<StudyRuns> runs) : runs_(std::move(runs)) {}
 
   [[nodiscard]] const StudyRuns& runs() const { return *runs_; }
   void stop() { stop_ = true; }
 
-  /// Solves some runs, in the order of the plan, and keeps what they give. @return how many; fewer where it was
-  /// stopped.
-  std::size_t solve(std::size_t first, std::size_t count) {
-    const py::gil_scoped_release unlocked;
-    std::vector<std::size_t> numbers(count);
-    for (std::size_t i = 0; i < count; ++i) numbers[i] = runs_->plan().run_at(first + i);
-    std::vector<RunResult> found = runs_->solve(numbers, [&] { return !stop_.load(std::memory_order_relaxed); });
-    for (RunResult& one : found) results_[one.run] = std::move(one);  // each run's own place: nobody else is there
-    return found.size();
+  /// Begins a file of results, or goes on with one. @return false where the results are there already.
+  /// @param attributes of a NetCDF file that bentur has written, by its kind ("sweep" or "ida"); else none
+  bool begin(const fs::path& file, bool resume, bool force, const py::function& attributes) {
+    using Texts = std::optional<std::map<std::string, std::string>>;
+    const bool ida = runs_->study().ida.has_value();
+    const auto read = [attributes, ida](const fs::path& of) { return attributes(of, ida).cast<Texts>(); };
+    try {
+      output_.emplace(
+          *runs_, StudyOutputOptions{
+                      .kind = ida ? StudyKind::ida : StudyKind::sweep,
+                      .output = file,
+                      .resume = resume,
+                      .force = force,
+                      .version = BENTUR_VERSION,
+                      .resumed_by = "resume=True",
+                      .forced_by = "force=True",
+                      .is_netcdf = [read](const fs::path& of, ResultKind /*kind*/) { return read(of).has_value(); },
+                      .attribute = [read](const fs::path& of, const std::string& name) { return (*read(of))[name]; }});
+      if (output_->is_finished()) return false;
+      journal_.emplace(output_->begin());
+      return true;
+    } catch (const RefusedOutput& refused) {
+      raise_error("RefusedOutput", refused.what());
+    }
   }
 
-  /// Attributes of the file, names of the dimensions of the runs, and each variable, once all runs are solved.
+  /// Solves some runs, in the order of the plan, and keeps what they give. @return how many are done of them; fewer
+  /// where it was stopped.
+  std::size_t solve(std::size_t first, std::size_t count) {
+    std::size_t done = 0;
+    {
+      const py::gil_scoped_release unlocked;
+      const std::vector<std::size_t> numbers = left(first, count);
+      done = count - numbers.size();
+      std::vector<RunResult> found = runs_->solve(numbers, [&] { return !stop_.load(std::memory_order_relaxed); });
+      done += found.size();
+      if (!law_has_raised()) keep(std::move(found));
+    }
+    rethrow_of_laws();
+    return done;
+  }
+
+  /// Attributes of the file, and each variable, once all runs are solved.
   [[nodiscard]] py::tuple variables() const {
     const StudyFile file = study_file(*runs_, BENTUR_VERSION);
+    const std::vector<RunResult> results = journal_ ? journal_->read(0, runs_->plan().runs()) : results_;
     py::list found;
     for (const StudyVariable& one : file.variables) {
       ResultVariable variable = one;
-      if (one.of_runs) variable.values = one.of_runs(results_);
+      if (one.of_runs) variable.values = one.of_runs(results);
       found.append(python_of(variable, py::none()));
     }
     return py::make_tuple(python_of(file.attributes), found);
   }
 
+  /// The file of results, once `write` has made it under the name that it is given.
+  void finish(const py::function& write) {
+    try {
+      output_->finish([&](const fs::path& file) { write(file); });
+    } catch (const RefusedOutput& refused) {
+      raise_error("RefusedOutput", refused.what());
+    }
+  }
+
+  /// Lets others go on with the journal, where it is left.
+  void close() {
+    if (journal_) journal_->sync();
+    journal_.reset();
+  }
+
  private:
+  /// Of some runs those that no journal has.
+  std::vector<std::size_t> left(std::size_t first, std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const std::size_t run = runs_->plan().run_at(i);
+      if (!journal_ || !journal_->is_done(run)) numbers.push_back(run);
+    }
+    return numbers;
+  }
+
+  void keep(std::vector<RunResult> found) {
+    const std::lock_guard lock(mutex_);
+    if (!journal_) {
+      results_.resize(runs_->plan().runs());
+      for (RunResult& one : found) results_[one.run] = std::move(one);
+      return;
+    }
+    for (const RunResult& one : found) journal_->write(one);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - synced_ < std::chrono::seconds(2)) return;
+    journal_->sync();
+    synced_ = now;
+  }
+
   std::unique_ptr<StudyRuns> runs_;
+  std::optional<StudyOutput> output_;
+  std::mutex mutex_;  // of what follows
+  std::optional<Journal> journal_;
   std::vector<RunResult> results_;
+  std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
   std::atomic<bool> stop_ = false;
 };
 
-std::shared_ptr<PyStudy> read(const fs::path& file) {
+std::shared_ptr<PyStudy> checked(std::unique_ptr<StudyRuns> runs, const Diagnostics& found) {
+  if (!runs) raise_case_error(found);
+  return std::make_shared<PyStudy>(std::move(runs));
+}
+
+std::shared_ptr<PyStudy> read(const fs::path& file, bool ida) {
   Diagnostics found;
-  std::optional<Study> study = read_study(file, found);
-  if (study) check_names(*study, found);
-  const auto memo = std::make_shared<CaseMemo>();
-  std::optional<StudyFacts> facts = study ? check_study(*study, *memo, found) : std::nullopt;
-  if (!facts || !found.ok()) raise_case_error(found);
-  return std::make_shared<PyStudy>(std::make_unique<StudyRuns>(std::move(*study), std::move(*facts), memo));
+  auto runs = checked_runs(file, ida ? StudyKind::ida : StudyKind::sweep, "bentur.", found);
+  return checked(std::move(runs), found);
+}
+
+/// A study of a case that is there. @param text,case_text what the results keep of both
+std::shared_ptr<PyStudy> of_values(const PyCase& of, const py::dict& tables, const std::string& text,
+                                   const std::string& case_text) {
+  Diagnostics found;
+  Study start;
+  start.file = of.folder / "";
+  start.case_file = of.folder / fs::path(of.name).filename();
+  start.text = text;
+  start.case_text = case_text;
+  start.case_root = of.root;
+  std::optional<Study> study = read_study(toml_of(tables), std::move(start), found);
+  auto runs = study ? checked_runs(std::move(*study), found) : nullptr;
+  return checked(std::move(runs), found);
 }
 
 /// A study over records, as `bentur gap STUDY --json` tells it.
@@ -80,45 +176,75 @@ std::string gap_study_text(const fs::path& file, const std::optional<double>& at
         found);
   } catch (const std::runtime_error& error) {
     watcher.rethrow();
-    raise_solve_error(error.what());
+    raise_error("SolveError", error.what());
   }
   if (!study) raise_case_error(found);
   return gap_study_json(*study, BENTUR_VERSION);
 }
 
-/// Fits the outcomes of an incremental dynamic analysis, as `bentur fragility --json` tells them.
-std::string fragility(const py::dict& told, const std::string& event, const py::dict& asked) {
-  IdaResults results;
-  results.title = told["title"].cast<std::string>();
-  results.intensity = told["intensity"].cast<std::string>();
-  results.units = told["units"].cast<std::string>();
-  results.study_unit = told["study_unit"].cast<std::string>();
-  results.quantity_units = told["quantity_units"].cast<std::string>();
-  OutcomeTable& table = results.table;
-  table.levels = told["levels"].cast<std::vector<double>>();
-  table.cases = told["cases"].cast<std::size_t>();
-  table.records = told["records"].cast<std::size_t>();
-  table.together = told["together"].cast<std::size_t>();
-  for (const int one : told["outcomes"].cast<std::vector<int>>()) table.outcomes.push_back(static_cast<Outcome>(one));
-  for (const py::handle one : told["axes"]) {
-    ResultAxis axis{one["name"].cast<std::string>(), one["size"].cast<std::size_t>(), {}};
-    for (const py::handle coordinate : one["coordinates"]) {
-      axis.coordinates.push_back({coordinate["name"].cast<std::string>(), coordinate["units"].cast<std::string>(),
-                                  coordinate["parameter"].cast<std::string>(),
-                                  coordinate["numbers"].cast<std::vector<double>>(),
-                                  coordinate["texts"].cast<std::vector<std::string>>()});
+/// An xarray.Dataset of results, read as a file is. The lock must be held.
+class DatasetSource final : public ResultSource {
+ public:
+  explicit DatasetSource(py::object dataset) : dataset_(std::move(dataset)) {
+    for (const py::handle item : dataset_.attr("variables")) {
+      const auto name = item.cast<std::string>();
+      const py::object one = dataset_[item];
+      variables_.push_back({.name = name,
+                            .units = attribute(name, "units"),
+                            .long_name = attribute(name, "long_name"),
+                            .dimensions = py::list(one.attr("dims")).cast<std::vector<std::string>>(),
+                            .shape = py::list(one.attr("shape")).cast<std::vector<std::size_t>>(),
+                            .coordinates = {},
+                            .text = std::string("OUT").find(kind(one)) != std::string::npos});
     }
-    results.axes.push_back(std::move(axis));
   }
-  FragilityRequest request;
-  request.event = event;
-  request.bootstrap.resamples = asked["resamples"].cast<int>();
-  request.bootstrap.confidence = asked["confidence"].cast<double>();
-  request.bootstrap.seed = asked["seed"].cast<std::uint64_t>();
-  request.at = asked["at"].cast<std::optional<double>>();
-  request.probabilities = asked["probabilities"].cast<std::vector<double>>();
-  request.along = asked["along"].cast<std::string>();
+
+  [[nodiscard]] const std::vector<StoredVariable>& variables() const noexcept override { return variables_; }
+  [[nodiscard]] std::size_t dimension_size(std::string_view dimension) const override {
+    return dataset_.attr("sizes").attr("get")(dimension, 0).cast<std::size_t>();
+  }
+  [[nodiscard]] std::vector<double> numbers(std::string_view variable) const override {
+    return values<double>(of(variable), "float");
+  }
+  [[nodiscard]] std::vector<double> numbers(std::string_view variable, std::size_t i) const override {
+    return values<double>(of(variable)[py::int_(i)], "float");
+  }
+  [[nodiscard]] std::vector<std::string> texts(std::string_view variable) const override {
+    return values<std::string>(of(variable), "str");
+  }
+  [[nodiscard]] std::string attribute(std::string_view variable, const std::string& attribute) const override {
+    return py::str(of(variable).attr("attrs").attr("get")(attribute, ""));
+  }
+  [[nodiscard]] std::string attribute(const std::string& attribute) const override {
+    return py::str(dataset_.attr("attrs").attr("get")(attribute, ""));
+  }
+  [[noreturn]] void fail(const std::string& why) const override { throw py::value_error("results: " + why); }
+
+ private:
+  [[nodiscard]] py::object of(std::string_view variable) const { return dataset_[py::cast(variable)]; }
+  [[nodiscard]] static char kind(const py::object& one) { return one.attr("dtype").attr("kind").cast<char>(); }
+  template <class Value>
+  [[nodiscard]] static std::vector<Value> values(const py::object& one, const char* type) {
+    return one.attr("to_numpy")().attr("astype")(type).attr("ravel")().attr("tolist")().cast<std::vector<Value>>();
+  }
+
+  py::object dataset_;
+  std::vector<StoredVariable> variables_;
+};
+
+/// Fits the outcomes of an incremental dynamic analysis, as `bentur fragility --json` tells them.
+std::string fragility(const py::object& dataset, const std::string& event, int resamples, double confidence,
+                      std::uint64_t seed, const std::optional<double>& at, const std::vector<double>& probabilities,
+                      const std::string& along) {
+  const FragilityRequest request{.event = event,
+                                 .bootstrap = {.resamples = resamples, .confidence = confidence, .seed = seed},
+                                 .at = at,
+                                 .probabilities = probabilities,
+                                 .along = along};
   std::string error;
+  const auto rule = parse_event(event, error);
+  if (!rule) throw py::value_error("event \"" + event + "\" " + error);
+  IdaResults results = read_ida_results(DatasetSource(dataset), *rule);
   std::optional<FragilityReport> report;
   {
     const py::gil_scoped_release unlocked;
@@ -128,34 +254,24 @@ std::string fragility(const py::dict& told, const std::string& event, const py::
   return fragility_json(*report, request, BENTUR_VERSION);
 }
 
-py::tuple event_of(const std::string& text) {
-  std::string error;
-  const auto rule = parse_event(text, error);
-  if (!rule) throw py::value_error("event \"" + text + "\" " + error);
-  using C = EventRule::Comparison;
-  const char* comparison = rule->comparison == C::more       ? ">"
-                           : rule->comparison == C::at_least ? ">="
-                           : rule->comparison == C::less     ? "<"
-                                                             : "<=";
-  return py::make_tuple(rule->quantity, comparison, rule->threshold);
-}
-
 }  // namespace
 
 void bind_study(py::module_& module) {
   py::class_<PyStudy, std::shared_ptr<PyStudy>>(module, "Study")
-      .def(py::init(&read), py::arg("file"))
+      .def(py::init(&read), py::arg("file"), py::arg("ida"))
+      .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"))
       .def_property_readonly("title", [](const PyStudy& study) { return study.runs().facts().title; })
-      .def_property_readonly("is_ida", [](const PyStudy& study) { return study.runs().study().ida.has_value(); })
       .def_property_readonly("runs", [](const PyStudy& study) { return study.runs().plan().runs(); })
+      .def("begin", &PyStudy::begin, py::arg("file"), py::arg("resume"), py::arg("force"), py::arg("attributes"))
       .def("variables", &PyStudy::variables)
+      .def("finish", &PyStudy::finish, py::arg("write"))
+      .def("close", &PyStudy::close)
       .def("solve", &PyStudy::solve, py::arg("first"), py::arg("count"))
       .def("stop", &PyStudy::stop);
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
-  module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("asked"));
-  module.def("parse_event", &event_of, py::arg("text"));
+  module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
+             py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"));
   module.def("is_study", &is_study, py::arg("file"));
-  module.def("index_title", [] { return index_title; });
 }
 
 }  // namespace bentur::python

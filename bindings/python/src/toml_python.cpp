@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "bentur/io/toml/toml_view.h"
+#include "python_law.h"
 
 namespace py = pybind11;
 
@@ -39,8 +40,13 @@ TomlValue toml_of(const py::handle& value, const std::string& path) {
     }
     return toml;
   }
+  if (py::hasattr(value, "stands_for_law")) {
+    toml.law = own_law(py::reinterpret_borrow<py::object>(value));
+    toml.kind = TomlValue::Kind::text;
+    toml.text = toml.law->name;
+    return toml;
+  }
   if (py::hasattr(value, "tolist")) return toml_of(value.attr("tolist")(), path);
-  if (py::hasattr(value, "__fspath__")) return toml_text(value.attr("__fspath__")().cast<std::string>());
   throw py::type_error(path + " is a " + std::string(py::str(py::type::of(value).attr("__name__"))) +
                        ", must be a number, text, true or false, a list or a table");
 }
@@ -67,28 +73,25 @@ py::object python_of(const TomlValue& value) {
     case TomlValue::Kind::date:
       break;
   }
+  if (value.law) return static_cast<const PyLaw&>(*value.law).given;
   return py::str(value.text);
 }
 
 void raise_case_error(const Diagnostics& diagnostics) {
   py::list errors;
   for (const Diagnostic& one : diagnostics.errors()) {
-    errors.append(py::make_tuple(one.position.file, one.position.line, one.position.column, one.message(), one.key,
-                                 one.value, one.rule, one.suggestion));
+    // Of what was made in Python the place is a folder.
+    const std::string file = one.position.file.ends_with('/') ? "" : one.position.file;
+    errors.append(py::make_tuple(file, one.position.line, one.position.column, one.message(), one.key, one.value,
+                                 one.rule, one.suggestion));
   }
   const py::object type = py::module_::import("bentur._errors").attr("CaseError");
   PyErr_SetObject(type.ptr(), type(errors).ptr());
   throw py::error_already_set();
 }
 
-void raise_solve_error(const std::string& message) {
-  const py::object type = py::module_::import("bentur._errors").attr("SolveError");
-  PyErr_SetString(type.ptr(), message.c_str());
-  throw py::error_already_set();
-}
-
-void raise_refused(const std::string& message) {
-  const py::object type = py::module_::import("bentur._errors").attr("RefusedOutput");
+void raise_error(const char* name, const std::string& message) {
+  const py::object type = py::module_::import("bentur._errors").attr(name);
   PyErr_SetString(type.ptr(), message.c_str());
   throw py::error_already_set();
 }

@@ -10,7 +10,7 @@
 namespace bentur::python {
 
 /// A value as Python has it, into what a case is read from: dict, list or tuple, str, bool, int, float, and whatever
-/// has tolist() (NumPy's arrays and numbers). Members that are None are left out.
+/// has tolist() (NumPy's arrays and numbers), and laws of Python's own. Members that are None are left out.
 /// @throws a Python TypeError, naming the key, for anything else.
 [[nodiscard]] TomlValue toml_of(const pybind11::handle& value, const std::string& path = "");
 
@@ -20,10 +20,7 @@ namespace bentur::python {
 /// Raises bentur.CaseError with all errors: (file, line, column, message) each.
 [[noreturn]] void raise_case_error(const Diagnostics& diagnostics);
 
-/// Raises bentur.SolveError.
-[[noreturn]] void raise_solve_error(const std::string& message);
-
-/// Raises bentur.RefusedOutput.
-[[noreturn]] void raise_refused(const std::string& message);
+/// Raises bentur.SolveError, or another one of bentur's.
+[[noreturn]] void raise_error(const char* name, const std::string& message);
 
 }  // namespace bentur::python

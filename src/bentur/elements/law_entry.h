@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,7 +39,7 @@ struct LawEntryOf {
   /// Whoever reads a case sees to it that `input` has these keys and choices and no others.
   /// @throws InvalidParameter, naming the key at fault, when a value is missing, out of range, or does not go with
   /// another.
-  std::shared_ptr<const Made> (*make)(const LawInput& input) = nullptr;
+  std::function<std::shared_ptr<const Made>(const LawInput& input)> make = {};
   Label label = {};  ///< empty: its name will do
 };
 
@@ -47,6 +48,13 @@ template <class Made>
 [[nodiscard]] const LawEntryOf<Made>* find_entry(const std::vector<LawEntryOf<Made>>& laws, std::string_view name) {
   const auto found = std::find_if(laws.begin(), laws.end(), [&](const auto& law) { return law.name == name; });
   return found == laws.end() ? nullptr : &*found;
+}
+
+/// The same, but `own`, which the caller has brought along, where there is one.
+template <class Made>
+[[nodiscard]] const LawEntryOf<Made>* find_entry(const std::vector<LawEntryOf<Made>>& laws, std::string_view name,
+                                                 const std::shared_ptr<const LawEntryOf<Made>>& own) {
+  return own ? own.get() : find_entry(laws, name);
 }
 
 /// Adds to the keys of a table those of all laws that `by` chooses from, and that choice itself before them.

@@ -88,7 +88,7 @@ void NetcdfReader::list(int group, const std::string& prefix) {
     int rank = 0;
     int dimensions[NC_MAX_VAR_DIMS] = {};
     check(nc_inq_var(group, id, name, &type, &rank, dimensions, nullptr));
-    NetcdfVariable variable;
+    StoredVariable variable;
     variable.name = prefix + name;
     places_.push_back({group, id});
     variable.text = type == NC_STRING || type == NC_CHAR;
@@ -124,14 +124,8 @@ void NetcdfReader::list() {
   }
 }
 
-const NetcdfVariable* NetcdfReader::find(std::string_view variable) const noexcept {
-  const auto found = std::find_if(variables_.begin(), variables_.end(),
-                                  [&](const NetcdfVariable& one) { return one.name == variable; });
-  return found == variables_.end() ? nullptr : &*found;
-}
-
-const NetcdfVariable& NetcdfReader::at(std::string_view variable) const {
-  const NetcdfVariable* found = find(variable);
+const StoredVariable& NetcdfReader::at(std::string_view variable) const {
+  const StoredVariable* found = find(variable);
   if (found == nullptr) throw NetcdfError(name_, "has no variable \"" + std::string(variable) + "\"");
   return *found;
 }
@@ -141,18 +135,18 @@ std::size_t NetcdfReader::dimension_size(std::string_view dimension) const {
   return found == dimensions_.end() ? 0 : found->second;
 }
 
-NetcdfReader::Place NetcdfReader::place_of(const NetcdfVariable& variable) const {
+NetcdfReader::Place NetcdfReader::place_of(const StoredVariable& variable) const {
   return places_.at(static_cast<std::size_t>(&variable - variables_.data()));
 }
 
-const NetcdfVariable& NetcdfReader::numeric(std::string_view variable) const {
-  const NetcdfVariable& found = at(variable);
+const StoredVariable& NetcdfReader::numeric(std::string_view variable) const {
+  const StoredVariable& found = at(variable);
   if (found.text) throw NetcdfError(name_, "\"" + found.name + "\" holds no numbers");
   return found;
 }
 
 std::vector<double> NetcdfReader::numbers(std::string_view variable) const {
-  const NetcdfVariable& found = numeric(variable);
+  const StoredVariable& found = numeric(variable);
   std::vector<double> values(count_of(found.shape));
   const Place place = place_of(found);
   check(nc_get_var_double(place.group, place.variable, values.data()));
@@ -160,7 +154,7 @@ std::vector<double> NetcdfReader::numbers(std::string_view variable) const {
 }
 
 std::vector<double> NetcdfReader::numbers(std::string_view variable, std::size_t i) const {
-  const NetcdfVariable& found = numeric(variable);
+  const StoredVariable& found = numeric(variable);
   std::vector<std::size_t> start(found.shape.size(), 0), count = found.shape;
   start.at(0) = i;
   count.at(0) = 1;
@@ -171,7 +165,7 @@ std::vector<double> NetcdfReader::numbers(std::string_view variable, std::size_t
 }
 
 std::vector<std::string> NetcdfReader::texts(std::string_view variable) const {
-  const NetcdfVariable& found = at(variable);
+  const StoredVariable& found = at(variable);
   nc_type type = NC_NAT;
   const Place place = place_of(found);
   check(nc_inq_vartype(place.group, place.variable, &type));

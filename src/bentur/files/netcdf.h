@@ -13,16 +13,6 @@
 
 namespace bentur {
 
-/// A variable of a NetCDF file, without its values.
-struct NetcdfVariable {
-  std::string name;
-  std::string units, long_name;  ///< attributes; empty where there is none
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;        ///< one size per dimension
-  std::vector<std::string> coordinates;  ///< of the attribute, word by word
-  bool text = false;
-};
-
 /// What keeps a file from being read, without the file's name; what() has both.
 struct NetcdfError : std::runtime_error {
   NetcdfError(const std::string& file, const std::string& why) : std::runtime_error(file + ": " + why), reason(why) {}
@@ -41,18 +31,13 @@ class NetcdfReader final : public ResultSource {
   NetcdfReader& operator=(const NetcdfReader&) = delete;
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  [[nodiscard]] const std::vector<NetcdfVariable>& variables() const noexcept { return variables_; }
-  /// nullptr where there is none of that name.
-  [[nodiscard]] const NetcdfVariable* find(std::string_view variable) const noexcept;
+  [[nodiscard]] const std::vector<StoredVariable>& variables() const noexcept override { return variables_; }
   /// @throws NetcdfError where there is none of that name.
-  [[nodiscard]] const NetcdfVariable& at(std::string_view variable) const;
+  [[nodiscard]] const StoredVariable& at(std::string_view variable) const;
   /// A group's own dimension is called "group/dimension".
   [[nodiscard]] std::size_t dimension_size(std::string_view dimension) const override;
-  [[nodiscard]] bool has(std::string_view variable) const override { return find(variable) != nullptr; }
-  /// All values, last dimension fastest.
   [[nodiscard]] std::vector<double> numbers(std::string_view variable) const override;
-  /// Those at place `i` of the first dimension, so that memory need not hold them all.
-  [[nodiscard]] std::vector<double> numbers(std::string_view variable, std::size_t i) const;
+  [[nodiscard]] std::vector<double> numbers(std::string_view variable, std::size_t i) const override;
   [[nodiscard]] std::vector<std::string> texts(std::string_view variable) const override;
   /// A text attribute of the file; empty where there is none.
   [[nodiscard]] std::string attribute(const std::string& attribute) const override;
@@ -68,12 +53,12 @@ class NetcdfReader final : public ResultSource {
   void list();
   void list(int group, const std::string& prefix);
   void check(int status) const;
-  [[nodiscard]] Place place_of(const NetcdfVariable& variable) const;
-  [[nodiscard]] const NetcdfVariable& numeric(std::string_view variable) const;
+  [[nodiscard]] Place place_of(const StoredVariable& variable) const;
+  [[nodiscard]] const StoredVariable& numeric(std::string_view variable) const;
   [[nodiscard]] std::string text_attribute(Place place, const std::string& attribute) const;
 
   std::string name_, bytes_;
-  std::vector<NetcdfVariable> variables_;
+  std::vector<StoredVariable> variables_;
   std::vector<Place> places_;  ///< of each
   std::map<std::string, std::size_t, std::less<>> dimensions_;
   int id_ = -1;

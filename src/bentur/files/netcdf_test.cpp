@@ -27,7 +27,7 @@ std::string example_histories() {
 TEST(NetcdfReaderTest, ReadsWhatIsWritten) {
   const NetcdfReader reader(example_histories(), "histories.nc");
   EXPECT_EQ(reader.texts("building_name"), (std::vector<std::string>{"Left", "Right"}));
-  const NetcdfVariable& opening = reader.at("opening");
+  const StoredVariable& opening = reader.at("opening");
   EXPECT_EQ(opening.dimensions, (std::vector<std::string>{"time", "point"}));
   EXPECT_EQ(opening.shape, (std::vector<std::size_t>{reader.numbers("time").size(), 1}));
   EXPECT_EQ(opening.units, "m");

@@ -363,7 +363,7 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   EXPECT_EQ(file.attribute("acceleration_1", "units"), "m s-2");
   EXPECT_EQ(file.attribute("force", "units"), "1000 kgf");  // tf, as UDUNITS knows it
   EXPECT_NE(file.attribute("displacement_1", "long_name").find("Left, old"), std::string::npos);
-  for (const NetcdfVariable& variable : file.variables()) {
+  for (const StoredVariable& variable : file.variables()) {
     EXPECT_NE(variable.long_name, "") << variable.name;
     EXPECT_EQ(variable.units.empty(), variable.text) << variable.name;
   }

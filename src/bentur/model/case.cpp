@@ -257,7 +257,7 @@ std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& 
 std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
                                                    const SpecAndModel& right, const LevelPair& floors) {
   const ContactSpec& contact = gap.contact;
-  const LawEntry* const entry = find_law(contact.law);
+  const LawEntry* const entry = find_entry(contact_laws(), contact.law, contact.own);
   if (entry == nullptr) {
     throw InvalidParameter("law", contact.law, "there is no such law");
   }

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/contact/law.h"
+#include "bentur/contact/laws.h"
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/units.h"
 #include "bentur/excitation/design_spectrum.h"
@@ -72,6 +72,7 @@ struct ContactSpec {
   /// One value for all contact points or one each.
   std::map<std::string, std::vector<double>, std::less<>> numbers = {};
   std::map<std::string, std::string, std::less<>> words = {};  ///< choices made; the others have their defaults
+  std::shared_ptr<const LawEntry> own = nullptr;               ///< a law that is not listed, in place of `law`
 
   /// What is given for contact point `point` of the gap (0 the lowest); nothing where the key is not given.
   /// @throws InvalidParameter when a list has no such entry.

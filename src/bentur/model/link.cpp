@@ -35,7 +35,7 @@ double LinkSpec::number(std::string_view key, std::size_t point) const {
 }
 
 std::shared_ptr<const Law> make_link_law(const LinkSpec& spec, std::size_t point) {
-  const auto* const entry = find_entry(link_laws(), spec.law);
+  const auto* const entry = find_entry(link_laws(), spec.law, spec.own);
   if (entry == nullptr) throw InvalidParameter("law", spec.law, "there is no such law of a link");
   LawInput input;
   for (const Key& key : entry->keys) input.numbers.emplace(key.name, spec.number(key.name, point));

@@ -23,6 +23,7 @@ struct LinkSpec {
   /// One value for all points or one each.
   std::map<std::string, std::vector<double>, std::less<>> numbers = {};
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
+  std::shared_ptr<const LawEntryOf<Law>> own = nullptr;  ///< a law that is not listed, in place of `law`
 
   /// What applies at point `point` (0 the lowest): the number given, or the law's default.
   /// @throws InvalidParameter when there is neither, or a list has no such entry.

@@ -9,11 +9,9 @@
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/runner/ranks.h"
+#include "bentur/study/study_output.h"
 
 namespace bentur {
-
-/// What a study is run as. One with [ida] is an incremental dynamic analysis, one without is a sweep.
-enum class StudyKind { sweep, ida };
 
 struct SweepProgress {
   std::size_t runs = 0;
@@ -22,13 +20,8 @@ struct SweepProgress {
   double seconds = 0;      ///< since then [s]
 };
 
-struct SweepOptions {
-  StudyKind kind = StudyKind::sweep;
-  std::filesystem::path output;  ///< the results; the journal stands beside it with .part behind its name
-  bool resume = false;           ///< goes on where a journal is left, instead of refusing to begin anew
-  bool force = false;            ///< a file that is not results of the same kind may be replaced
-  int threads = 0;               ///< of this process; 0: one per processor it may use, under mpirun one
-  std::string version;           ///< of the program
+struct SweepOptions : StudyOutputOptions {
+  int threads = 0;  ///< of this process; 0: one per processor it may use, under mpirun one
   std::function<void(const SweepProgress&)> progress;  ///< a few times a second
   std::function<bool()> stop;                          ///< asked often, by many threads; true: end as soon as possible
 };

@@ -50,7 +50,7 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick
   require_size("stiffnesses", stick.stiffnesses.size(), n);
   if (forces.size() != 1) require_size("yield_forces", forces.size(), n);
   if (stick.hardening.size() > 1) require_size("hardening", stick.hardening.size(), n);
-  const auto* const entry = find_entry(hysteretic_laws(), stick.hysteresis);
+  const auto* const entry = find_entry(hysteretic_laws(), stick.hysteresis, stick.own);
   if (entry == nullptr) throw InvalidParameter("hysteresis", stick.hysteresis, "there is no such law of a storey");
   const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
   std::vector<std::shared_ptr<const HystereticLaw>> laws(stick.stiffnesses.size());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/elements/law_entry.h"
 #include "bentur/structure/building.h"
 
 namespace bentur {
@@ -19,7 +20,8 @@ struct Stick {
   std::vector<double> hardening = {};     ///< r [-], one for all or one per storey; empty: 0
   std::string hysteresis = "bilinear";    ///< how a storey that has yielded unloads and loads again: a name of
                                           ///< hysteretic_laws()
-  std::map<std::string, double, std::less<>> law_numbers = {};  ///< what that law has beside these; defaults else
+  std::map<std::string, double, std::less<>> law_numbers = {};     ///< what that law has beside these; defaults else
+  std::shared_ptr<const LawEntryOf<HystereticLaw>> own = nullptr;  ///< a law that is not listed, in place of that
 };
 
 /// One sway per floor: M diagonal, K tridiagonal, load = the masses. `base_elevation` as assemble_plane_frame().

@@ -1,8 +1,13 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, typing, width } from "./state";
 import { recordName } from "./cases";
-import { keyName, number, say } from "./texts";
-import { decimal, type Leaf, leaf, type Outline, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
+import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
+import { type Key, type Node, schema } from "./solver";
+import {
+  addFile, change, errors, found, gap, inUnits, load, loads, problem, recordUnit, result, text,
+  told, tooLong, typing, width,
+} from "./state";
+import { number, say } from "./texts";
+import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
 
 export function Errors({ goTo }: { goTo: (line: number, column: number) => void }) {
   const list = errors.value;
@@ -61,39 +66,37 @@ export function goTo(area: HTMLTextAreaElement | null, line: number, column: num
   area.scrollTop = Math.max(0, (line - 4) * height);
 }
 
-/** A number to type, and to slide between a fraction of what it was and a multiple. */
-function NumberField({ at, label, unit, names }: { at: Leaf; label: string; unit?: string; names: string }) {
+/** A number to type, and to slide. */
+function NumberField({ at, from, title }: { at: Leaf; from: number; title: string }) {
   const value = at.value as number;
   const anchor = useRef(value);
   if (!(Math.abs(value) <= 4 * Math.abs(anchor.current)) || (anchor.current === 0 && value !== 0)) anchor.current = value;
-  const share = /damping|restitution|hardening|ratio/.test(names);
-  const whole = /^[+-]?\d+$/.test(at.text) && /storeys$/.test(names);
-  const most = share ? Math.max(1, value) : anchor.current === 0 ? 1 : whole ? Math.max(12, 2 * Math.abs(anchor.current)) : Math.max(3 * Math.abs(anchor.current), Math.abs(value));
-  const set = (next: number) => { if (Number.isFinite(next)) change(put(text.value, at, whole ? Math.round(next) : next)); };
+  const { label, key } = fieldOf(at.path, from);
+  const unit = key?.unit?.replace(/length|force/g, (what) => unitOf(what as "length").unit);
+  const set = (next: number) => {
+    const made = key?.number?.type === "integer" ? Math.round(next) : next;
+    if (Number.isFinite(made)) change(put(text.value, at, made));
+  };
   return (
-    <div class="field">
+    <div class="field" title={key?.description}>
       <label><span>{label}{unit && <small> {unit}</small>}</span>
         <input type="number" step="any" value={String(Number(value.toPrecision(6)))} onChange={(event) => set(event.currentTarget.valueAsNumber)} /></label>
-      <input type="range" aria-label={`${label}: ${names}`} min={value < 0 ? -most : 0} max={most} step={whole ? 1 : most / 300} value={value} onInput={(event) => set(event.currentTarget.valueAsNumber)} />
+      <input type="range" aria-label={`${label}: ${title}`} {...slide(value, anchor.current, key)}
+        value={value} onInput={(event) => set(event.currentTarget.valueAsNumber)} />
     </div>
   );
 }
 
 const MOST = 96; // fields of one group
 
-function label(path: Path): string {
-  return path.filter((key) => !["frame", "stick", "generic", "modal", "matrices"].includes(String(key)))
-    .map((key) => (typeof key === "number" ? String(key + 1) : keyName(key))).join(" ");
-}
-
-function Group({ path, title, without = [] }: { path: Path; title: string; without?: string[] }) {
-  const all = (found.value?.leaves ?? []).filter((one) => under(one.path, path) && !without.includes(String(one.path[path.length])));
-  const numbers = all.filter((one) => typeof one.value === "number" && Number.isFinite(one.value));
+function Group({ path, title }: { path: Path; title: string }) {
+  const numbers = (found.value?.leaves ?? []).filter((one) =>
+    under(one.path, path) && typeof one.value === "number" && Number.isFinite(one.value));
   const name = leaf(found.value, [...path, "name"]);
   return (
     <fieldset>
       <legend>{title}</legend>
-      {name && <div class="field"><label><span>{keyName("name")}</span><input type="text" maxLength={80} value={String(name.value)} onChange={(event) => {
+      {name && <div class="field" title={keyAt("building", "name")?.description}><label><span>{nameOf("building", "name")}</span><input type="text" maxLength={80} value={String(name.value)} onChange={(event) => {
         const next = event.currentTarget.value;
         let made = text.value;
         const old = String(name.value);
@@ -102,48 +105,56 @@ function Group({ path, title, without = [] }: { path: Path; title: string; witho
         for (const one of places) made = put(made, one, next);
         change(made);
       }} /></label></div>}
-      {numbers.slice(0, MOST).map((one) => <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} label={label(one.path.slice(path.length))} unit={result.value?.units[JSON.stringify(one.path)]} names={[title, ...one.path.slice(path.length)].join(" ")} />)}
+      {numbers.slice(0, MOST).map((one) =>
+        <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} from={path.length} title={title} />)}
       {numbers.length > MOST && <p class="note">{say("form.more", { n: numbers.length - MOST })}</p>}
     </fieldset>
   );
 }
 
-const lengths = ["m", "cm", "mm", "in", "ft"], forces = ["N", "kN", "MN", "kgf", "tf", "lbf", "kip"], accelerations = ["g", "cm/s2", "m/s2", "mm/s2", "in/s2", "ft/s2"];
-
 function Choice({ name, options, value, set }: { name: string; options: string[]; value: string; set: (value: string) => void }) {
   return <label class="choice">{name} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
 }
 
-const unitsOf = (now: Outline) => ({ length: String(leaf(now, ["units", "length"])?.value ?? "m"), force: String(leaf(now, ["units", "force"])?.value ?? "N") });
+/** The unit that a case has, and all there are with what they are in metres or newtons. */
+function unitOf(what: "length" | "force") {
+  const all = schema.value?.units[what] ?? {}, names = Object.keys(all);
+  const unit = String(leaf(found.value, ["units", what])?.value ?? names[0]);
+  return { unit, names, size: all[unit] ?? 1 };
+}
 
 /** The units of all numbers; another choice converts them, in the case file and everywhere. */
 export function Units() {
-  const now = found.value;
-  if (!now) return null;
-  const { length, force } = unitsOf(now);
+  if (!found.value) return null;
+  const length = unitOf("length"), force = unitOf("force");
   return <>
-    <Choice name={say("units.length")} options={lengths} value={length} set={(value) => inUnits(value, force)} />
-    <Choice name={say("units.force")} options={forces} value={force} set={(value) => inUnits(length, value)} />
+    <Choice name={nameOf("units", "length")} options={length.names} value={length.unit} set={(unit) => inUnits(unit, force.unit)} />
+    <Choice name={nameOf("units", "force")} options={force.names} value={force.unit} set={(unit) => inUnits(length.unit, unit)} />
   </>;
 }
 
-const ofEveryMotion = ["delays", "wave_velocity", "kinematics"], ofRecords = ["pga", "scale", "polarity"];
-
-/** Another ground motion; when it comes to which building stays, and of records how strong it is made and which way round. */
-function excite(kind: "record" | "harmonic", lines: string[]) {
+/** Another ground motion. What every kind has stays, and of records what is not of the file: how
+ *  strong one is made, and which way round. */
+function excite(kind: "record" | "harmonic", given: Record<string, string>) {
   const was = leaf(found.value, ["excitation", "kind"])?.value;
-  const kept = kind === "record" && was === "record" ? [...ofEveryMotion, ...ofRecords] : ofEveryMotion;
-  change(withTable(text.value, "excitation", [`kind = "${kind}"`, ...lines], kept));
+  const lines = { kind: JSON.stringify(kind), ...given };
+  const stays = (key: Key) => key.with !== "file" &&
+    (!key.when || (kind === "record" && was === kind && key.when.kind.includes(kind)));
+  const kept = Object.entries(keysOf(schema.value!.case.properties!.excitation))
+    .filter(([name, node]) => !(name in lines) && node["x-bentur"].some(stays)).map(([name]) => name);
+  const written = Object.entries(lines).map(([key, value]) => `${key} = ${value}`);
+  change(withTable(text.value, "excitation", written, kept));
 }
 
 /** A neighbour of which four numbers are known, to the right of the last building. */
-function withNeighbour(now: string, scale: number, mass: number): string {
+function withNeighbour(now: string, metre: number, newton: number): string {
+  const mass = (250e3 * metre) / newton;
   const all = found.value!.tables.filter((one) => same(one.path, ["building", one.path[1]]));
   const names = found.value!.leaves.filter((one) => one.path[0] === "building" && one.path[2] === "name").map((one) => String(one.value));
   let n = all.length + 1;
   while (names.includes(`Building ${n}`)) ++n;
-  const building = `[[building]]\nname = "Building ${n}"\ndamping = 0.05\n\n[building.generic]\nstoreys = 5\nstorey_height = ${decimal(3.2 * scale)}\nfloor_mass = ${decimal(mass)}\nperiod = 0.6\nsystem = "frame"\n`;
-  const joint = `[[gap]]\nbetween = [${JSON.stringify(names[names.length - 1])}, "Building ${n}"]\nwidth = ${decimal(0.04 * scale)}\nlevel_tolerance = ${decimal(1.6 * scale)}\ncontact = { law = "linear", stiffness = ${decimal(mass * 4000)} }\n`;
+  const building = `[[building]]\nname = "Building ${n}"\ndamping = 0.05\n\n[building.generic]\nstoreys = 5\nstorey_height = ${decimal(3.2 / metre)}\nfloor_mass = ${decimal(mass)}\nperiod = 0.6\nsystem = "frame"\n`;
+  const joint = `[[gap]]\nbetween = [${JSON.stringify(names[names.length - 1])}, "Building ${n}"]\nwidth = ${decimal(0.04 / metre)}\nlevel_tolerance = ${decimal(1.6 / metre)}\ncontact = { law = "linear", stiffness = ${decimal(mass * 4000)} }\n`;
   // New tables stand before [excitation]; lists that have one entry a building get one more.
   const at = found.value!.tables.find((one) => same(one.path, ["excitation"]))?.range[0] ?? now.length;
   const delays = found.value!.lists.find((one) => same(one.path, ["excitation", "delays"]));
@@ -153,28 +164,30 @@ function withNeighbour(now: string, scale: number, mass: number): string {
 
 export function Form() {
   const now = found.value;
-  if (!now) return <p>{say("form.none")}</p>;
-  const buildings = now.tables.filter((one) => one.path.length === 2 && one.path[0] === "building");
-  const gaps = now.tables.filter((one) => one.path.length === 2 && one.path[0] === "gap");
-  const units = unitsOf(now);
-  const kind = String(leaf(now, ["excitation", "kind"])?.value ?? "");
-  const scale = { m: 1, cm: 100, mm: 1000, in: 39.37, ft: 3.281 }[units.length] ?? 1;
-  const newton = { N: 1, kN: 1e3, MN: 1e6, kgf: 9.807, tf: 9807, lbf: 4.448, kip: 4448 }[units.force] ?? 1;
+  if (!now || !schema.value) return <p>{say("form.none")}</p>;
+  const groups = (table: string) => now.tables.map((one) => one.path)
+    .filter((path) => path.length === 2 && path[0] === table).slice(0, 12);
+  const excitation = (key: string) => leaf(now, ["excitation", key])?.value;
+  const kind = excitation("kind"), metre = unitOf("length").size;
+  const isTable = ({ "x-bentur": [key] }: Node) => key.kind === "table" && key.form === "one";
+  const others = Object.entries(schema.value.case.properties!).filter(([name, node]) => isTable(node) && name !== "excitation" &&
+    now.leaves.some((one) => one.path[0] === name && typeof one.value === "number")).map(([name]) => name);
   return (
     <div class="form">
-      {buildings.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={String(leaf(now, [...one.path, "name"])?.value ?? `${i + 1}`)} />)}
-      <p><button type="button" onClick={() => change(withNeighbour(text.value, scale, 250e3 / newton / scale))}>{say("form.add")}</button></p>
-      {gaps.slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.gap", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} without={["between"]} />)}
-      {now.tables.filter((one) => one.path.length === 2 && one.path[0] === "link").slice(0, 12).map((one, i) => <Group key={i} path={one.path} title={say("form.link", { n: i + 1 })} without={["between"]} />)}
-      <Group path={["excitation"]} title={say("form.excitation")} />
+      {groups("building").map((path, i) => <Group key={i} path={path} title={String(leaf(now, [...path, "name"])?.value ?? `${i + 1}`)} />)}
+      <p><button type="button" onClick={() => change(withNeighbour(text.value, metre, unitOf("force").size))}>{say("form.add")}</button></p>
+      {groups("gap").map((path, i) => <Group key={i} path={path} title={say("gap.of", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} />)}
+      {groups("link").map((path, i) => <Group key={i} path={path} title={say("form.link", { n: i + 1 })} />)}
+      <Group path={["excitation"]} title={nameOf("excitation")} />
       <p class="controls">
-        <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite("harmonic", ["period = 0.6", `displacement_amplitude = ${decimal(0.03 * scale)}`])}>{say("form.harmonic")}</button>
-        <button type="button" aria-pressed={kind === "record" && leaf(now, ["excitation", "file"])?.value === recordName} onClick={() => excite("record", [`file = "${recordName}"`, 'unit = "g"'])}>{say("form.elcentro")}</button>
+        <button type="button" aria-pressed={kind === "harmonic"} onClick={() => excite("harmonic", { period: "0.6", displacement_amplitude: decimal(0.03 / metre) })}>{say("form.harmonic")}</button>
+        <button type="button" aria-pressed={kind === "record" && excitation("file") === recordName} onClick={() => excite("record", { file: JSON.stringify(recordName), unit: '"g"' })}>{say("form.elcentro")}</button>
         <FilePicker label={say("form.record")} />
-        {kind === "record" && <Choice name={say("form.unit")} options={["–", ...accelerations]} value={String(leaf(now, ["excitation", "unit"])?.value ?? "–")} set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
+        {kind === "record" && <Choice name={nameOf("excitation", "unit")}
+          options={["–", ...keyAt("excitation", "unit")?.words ?? []]} value={String(excitation("unit") ?? "–")}
+          set={(value) => { if (value !== "–") change(withKey(text.value, "excitation", "unit", JSON.stringify(value))); }} />}
       </p>
-      {now.leaves.some((one) => one.path[0] === "initial") && <Group path={["initial"]} title={say("form.initial")} />}
-      <Group path={["analysis"]} title={say("form.analysis")} />
+      {others.map((name) => <Group key={name} path={[name]} title={nameOf(name)} />)}
     </div>
   );
 }
@@ -197,11 +210,9 @@ export async function openFile(file: File) {
   }
   const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80);
   addFile(name, bytes);
-  const lines = [`file = ${JSON.stringify(name)}`];
-  const unit = leaf(found.value, ["excitation", "unit"]);
-  // Formats that say their unit refuse another one; a plain column does not say it.
-  if (!/\.(at2|v1|v2|v2c|smc|ew|ns|ud|ew1|ns1|ud1|ew2|ns2|ud2|asc)$/i.test(name)) lines.push(`unit = ${unit ? unit.text : '"g"'}`);
-  excite("record", lines);
+  const unit = leaf(found.value, ["excitation", "unit"])?.text ?? '"g"';
+  // A file that says its unit refuses another one; a plain column does not say it.
+  recordUnit(name, (stated) => excite("record", { file: JSON.stringify(name), ...(stated === "" && { unit }) }));
 }
 
 export function FilePicker({ label: shown }: { label: string }) {
@@ -224,8 +235,8 @@ export function GapSlider() {
   const span = most.current.value;
   return (
     <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
-      {overview.gaps.length > 1 && <label>{say("gap")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
-      <label class="slide"><span>{overview.gaps.length > 1 ? say("width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
+      {overview.gaps.length > 1 && <label>{nameOf("gap", "width")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
+      <label class="slide"><span>{overview.gaps.length > 1 ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} /></label>
       <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
     </div>

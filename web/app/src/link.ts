@@ -1,21 +1,13 @@
 // A case within a link: deflated, in the characters that an address may have.
 async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream, most: number): Promise<Uint8Array> {
-  const writer = stream.writable.getWriter();
-  writer.write(bytes as Uint8Array<ArrayBuffer>).then(() => writer.close()).catch(() => undefined);
-  const reader = stream.readable.getReader();
-  const parts: Uint8Array[] = [];
   let size = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    size += value.length;
+  const limit = new TransformStream<Uint8Array, Uint8Array>({ transform(part, out) {
+    size += part.length;
     if (size > most) throw new Error("too long");
-    parts.push(value);
-  }
-  const all = new Uint8Array(size);
-  let at = 0;
-  for (const part of parts) { all.set(part, at); at += part.length; }
-  return all;
+    out.enqueue(part);
+  } });
+  const read = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(stream).pipeThrough(limit);
+  return new Uint8Array(await new Response(read as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
 }
 
 export async function toFragment(text: string): Promise<string> {

@@ -11,7 +11,8 @@ declare module "*/bentur_web.mjs" {
   export interface Studio {
     putFile(path: string, bytes: Uint8Array | string): void;
     open(text: string, file: string): string;
-    units(text: string): string;
+    schema(): string;
+    recordUnit(path: string): string;
     inUnits(text: string, length: string, force: string): string;
     solve(outputStep: number | null, progress: ((done: number) => boolean) | null): string;
     summary(): string;

@@ -16,7 +16,7 @@ const followers = new Set<Motion>();
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
-  const unit = overview.units.length;
+  const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
     const read = JSON.parse(data);
     if (motion.current) {
@@ -53,15 +53,15 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
         <svg data-part="stage" class="stage" role="img" aria-label={say("motion.picture")} />
         <div class="readout">
           <p><output data-part="clock" class="clock" aria-live="off" /><br /><span data-part="event" class="event" /></p>
-          <div class="wide" tabIndex={0} role="group" aria-label={say("motion.opening", { unit })}>
-            <table class="live"><caption>{say("motion.opening", { unit })}</caption><tbody data-part="live" /></table>
+          <div class="wide" tabIndex={0} role="group" aria-label={opening}>
+            <table class="live"><caption>{opening}</caption><tbody data-part="live" /></table>
           </div>
         </div>
       </div>
       <p data-part="buildingKey" class="note">{overview.buildings.map(({ name }, b) => `${b + 1} ${name}`).join(", ")}</p>
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
       <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
-      <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("motion.scrub")} />
+      <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("time")} />
       <p class="controls" hidden={!primary}>
         <button type="button" data-part="play" class="play" aria-pressed="false">{say("motion.play")}</button>
         <button type="button" data-part="previous" aria-label={say("motion.previous")}>«</button>

@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { buildingColour, buildingVariable, Chart, type Curve, curvesSvg } from "./charts";
 import { main } from "./motion";
+import { nameOf } from "./schema";
 import type { BuildingOverview, GapOverview, Overview, Result, Said } from "./solver";
 import { cancel, curve, curveDone, gap, pinned, progress, result, slow, stale, time, width } from "./state";
 import { language, number, say } from "./texts";
@@ -11,7 +12,7 @@ const colour = (index: number) => `var(${buildingVariable(index)})`; // in style
 const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
 
 /** "Gap 0.05 | 0.04 m". */
-export const widthsOf = (overview: Overview) => `${say("gap")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${unitOf(overview)}`;
+export const widthsOf = (overview: Overview) => `${nameOf("gap", "width")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${unitOf(overview)}`;
 
 const isGrave = (one: Said) => one.severity === "danger" || one.severity === "warning";
 
@@ -154,8 +155,8 @@ export function Impacts({ now }: { now: Result }) {
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
         <table>
           <thead><tr>
-            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{say("impact.gap")}</th><th scope="col">{say("impact.level")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
-            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("impact.force")} <small>{units.force}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{say("impact.restitution")}</th>
+            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{nameOf("gap", "width")}</th><th scope="col">{say("history.point")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
+            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("curve.force")} <small>{units.force}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{nameOf("gap", "contact", "restitution")}</th>
           </tr></thead>
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
             <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
@@ -177,7 +178,7 @@ export function GapCurve({ now }: { now: Result }) {
     <section id="curve">
       <h2>{say("curve")}: {gaps[gap.value]?.name}</h2>
       <Chart title={curveDone.value < 1 ? say("curve.progress", { percent: Math.round(100 * curveDone.value) }) : `${say("curve.force")}, ${say("curve.amplification").toLowerCase()}`}
-        x={points.map((one) => one.width)} xLabel={`${say("width")} [${units.length}]`} yLabel={units.force} right={say("curve.amplification")} height={200} mark={width} theme={`${theme.value}${language.value}`}
+        x={points.map((one) => one.width)} xLabel={`${nameOf("gap", "width")} [${units.length}]`} yLabel={units.force} right={say("curve.amplification")} height={200} mark={width} theme={`${theme.value}${language.value}`}
         curves={[{ label: say("curve.force"), colour: buildingColour(5), values: points.map((one) => one.force) },
           { label: say("curve.amplification"), colour: buildingColour(4), values: points.map((one) => one.amplification), axis: "right", dash: [5, 3] }]} />
       <p class="note">{say("curve.note")}</p>
@@ -198,7 +199,7 @@ export function Loops({ now }: { now: Result }) {
             const shear = now.histories.buildings[b].shear[k];
             // A slab on bearings stands below the first storey: it has no height, and its drift is what they slide.
             const slabs = one.heights[0] === 0 ? 1 : 0, slab = k < slabs;
-            const name = slab ? say("bearings") : say("storey", { n: k + 1 - slabs });
+            const name = slab ? nameOf("building", "isolation") : say("storey", { n: k + 1 - slabs });
             const most = (values: Float64Array) => values.reduce((all, value) => Math.max(all, Math.abs(value)), 1e-300);
             const x = most(drift), y = most(shear), by = Math.max(1, Math.floor(drift.length / 4000));
             let d = "";
@@ -216,7 +217,7 @@ export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
   const rows = (one: Result) => [one.overview.gaps.map((each) => with_(each.width, unitOf(one.overview))).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
     one.overview.gaps.map((each) => with_(each.needed, unitOf(one.overview))).join(" | "), number(one.overview.amplification)];
-  const heads = [say("gap"), say("compare.impacts"), say("compare.force"), say("compare.needed"), say("compare.amplification")];
+  const heads = [nameOf("gap", "width"), say("impacts"), say("curve.force"), say("compare.needed"), say("curve.amplification")];
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>

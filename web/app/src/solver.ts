@@ -1,5 +1,6 @@
 // The page's side of the worker: of each kind the newest request counts, and one that takes too long is given up with
 // its worker.
+import { signal } from "@preact/signals";
 import SolverWorker from "./worker?worker&inline";
 
 export interface CaseError { file: string; line: number; column: number; key: string; message: string }
@@ -11,7 +12,7 @@ export interface Histories {
   buildings: { displacement: Float64Array[]; drift: Float64Array[]; shear: Float64Array[] }[];
 }
 export interface GapOverview {
-  name: string; impacts: number; width: number; needed: number; reversed: number | null; elevation: number;
+  name: string; width: number; needed: number;
   hardest?: { force: number; elevation: number };
 }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
@@ -25,8 +26,21 @@ export interface Overview {
   title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
-  collapse?: { building: string; time: number };
 }
+/** What `bentur schema` says of a key in one of its meanings: `unit` in words, "force/length". */
+export interface Key {
+  kind: string; form: string; label: { en: string; id: string }; group?: string; with?: string;
+  unit?: string; words?: string[]; when?: Record<string, string[]>;
+  number?: {
+    type?: string; minimum?: number; exclusiveMinimum?: boolean;
+    maximum?: number; exclusiveMaximum?: boolean; not?: object;
+  };
+}
+export interface Node {
+  description: string; properties?: Record<string, Node>; items?: Node; anyOf?: Node[];
+  "x-bentur": Key[];
+}
+export interface Schema { case: Node; units: Record<"length" | "force", Record<string, number>> }
 export interface CurvePoint { width: number; force: number; amplification: number }
 export type Take = "summary" | "impacts" | "gaps" | "modes" | "report";
 export type Files = [string, Uint8Array][];
@@ -35,19 +49,24 @@ export type Request = Common & (
   | { kind: "run"; step: number | null }
   | { kind: "take"; what: Take }
   | { kind: "units"; length: string; force: string }
+  | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; units: Record<string, string>; motion: string; histories: Histories; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; motion: string; histories: Histories; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
+  | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }
   | { kind: "progress"; done: number }
   | ({ kind: "result" } & Result)
   | { kind: "text"; text: string }
   | { kind: "curve"; curve: CurvePoint[]; done: number });
 
-type Wanted = Omit<Request, "id" | "files"> & { [key: string]: unknown };
+type Wanted = Pick<Request, "kind"> & { [key: string]: unknown };
 interface Asked { request: Wanted; hear: (answer: Answer) => void }
 const LIMIT = 20000; // [ms] that anything may take
 const MOMENT = 700; // [ms] after which it is said that something is under way
+
+/** Nothing until a solver is there. */
+export const schema = signal<Schema | null>(null);
 
 export class Solver {
   private worker: Worker | null = null; // only when there is something to do: it has all of WebAssembly to compile
@@ -67,6 +86,7 @@ export class Solver {
     if (this.worker) return this.worker;
     this.worker = new SolverWorker();
     this.worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+      if (data.kind === "schema") schema.value = data.schema;
       if (!this.running || data.id !== this.running.id) return;
       const { hear } = this.running;
       const over = data.kind !== "progress" && !(data.kind === "curve" && data.done < 1);

@@ -102,10 +102,7 @@ function drawCurve(wanted: string) {
   });
 }
 
-export function change(next: string) {
-  if (next === text.value) return;
-  text.value = next;
-}
+export const change = (next: string) => { text.value = next; };
 
 export const cancel = () => live.giveUp("cancelled");
 
@@ -157,6 +154,11 @@ export function addFile(name: string, bytes: Uint8Array) {
   for (const solver of [live, behind]) solver.files = [...solver.files, [name, bytes]];
   ownRecord.value = true;
   added.value += 1;
+}
+
+/** The unit that a file says it is in; "" where it says none. */
+export function recordUnit(name: string, hear: (unit: string) => void) {
+  live.ask({ kind: "record", name }, (answer) => hear(answer.kind === "text" ? answer.text : ""));
 }
 
 export function take(what: Take): Promise<string> {

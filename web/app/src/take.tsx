@@ -109,7 +109,7 @@ export function Take() {
       <h2>{say("take")}</h2>
       <p class="controls">
         <FilePicker label={say("take.open")} />
-        <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("take.case")}</button>
+        <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("edit.text")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
         {now && <>
           <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>

@@ -55,8 +55,7 @@ export const leaf = (found: Outline | null, path: Path) => found?.leaves.find((o
 export function decimal(value: number): string {
   if (value === 0 || !Number.isFinite(value)) return "0.0";
   const short = Number(value.toPrecision(5));
-  const text = Math.abs(short) >= 1e6 || Math.abs(short) < 1e-4 ? short.toExponential().replace("e+", "e") : String(short);
-  return text;
+  return Math.abs(short) >= 1e6 || Math.abs(short) < 1e-4 ? short.toExponential().replace("e+", "e") : String(short);
 }
 
 function numberLike(old: string, value: number): string {

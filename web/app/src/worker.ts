@@ -1,9 +1,13 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
-import type { Answer, CurvePoint, Request } from "./solver";
+import type { Answer, CaseError, CurvePoint, Request } from "./solver";
 
-const ready: Promise<Studio> = createBentur().then((module) => new module.Studio());
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
+const ready: Promise<Studio> = createBentur().then((module) => {
+  const studio = new module.Studio();
+  post({ id: 0, kind: "schema", schema: JSON.parse(studio.schema()) });
+  return studio;
+});
 let opened = "";
 let stop = 0; // curves up to this number are no longer wanted
 
@@ -20,15 +24,19 @@ async function answer(request: Request): Promise<void> {
     studio.putFile(path, bytes);
     opened = "";
   }
-  const open = (text: string) => {
-    const result = JSON.parse(studio.open(text, "case.toml"));
-    opened = result.ok ? text : "";
-    return result;
-  };
+  const refused = ({ errors }: { errors: CaseError[] }) => post({ id, kind: "refused", errors });
+  if (request.kind === "record") return post({ id, kind: "text", text: studio.recordUnit(request.name) });
+  if (request.kind === "units") {
+    const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
+    return result.ok ? post({ id, kind: "text", text: result.text }) : refused(result);
+  }
+  const started = performance.now();
+  if (request.kind !== "curve" || opened !== request.text) {
+    const result = JSON.parse(studio.open(request.text, "case.toml"));
+    opened = result.ok ? request.text : "";
+    if (!result.ok) return refused(result);
+  }
   if (request.kind === "run") {
-    const started = performance.now();
-    const result = open(request.text);
-    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
     let told = started;
     const solved = JSON.parse(studio.solve(request.step, (done) => {
       const now = performance.now();
@@ -36,9 +44,9 @@ async function answer(request: Request): Promise<void> {
       if (now - told > 200) told = now;
       return true;
     }));
-    if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
+    if (!solved.ok) return refused(solved);
     const overview = JSON.parse(studio.overview(request.language));
-    if (!overview.ok) return post({ id, kind: "refused", errors: overview.errors });
+    if (!overview.ok) return refused(overview);
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
     overview.title = clip(overview.title);
@@ -46,32 +54,22 @@ async function answer(request: Request): Promise<void> {
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
     const histories = studio.histories();
-    return post({ id, kind: "result", overview, units: JSON.parse(studio.units(request.text)), motion: studio.motion(request.language), histories,
+    return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
       milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));
   }
   if (request.kind === "take") {
-    const result = open(request.text);
-    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
     const solved = JSON.parse(studio.solve(request.what === "report" ? null : 0, null));
-    if (!solved.ok) return post({ id, kind: "refused", errors: solved.errors });
+    if (!solved.ok) return refused(solved);
     const text = request.what === "summary" ? studio.summary() : request.what === "impacts" ? studio.impacts()
       : request.what === "gaps" ? studio.gaps() : request.what === "modes" ? studio.modes() : studio.report(request.language);
     return post({ id, kind: "text", text });
   }
-  if (request.kind === "units") {
-    const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
-    return post(result.ok ? { id, kind: "text", text: result.text } : { id, kind: "refused", errors: result.errors });
-  }
   // A curve over gap widths; in between, requests that come in are heard.
-  if (opened !== request.text) {
-    const result = open(request.text);
-    if (!result.ok) return post({ id, kind: "refused", errors: result.errors });
-  }
   const curve: CurvePoint[] = [];
   for (const [k, width] of request.widths.entries()) {
     if (id <= stop) return;
     const one = JSON.parse(studio.atWidth(request.gap, width));
-    if (!one.ok) return post({ id, kind: "refused", errors: one.errors });
+    if (!one.ok) return refused(one);
     curve.push({ width, force: one.force, amplification: one.amplification });
     if (k % 4 === 3 || k + 1 === request.widths.length) {
       post({ id, kind: "curve", curve: [...curve], done: (k + 1) / request.widths.length });

@@ -165,10 +165,9 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
     return std::nullopt;
   }
   const TableView contact = *TableView::of(*view, contact_keys());
-  const auto name = contact.word("law");
-  const LawEntry* const law = name ? find_law(*name) : nullptr;
-  if (law == nullptr) return std::nullopt;
   ContactSpec spec;
+  const LawEntry* const law = contact.law("law", contact_laws(), &OwnLaw::contact, spec.own);
+  if (law == nullptr) return std::nullopt;
   spec.law = law->name;
   const bool numbers = read_numbers(contact, *law, sides, spec);
   const bool choices = read_choices(contact, *law, spec);

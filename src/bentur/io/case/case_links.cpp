@@ -55,6 +55,7 @@ bool read_link_numbers(const TableView& link, const LawEntryOf<Law>& law, LinkSp
     good = good && (given ? !numbers.empty() : !key.is_required());
     if (!numbers.empty()) spec.numbers[name] = std::move(numbers);
   }
+  if (law.keys.empty()) return true;
   if (!any && !law.keys.front().is_required()) {  // nothing of it must be given, but something
     std::string keys;
     for (const Key& key : law.keys) keys += (keys.empty() ? "" : " or ") + std::string(key.name);
@@ -68,8 +69,7 @@ LinkSpec read_link(const TomlView& entry, const std::vector<ReadBuilding>& build
   const auto table = TableView::of(entry, link_keys());
   if (!table) return spec;
   const TableView& link = *table;
-  const auto name = link.word("law");
-  const auto* const law = name ? find_entry(link_laws(), *name) : nullptr;
+  const auto* const law = link.law("law", link_laws(), &OwnLaw::link, spec.own);
   spec.level_tolerance = link.number("level_tolerance");
   const auto sides = read_sides(link, buildings);
   if (!link.has("elevations")) link.error_missing("elevations");

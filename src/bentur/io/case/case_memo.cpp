@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <span>
 
 namespace bentur {
@@ -39,6 +40,7 @@ void append_content(const TomlValue& value, std::string& key) {
       break;
     case TomlValue::Kind::text:
       append_text(value.text, key);
+      append_bytes(reinterpret_cast<std::uintptr_t>(value.law.get()), key);
       break;
     case TomlValue::Kind::integer:
       append_bytes(value.integer, key);

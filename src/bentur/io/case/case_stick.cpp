@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/elements/hysteretic_laws.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
@@ -10,7 +11,7 @@ namespace {
 
 /// What says how storeys yield.
 void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
-  const auto word = view.word("hysteresis");
+  const auto* const law = view.law("hysteresis", hysteretic_laws(), &OwnLaw::storey, stick.own);
   stick.hardening = view.numbers("hardening", storeys);
   std::vector<std::string> of_yielding = {"hardening", "hysteresis"};
   for (const std::string& name : view.keys().names()) {
@@ -20,7 +21,8 @@ void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
     const auto number = view.number(name);
     if (number && view.has(name)) stick.law_numbers[name] = *number;
   }
-  if (word) stick.hysteresis = *word;
+  if (law != nullptr) stick.hysteresis = law->name;
+  if (stick.own) view.refuse({"hardening"}, "is not for a law of one's own: its branches say what follows yielding");
   if (view.has("yield_forces")) {
     stick.yield_forces = view.numbers("yield_forces", storeys);
   } else {

@@ -27,4 +27,10 @@ void name_coordinates(ResultVariable& variable, const std::string& more) {
   if (!names.empty()) variable.attributes.push_back({"coordinates", names});
 }
 
+const StoredVariable* ResultSource::find(std::string_view variable) const noexcept {
+  const std::vector<StoredVariable>& all = variables();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == variable; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 }  // namespace bentur

@@ -53,14 +53,30 @@ inline constexpr std::string_view result_history = "written by bentur";
 /// Names the coordinates of a variable's dimensions in its attribute "coordinates", behind `more`.
 void name_coordinates(ResultVariable& variable, const std::string& more = "");
 
+/// A variable of a file that is read, without its values.
+struct StoredVariable {
+  std::string name;
+  std::string units, long_name;  ///< attributes; empty where there is none
+  std::vector<std::string> dimensions;
+  std::vector<std::size_t> shape;        ///< one size per dimension
+  std::vector<std::string> coordinates;  ///< of the attribute, word by word
+  bool text = false;
+};
+
 /// A file of results that is read.
 class ResultSource {
  public:
   virtual ~ResultSource() = default;
+  [[nodiscard]] virtual const std::vector<StoredVariable>& variables() const noexcept = 0;
+  /// nullptr where there is none of that name.
+  [[nodiscard]] const StoredVariable* find(std::string_view variable) const noexcept;
+  [[nodiscard]] bool has(std::string_view variable) const noexcept { return find(variable) != nullptr; }
   /// 0 where there is no such dimension.
   [[nodiscard]] virtual std::size_t dimension_size(std::string_view dimension) const = 0;
-  [[nodiscard]] virtual bool has(std::string_view variable) const = 0;
+  /// All values, last dimension fastest.
   [[nodiscard]] virtual std::vector<double> numbers(std::string_view variable) const = 0;
+  /// Those at place `i` of the first dimension, so that memory need not hold them all.
+  [[nodiscard]] virtual std::vector<double> numbers(std::string_view variable, std::size_t i) const = 0;
   [[nodiscard]] virtual std::vector<std::string> texts(std::string_view variable) const = 0;
   /// A text attribute of a variable, or of the file; empty where there is none.
   [[nodiscard]] virtual std::string attribute(std::string_view variable, const std::string& attribute) const = 0;

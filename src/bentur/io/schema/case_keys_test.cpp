@@ -122,5 +122,21 @@ TEST(JsonSchema, HasEveryLawWithItsKeys) {
   EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-04/schema#");
 }
 
+TEST(JsonSchema, SaysOfEachMeaningWhatANumberMayBe) {
+  const auto schema = nlohmann::json::parse(json_schema(case_keys(), "A case"));
+  const auto& excitation = schema["properties"]["excitation"];
+  const auto number = [&](const char* key, std::size_t meaning) {
+    return excitation["properties"][key]["x-bentur"][meaning]["number"];
+  };
+  EXPECT_EQ(number("pga", 0), (nlohmann::json{{"type", "number"}, {"minimum", 0.0}, {"exclusiveMinimum", true}}));
+  EXPECT_EQ(number("scale", 0)["not"]["enum"][0], 0);
+  EXPECT_EQ(excitation["properties"]["pga"]["x-bentur"][0]["unit"], "length/s²");
+  EXPECT_EQ(number("column", 0)["minimum"], 1);
+  EXPECT_EQ(number("column", 1)["minimum"], 2);
+  // A spectrum has accelerations without a file, and their unit.
+  EXPECT_EQ(excitation["dependencies"]["column"][0], "file");
+  EXPECT_FALSE(excitation["dependencies"].contains("unit"));
+}
+
 }  // namespace
 }  // namespace bentur

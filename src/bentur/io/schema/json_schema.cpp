@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bentur/core/units.h"
@@ -96,23 +95,26 @@ std::string quantity_pattern() {
   return fmt::format("^[ \\t]*[0-9.][0-9.eE+-]*[ \\t]*({}|gal|Gal)[ \\t]*$", fmt::join(acceleration_units(), "|"));
 }
 
+Schema one_number(const Key& key) {
+  if (key.kind == Key::Kind::whole) return {{"type", "integer"}, {"minimum", key.least}, {"maximum", key.most}};
+  Schema number = {{"type", "number"}};
+  const Bounds bounds = bounds_of(key.range);
+  if (bounds.least) number["minimum"] = *bounds.least;
+  if (bounds.least_excluded) number["exclusiveMinimum"] = true;
+  if (bounds.most) number["maximum"] = *bounds.most;
+  if (bounds.most_excluded) number["exclusiveMaximum"] = true;
+  if (key.range == Range::not_zero) number["not"] = {{"enum", {0}}};
+  return number;
+}
+
 Schema one_value(const Key& key) {
   switch (key.kind) {
     case Key::Kind::number:
     case Key::Kind::by_building:
-    case Key::Kind::quantity: {
-      Schema number = {{"type", "number"}};
-      const Bounds bounds = bounds_of(key.range);
-      if (bounds.least) number["minimum"] = *bounds.least;
-      if (bounds.least_excluded) number["exclusiveMinimum"] = true;
-      if (bounds.most) number["maximum"] = *bounds.most;
-      if (bounds.most_excluded) number["exclusiveMaximum"] = true;
-      if (key.range == Range::not_zero) number["not"] = {{"enum", {0}}};
-      if (key.kind != Key::Kind::quantity) return number;
-      return {{"anyOf", {number, {{"type", "string"}, {"pattern", quantity_pattern()}}}}};
-    }
     case Key::Kind::whole:
-      return {{"type", "integer"}, {"minimum", key.least}, {"maximum", key.most}};
+      return one_number(key);
+    case Key::Kind::quantity:
+      return {{"anyOf", {one_number(key), {{"type", "string"}, {"pattern", quantity_pattern()}}}}};
     case Key::Kind::flag:
       return {{"type", "boolean"}};
     case Key::Kind::text:
@@ -165,31 +167,23 @@ Schema schema_of_value(const Key& key) {
 }
 
 Schema told_of(const Key& key) {
-  static const std::map<Key::Kind, const char*> kinds = {{Key::Kind::number, "number"},
-                                                         {Key::Kind::quantity, "quantity"},
-                                                         {Key::Kind::whole, "whole"},
-                                                         {Key::Kind::flag, "flag"},
-                                                         {Key::Kind::text, "text"},
-                                                         {Key::Kind::line, "line"},
-                                                         {Key::Kind::file, "file"},
-                                                         {Key::Kind::choice, "choice"},
-                                                         {Key::Kind::table, "table"},
-                                                         {Key::Kind::any, "any"},
-                                                         {Key::Kind::by_building, "by_building"}};
-  static const std::map<Key::Form, const char*> forms = {{Key::Form::one, "one"},
-                                                         {Key::Form::list, "list"},
-                                                         {Key::Form::one_or_list, "one_or_list"},
-                                                         {Key::Form::matrix, "matrix"}};
-  Schema told = {{"kind", kinds.at(key.kind)},
-                 {"form", forms.at(key.form)},
+  // In the order of Key::Kind and Key::Form.
+  static constexpr const char* kinds[] = {"number", "quantity", "whole", "flag",        "text", "line",
+                                          "file",   "choice",   "table", "by_building", "any"};
+  static constexpr const char* forms[] = {"one", "list", "one_or_list", "matrix"};
+  Schema told = {{"kind", kinds[static_cast<std::size_t>(key.kind)]},
+                 {"form", forms[static_cast<std::size_t>(key.form)]},
                  {"label", {{"en", key.label.english}, {"id", key.label.indonesian}}},
                  {"value", value_text(key)},
                  {"doc", key.doc},
                  {"need", key.need == Need::required   ? "required"
                           : key.need == Need::optional ? "optional"
                                                        : "one_of"}};
+  if (key.kind <= Key::Kind::whole || key.kind == Key::Kind::by_building) told["number"] = one_number(key);
   if (const std::string without = default_text(key); !without.empty()) told["default"] = without;
   if (key.dimension != dimension::none) told["dimension"] = key.dimension.form();
+  const std::string own_unit(key.own_unit), unit = key.dimension.text("length", "force");
+  if (!own_unit.empty() || !unit.empty()) told["unit"] = own_unit.empty() ? unit : own_unit;
   if (!key.words.empty()) told["words"] = key.words;
   if (!key.word_docs.empty()) told["word_docs"] = key.word_docs;
   if (key.table != nullptr) told["table"] = key.table->title;
@@ -335,7 +329,9 @@ Schema schema_of_table(const KeyTable& table) {
   }
   if (!required.empty()) schema["required"] = required;
   for (const Key& key : table.keys) {
-    if (!key.with.empty()) schema["dependencies"][std::string(key.name)] = {key.with};
+    const bool always_so = std::all_of(table.keys.begin(), table.keys.end(),
+                                       [&](const Key& one) { return one.name != key.name || one.with == key.with; });
+    if (!key.with.empty() && always_so) schema["dependencies"][std::string(key.name)] = {key.with};
   }
   add_groups(table, always, rules);
   std::vector<std::string_view> deciding;

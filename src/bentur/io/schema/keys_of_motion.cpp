@@ -31,20 +31,26 @@ std::vector<Key> record_keys() {
   return of_kind(
       {"record"},
       {Key::of("file", Key::Kind::file, {"Record", "Rekaman"}, "relative to the case file"),
-       Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional(),
+       Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional().goes_with("file"),
        Key::number("time_step", dimension::time, Range::positive, {"Time step", "Langkah waktu"},
                    "needed where the file does not say it")
-           .optional("the file's"),
-       unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity").optional("the file's"),
+           .optional("the file's")
+           .goes_with("file"),
+       unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity")
+           .optional("the file's")
+           .goes_with("file"),
        Key::whole("column", 1, last_place, {"Column", "Kolom"},
                   "the accelerations' column; needed where a file of columns has more than two")
-           .by_default(2),
+           .by_default(2)
+           .goes_with("file"),
        Key::whole("channel", 1, last_place, {"Channel", "Kanal"},
                   "which block of accelerations; needed where a `cosmos` or `csmip` file has several")
-           .by_default(1),
+           .by_default(1)
+           .goes_with("file"),
        Key::whole("skip_lines", 0, last_place, {"Lines to skip", "Baris dilewati"},
                   "how many lines at the beginning are skipped")
-           .optional("0; headings are found"),
+           .optional("0; headings are found")
+           .goes_with("file"),
        Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
                    "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
            .called({{"as recorded", "seperti direkam"},

@@ -46,11 +46,10 @@ const KeyTable& soil_keys() {
   static const KeyTable table = {
       "building.soil",
       "sway and rocking of the foundation",
-      {Key::sub_table("sway", sway_keys(), {"Soil, sway", "Tanah, goyangan"}, "spring and dashpot of the sway")
+      {Key::sub_table("sway", sway_keys(), {"Sway", "Goyangan"}, "spring and dashpot of the sway")
            .one_of("ground")
            .goes_with("rocking"),
-       Key::sub_table("rocking", rocking_keys(), {"Soil, rocking", "Tanah, guling"},
-                      "spring and dashpot of the rotation")
+       Key::sub_table("rocking", rocking_keys(), {"Rocking", "Guling"}, "spring and dashpot of the rotation")
            .optional()
            .goes_with("sway"),
        Key::sub_table("foundation", foundation_keys(), {"Foundation", "Fondasi"},

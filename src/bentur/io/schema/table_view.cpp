@@ -14,6 +14,7 @@ using Kind = TomlValue::Kind;
 /// One value; of a key that takes lists one of their items.
 void check_one(const TomlView& value, const Key& key) {
   if (value.is(Kind::table) && key.table != nullptr) return check_values(value, *key.table);
+  if (value.value().law) return;  // one's own, in the place of a law's name
   const bool is_text = value.is(Kind::text);
   switch (key.kind) {
     case Key::Kind::number:
@@ -124,6 +125,10 @@ std::optional<TableView> TableView::of(const TomlView& view, const KeyTable& key
     const Key& by = keys.at(broken->key);
     const TomlValue* const given = view.value().find(std::string(by.name));
     if (by.kind == Key::Kind::flag || (given == nullptr && by.is_required())) continue;
+    if (given != nullptr && given->law) {
+      view.refuse({member.key}, fmt::format("is not for {} = \"{}\"", by.name, given->text));
+      continue;
+    }
     const std::string_view word = given != nullptr ? std::string_view(given->text) : by.words.front();
     if (std::find(by.words.begin(), by.words.end(), word) == by.words.end()) continue;
     std::vector<std::string_view> owners;

@@ -10,6 +10,7 @@
 #include "bentur/core/key.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/model/own_law.h"
 
 namespace bentur {
 
@@ -42,6 +43,21 @@ class TableView : public TomlView {
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
   [[nodiscard]] std::optional<std::string> word(std::string_view name) const;
   [[nodiscard]] std::optional<TableView> table(std::string_view name) const;
+  /// The law that a word names, of those listed, or one that the caller has brought along: then it goes to `own`. Null
+  /// (and an error) where the word names none, or that law cannot stand here.
+  template <class Made>
+  [[nodiscard]] const LawEntryOf<Made>* law(std::string_view name, const std::vector<LawEntryOf<Made>>& laws,
+                                            std::shared_ptr<const LawEntryOf<Made>> OwnLaw::*place,
+                                            std::shared_ptr<const LawEntryOf<Made>>& own) const {
+    const auto given = find(std::string(name));
+    if (given && given->value().law) {
+      own = (*given->value().law).*place;
+      if (!own) given->error_value("is a law of contacts alone: here it must be made of branches");
+      return own.get();
+    }
+    const auto known = word(name);
+    return known ? find_entry(laws, *known) : nullptr;
+  }
 
   /// Of the keys of a group the one given; an error where there are more, or none and one is needed.
   [[nodiscard]] std::optional<std::string> exactly_one(std::string_view group) const;

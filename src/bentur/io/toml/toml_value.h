@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 
 namespace bentur {
 
+struct OwnLaw;
 struct TomlMember;
 
 /// A value of a TOML file, copied out of the parser so that only one source file knows the parser.
@@ -23,8 +25,9 @@ struct TomlValue {
   std::int64_t integer = 0;
   double real = 0;  ///< also set for integers [unit of the key]
   bool boolean = false;
-  std::vector<TomlValue> items;     ///< of a list
-  std::vector<TomlMember> members;  ///< of a table, in the order of the file
+  std::vector<TomlValue> items;       ///< of a list
+  std::vector<TomlMember> members;    ///< of a table, in the order of the file
+  std::shared_ptr<const OwnLaw> law;  ///< a law that is not listed; then `text` is its name. No file can say so
 
   [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
   /// The value of a key; null where this is no table or has no such key.

@@ -95,9 +95,20 @@ struct Figure {
   bool shared_legend = false;   ///< one legend of all panels stands above them
 };
 
-/// The figure in gnuplot's terms. The script reads NAME.dat and writes NAME.svg, or NAME.pdf, NAME.png where the
-/// variable `format` says so; both files stand side by side. The same figure gives the same texts.
+/// The figure as SVG: texts are texts, measured in DejaVu Sans. The same figure gives the same bytes.
 /// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
+[[nodiscard]] std::string figure_svg(const Figure& figure);
+
+/// The same as an element of a page, whose style sheet holds figure_style(). `label`: what it says to readers who do
+/// not see it.
+[[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
+
+/// The colours of figures as CSS, on paper and on a dark screen.
+[[nodiscard]] std::string figure_style();
+
+/// What is needed to draw the figure in another style: gnuplot's script and the data it reads, NAME.dat. It writes
+/// NAME.svg, or NAME.pdf, NAME.png where the variable `format` says so. The same figure gives the same texts.
+/// @throws InvalidParameter as figure_svg().
 struct FigureText {
   std::string data, script;
 };

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/figures/picture.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {
@@ -12,24 +12,24 @@ namespace bentur {
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures,
                    const std::vector<std::string>& formats, const OutputRules& rules) {
   AtomicFiles files(folder, rules);
-  std::optional<NoGnuplot> missing;
+  std::optional<NoConverter> missing;
   for (const auto& [name, figure] : figures) {
     const FigureText text = figure_text(figure, name);
     files.add(name + ".dat", text.data, ResultKind::figure_data);
     files.add(name + ".gp", text.script, ResultKind::figure_script);
     for (const std::string& format : formats) {
-      if (missing) break;
+      if (missing && format != "svg") continue;
       try {
         std::string file = name;
         file.append(".").append(format);
-        files.add(file, draw(text, name, format), ResultKind::picture);
-      } catch (const NoGnuplot& error) {
+        files.add(file, draw(figure, format), ResultKind::picture);
+      } catch (const NoConverter& error) {
         missing = error;
       }
     }
   }
   files.commit();
-  if (missing) throw NoGnuplot(*missing);
+  if (missing) throw NoConverter(*missing);
 }
 
 void expect_figure(const std::filesystem::path& folder, const std::string& name,

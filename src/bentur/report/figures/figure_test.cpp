@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/figures/picture.h"
 
 namespace bentur {
 namespace {
@@ -80,51 +86,131 @@ TEST(FigureText, TextsStandBetweenQuotesOnly) {
   }
 }
 
-TEST(FigureText, GnuplotShowsThemAndDoesNothingElse) {
-  if (!gnuplot_version()) GTEST_SKIP() << "gnuplot is not installed";
+/// The numbers of an attribute, wherever it stands: of "x" those in ` x="12.3"`.
+std::vector<double> numbers(const std::string& svg, const std::string& attribute) {
+  std::vector<double> list;
+  const std::string opening = " " + attribute + "=\"";
+  for (std::size_t at = svg.find(opening); at != std::string::npos; at = svg.find(opening, at + 1)) {
+    list.push_back(std::stod(svg.substr(at + opening.size())));
+  }
+  return list;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(FigureSvg, ShowsTextsAsTheyAre) {
+  const std::string plain = figure_svg(simple("x"));
   for (const char* text : nasty) {
-    const std::string svg = draw(figure_text(simple(text), "'it's"), "'it's", "svg");
-    EXPECT_EQ(svg.find("<script"), std::string::npos) << text;
-    EXPECT_EQ(svg.find("]]>"), std::string::npos) << text;
-    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    const std::string svg = figure_svg(simple(text));
+    EXPECT_EQ(count(svg, "<"), count(plain, "<")) << text << ": no tag more";
+    EXPECT_EQ(count(svg, "<script"), 0U) << text;
+    EXPECT_EQ(count(svg, "]]>"), 0U) << text;
+    const std::string element = figure_element(simple("x"), text);
+    EXPECT_EQ(count(element, "<"), count(figure_element(simple("x"), "x"), "<")) << text;
+    EXPECT_EQ(count(element, "\""), count(figure_element(simple("x"), "x"), "\"")) << text;
   }
 }
 
-TEST(FigureText, SaysTheSameTwice) {
-  const FigureText a = figure_text(simple("x"), "name");
-  const FigureText b = figure_text(simple("x"), "name");
+TEST(FigureSvg, SaysTheSameTwice) {
+  EXPECT_EQ(figure_svg(simple("x")), figure_svg(simple("x")));
+  const FigureText a = figure_text(simple("x"), "name"), b = figure_text(simple("x"), "name");
   EXPECT_EQ(a.script, b.script);
   EXPECT_EQ(a.data, b.data);
-  if (!gnuplot_version()) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_EQ(draw(a, "name", "svg"), draw(b, "name", "svg"));
 }
 
-TEST(FigureText, PdfAndPngToo) {
-  if (!gnuplot_version()) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_EQ(draw(figure_text(simple("x"), "name"), "name", "pdf").substr(0, 5), "%PDF-");
-  EXPECT_EQ(draw(figure_text(simple("x"), "name"), "name", "png").substr(1, 3), "PNG");
+TEST(FigureSvg, IsAJournalsColumn) {
+  EXPECT_EQ(numbers(figure_svg(simple("x")), "width").front(), 332.6);  // 8.8 cm of 96 pixels an inch
+  EXPECT_NE(figure_text(simple("x"), "name").script.find("pdfcairo size 8.8cm,"), std::string::npos);
 }
 
-TEST(FigureText, AJournalsColumn) {
-  const std::string script = figure_text(simple("x"), "name").script;
-  EXPECT_NE(script.find("pdfcairo size 8.8cm,"), std::string::npos);
-  EXPECT_NE(script.find("svg name 'bentur_name' size 333,"), std::string::npos);  // 8.8 cm of 96 pixels an inch
+TEST(FigureSvg, PointsStandWhereTheirValuesAre) {
+  Figure figure = simple("x");
+  Panel& panel = figure.panels[0];
+  panel.rules.clear();
+  panel.events = {};
+  panel.x.from = panel.y.from = 0;
+  panel.x.to = 10, panel.y.to = 20;
+  panel.curves = {{.x = {0, 5, 7, 10, 12}, .y = {0, 20, NAN, 10, 10}, .mark = Mark::disc}};
+  const std::string svg = figure_svg(figure);
+  const PlacedPanel placed = layout(figure).panels[0];
+  const double width = (placed.right - placed.left) / 2.54 * 96, height = (placed.top - placed.bottom) / 2.54 * 96;
+  const std::string path = svg.substr(svg.find("<path d=\"M0 ") + 9);
+  double x[4] = {}, y[4] = {};
+  ASSERT_EQ(std::sscanf(path.c_str(), "M%lf %lfL%lf %lfM%lf %lfL%lf %lf\"", &x[0], &y[0], &x[1], &y[1], &x[2], &y[2],
+                        &x[3], &y[3]),
+            8)
+      << path.substr(0, 80);
+  const double at[4] = {0, 5, 10, 12}, up[4] = {0, 20, 10, 10};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(x[i], at[i] / 10 * width, 0.006) << i;
+    EXPECT_NEAR(y[i], (1 - up[i] / 20) * height, 0.006) << i;
+  }
+  EXPECT_EQ(count(svg, "<circle"), 3U) << "not where there is no value, and not outside of the frame";
 }
 
-TEST(FigureText, EmptyFramesAreRefused) {
+TEST(FigureSvg, AreasAndMapsAreFilledAndCutOff) {
+  Figure figure;
+  Panel panel;
+  panel.curves = {{.x = {0, 1, 2}, .y = {0, 1, 0}, .top = {1, 2, 1}, .tone = Tone::pale_blue}};
+  figure.panels = {panel};
+  EXPECT_EQ(count(figure_svg(figure), "Z\" class=\"fill-pale-blue\""), 1U);
+  panel.curves.clear();
+  panel.map = HeatMap{{0, 1, 2}, {0, 1, 2}, {0, 1, 2, std::numeric_limits<double>::quiet_NaN()}, "z [m]"};
+  figure.panels = {panel};
+  const std::string svg = figure_svg(figure);
+  EXPECT_EQ(count(svg, "#ffffe0"), 2U) << "the cell of the scale's begin, and that begin";
+  EXPECT_EQ(count(svg, "crispEdges"), 3U + 65U) << "three cells, and the scale";
+  EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
+}
+
+/// Ratio of the contrast of two colours, "#rrggbb" (WCAG 2.2).
+double contrast(const std::string& a, const std::string& b) {
+  const auto luminance = [](const std::string& colour) {
+    double sum = 0;
+    for (const auto& [place, weight] : {std::pair{1, 0.2126}, std::pair{3, 0.7152}, std::pair{5, 0.0722}}) {
+      const double part = std::stoi(colour.substr(static_cast<std::size_t>(place), 2), nullptr, 16) / 255.0;
+      sum += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  const double one = luminance(a), other = luminance(b);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
+  for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey}) {
+    const Colour& one = colour(tone);
+    EXPECT_GE(contrast(one.paper, paper.paper), 4.5) << one.name;
+    EXPECT_GE(contrast(one.dark, paper.dark), 4.5) << one.name;
+    EXPECT_NE(figure_style().find(std::string("--") + one.name + ":" + one.dark), std::string::npos);
+  }
+}
+
+TEST(Picture, PdfAndPngToo) {
+  EXPECT_EQ(draw(simple("x"), "svg"), figure_svg(simple("x")));
+  if (!can_draw("pdf")) GTEST_SKIP() << "rsvg-convert is not installed";
+  EXPECT_EQ(draw(simple("x"), "pdf").substr(0, 5), "%PDF-");
+  EXPECT_EQ(draw(simple("x"), "png").substr(1, 3), "PNG");
+}
+
+TEST(FigureSvg, RefusesEmptyFrames) {
   Figure figure = simple("x");
   for (Curve& curve : figure.panels[0].curves) {
     for (double& y : curve.y) y = std::numeric_limits<double>::quiet_NaN();
   }
-  EXPECT_THROW(static_cast<void>(figure_text(figure, "name")), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(figure_svg(figure)), InvalidParameter);
   figure.panels.clear();
-  EXPECT_THROW(static_cast<void>(figure_text(figure, "name")), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(figure_svg(figure)), InvalidParameter);
   figure = simple("x");
   figure.panels[0].curves[0].y.pop_back();
-  EXPECT_THROW(static_cast<void>(figure_text(figure, "name")), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(figure_svg(figure)), InvalidParameter);
   figure = simple("x");
   figure.panels[0].map = HeatMap{{0, 1}, {0, 1}, {1, 2}, "z"};
-  EXPECT_THROW(static_cast<void>(figure_text(figure, "name")), InvalidParameter);
+  EXPECT_THROW(static_cast<void>(figure_svg(figure)), InvalidParameter);
 }
 
 TEST(FigureText, LargeMapsAreMergedAndKeepTheLargest) {

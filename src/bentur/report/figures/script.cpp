@@ -7,45 +7,35 @@
 #include <iterator>
 #include <span>
 
-#include "bentur/core/errors.h"
 #include "bentur/io/output/result_kind.h"
 #include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/figures/internal/thin.h"
+#include "bentur/report/figures/internal/visible.h"
 
 namespace bentur {
 namespace {
 
-constexpr double columns_per_cm = 90;       // points of a curve closer than that cannot be told apart
-constexpr std::size_t most_points = 50000;  // of a curve that is drawn completely
-constexpr std::size_t most_cells = 120;     // of a heat map along an axis; more are merged, keeping the largest
-
 // In gnuplot's terms, in the order of Tone, Line and Mark.
-constexpr const char* colours[] = {"#000000", "#1f5fa8", "#b4540a", "#5f6b76", "#d9d9d9", "#c3d7ee", "#f2d3b8"};
-constexpr const char* dashes[] = {"solid", "solid", "(9,4)", "(3,3)", "(9,3,2,3)"};
+constexpr const char* gnuplot_dashes[] = {"solid", "solid", "(9,4)", "(3,3)", "(9,3,2,3)"};
 constexpr int point_types[] = {7, 7, 6, 4, 8, 12, 2};
 constexpr const char* event_style = "pt 11 ps 0.35 lc rgb '#606060'";
 
-const char* colour(Tone tone) { return colours[static_cast<std::size_t>(tone)]; }
-
 /// Widths differ by a little between dashes: gnuplot's SVG takes a new dash for a line of equal colour and width only
 /// where something else has changed.
-std::string line_style(Tone tone, Line line, double width) {
+std::string gnuplot_line(Tone tone, Line line, double width) {
   width += 0.01 * static_cast<double>(line);
-  return fmt::format("lc rgb '{}' dt {} lw {:.3g}", colour(tone), dashes[static_cast<std::size_t>(line)], width);
+  return fmt::format("lc rgb '{}' dt {} lw {:.3g}", colour(tone).paper, gnuplot_dashes[static_cast<std::size_t>(line)],
+                     width);
 }
 
 std::string mark_style(Tone tone, Mark mark) {
   return fmt::format("pt {} ps {} lc rgb '{}'", point_types[static_cast<std::size_t>(mark)],
-                     mark == Mark::disc ? 0.4 : 0.5, colour(tone));
+                     mark == Mark::disc ? 0.4 : 0.5, colour(tone).paper);
 }
 
 std::string value_text(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw InvalidParameter("figure", what, "must have something to draw, sizes that agree");
-}
 
 /// Data and script grow together.
 class Writer {
@@ -53,7 +43,7 @@ class Writer {
   Writer(const Figure& figure, const std::string& name) : figure_(figure), name_(name), layout_(layout(figure)) {}
 
   FigureText write() {
-    check();
+    check(figure_);
     head();
     for (const PlacedPanel& placed : layout_.panels) panel(placed);
     script_ += "unset multiplot\nunset output\n";
@@ -61,27 +51,6 @@ class Writer {
   }
 
  private:
-  void check() const {
-    if (figure_.panels.empty()) refuse("no panels");
-    for (const Panel& panel : figure_.panels) {
-      bool anything = panel.map.has_value();
-      for (const Curve& curve : panel.curves) {
-        if (curve.x.size() != curve.y.size() || (!curve.top.empty() && curve.top.size() != curve.x.size())) {
-          refuse("a curve's x and y are not as many");
-        }
-        for (const double y : curve.y) anything = anything || std::isfinite(y);
-      }
-      if (!anything) refuse("an empty panel");
-      if (panel.map) {
-        const HeatMap& map = *panel.map;
-        if (map.x_edges.size() < 2 || map.y_edges.size() < 2 ||
-            map.values.size() != (map.x_edges.size() - 1) * (map.y_edges.size() - 1)) {
-          refuse("a map's values and edges do not go together");
-        }
-      }
-    }
-  }
-
   [[nodiscard]] std::string x(double cm) const { return fmt::format("{:.5f}", cm / layout_.width); }
   [[nodiscard]] std::string y(double cm) const { return fmt::format("{:.5f}", cm / layout_.height); }
   [[nodiscard]] std::string screen(double x_cm, double y_cm) const {
@@ -153,10 +122,10 @@ class Writer {
       const double end = entry.x + sample_width;
       if (entry.area) {
         script_ += fmt::format("set object rectangle from {} to {} fc rgb '{}' fs solid noborder front\n",
-                               screen(entry.x, entry.y - 0.1), screen(end, entry.y + 0.1), colour(entry.tone));
+                               screen(entry.x, entry.y - 0.1), screen(end, entry.y + 0.1), colour(entry.tone).paper);
       } else if (entry.line != Line::none) {
         script_ += fmt::format("set arrow from {} to {} nohead {}\n", screen(entry.x, entry.y), screen(end, entry.y),
-                               line_style(entry.tone, entry.line, entry.width));
+                               gnuplot_line(entry.tone, entry.line, entry.width));
       }
       if (entry.mark != Mark::none || entry.event) {
         script_ += fmt::format("set label '' at {} point {}\n", screen((entry.x + end) / 2, entry.y),
@@ -210,7 +179,7 @@ class Writer {
                              : fmt::format("graph {}, first {}", edge, rule.at);
       };
       script_ += fmt::format("set arrow from {} to {} nohead back {}\n", end(0), end(1),
-                             line_style(rule.tone, rule.line, 0.7));
+                             gnuplot_line(rule.tone, rule.line, 0.7));
     }
     for (const Curve& curve : panel.curves) this->curve(placed, curve, plots);
     events(placed, plots);
@@ -224,16 +193,14 @@ class Writer {
     if (!curve.top.empty()) {
       plots.push_back(fmt::format("data index {} using 1:2:3 title {} with filledcurves fc rgb '{}' fs solid noborder",
                                   block(what + ", upper edge", {curve.x, curve.y, curve.top}),
-                                  gnuplot_string(curve.label), colour(curve.tone)));
+                                  gnuplot_string(curve.label), colour(curve.tone).paper));
       return;
     }
-    const bool all = curve.complete && curve.x.size() <= most_points;
-    const Points points =
-        all ? Points{curve.x, curve.y}
-            : thinned(curve.x, curve.y, static_cast<int>((placed.right - placed.left) * columns_per_cm));
+    const Points points = visible(curve, placed.right - placed.left);
     const std::string columns = fmt::format("data index {} using 1:2 title {} with ", block(what, {points.x, points.y}),
                                             gnuplot_string(curve.label));
-    if (curve.line != Line::none) plots.push_back(columns + "lines " + line_style(curve.tone, curve.line, curve.width));
+    if (curve.line != Line::none)
+      plots.push_back(columns + "lines " + gnuplot_line(curve.tone, curve.line, curve.width));
     if (curve.mark != Mark::none) plots.push_back(columns + "points " + mark_style(curve.tone, curve.mark));
   }
 
@@ -247,8 +214,7 @@ class Writer {
   }
 
   std::string map(const PlacedPanel& placed) {
-    HeatMap map = *placed.panel->map;
-    coarsen(map);
+    const HeatMap map = merged(*placed.panel->map);
     const std::size_t nx = map.x_edges.size() - 1;
     std::vector<double> columns[7];
     for (std::size_t i = 0; i < map.values.size(); ++i) {
@@ -257,8 +223,6 @@ class Writer {
       const double row[] = {(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[0], x[1], y[0], y[1], map.values[i]};
       for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);
     }
-    const std::vector<double>& values = columns[6];
-    if (values.empty()) refuse("an empty map");
     const Ticks& scale = placed.scale;
     constexpr const char* one_way =
         "0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 '#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 '#081d58'";
@@ -273,29 +237,6 @@ class Writer {
                        block(map.label + " in cells; columns: x, y, and lower and upper end of both, value",
                              {std::begin(columns), std::end(columns)}),
                        gnuplot_string(map.label));
-  }
-
-  /// Merges neighbouring cells until there are few enough for a file of reasonable size.
-  static void coarsen(HeatMap& map) {
-    const auto merged = [](const std::vector<double>& edges, std::size_t by) {
-      std::vector<double> kept;
-      for (std::size_t i = 0; i < edges.size(); i += by) kept.push_back(edges[i]);
-      if ((edges.size() - 1) % by != 0) kept.push_back(edges.back());
-      return kept;
-    };
-    const std::size_t nx = map.x_edges.size() - 1;
-    const std::size_t ny = map.y_edges.size() - 1;
-    const std::size_t by_x = (nx + most_cells - 1) / most_cells;
-    const std::size_t by_y = (ny + most_cells - 1) / most_cells;
-    if (by_x == 1 && by_y == 1) return;
-    HeatMap coarse{merged(map.x_edges, by_x), merged(map.y_edges, by_y), {}, map.label, map.ratio, map.range};
-    const std::size_t columns = coarse.x_edges.size() - 1;
-    coarse.values.assign(columns * (coarse.y_edges.size() - 1), NAN);
-    for (std::size_t i = 0; i < map.values.size(); ++i) {
-      double& cell = coarse.values[i / nx / by_y * columns + i % nx / by_x];
-      if (!(cell >= map.values[i])) cell = std::isnan(map.values[i]) ? cell : map.values[i];
-    }
-    map = std::move(coarse);
   }
 
   const Figure& figure_;

@@ -12,7 +12,7 @@ namespace bentur {
 /// A figure that stands in a report as inline SVG.
 struct ReportFigure {
   std::string caption;
-  std::string svg;    ///< as a file would hold it; empty: it cannot be drawn, and the caption says why
+  std::string svg;    ///< by figure_element()
   bool wide = false;  ///< wider than a journal's column
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "bentur/report/figures/gnuplot.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 
@@ -13,7 +12,6 @@ namespace {
 /// Every figure that `results`, of a run or a study, can give.
 template <typename Results>
 std::vector<ReportFigure> drawn(const Results& results, const std::string& family, const std::string& language) {
-  if (!gnuplot_version()) return {};
   const Words say(language);
   std::vector<ReportFigure> figures;
   FigureOptions options;
@@ -24,9 +22,8 @@ std::vector<ReportFigure> drawn(const Results& results, const std::string& famil
     const std::string caption = say(family + kind.name);
     try {
       const Figure figure = make_figure(results, kind.name, options);
-      figures.push_back({.caption = caption,
-                         .svg = draw(figure_text(figure, kind.name), kind.name, "svg"),
-                         .wide = figure.width > column_width});
+      figures.push_back(
+          {.caption = caption, .svg = figure_element(figure, caption), .wide = figure.width > column_width});
     } catch (const NoFigure&) {  // this one has nothing to show
       continue;
     }

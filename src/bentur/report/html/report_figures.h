@@ -8,9 +8,7 @@
 
 namespace bentur {
 
-/// Every figure that the results of a study can give, drawn by gnuplot for a report; none
-/// where gnuplot is not installed.
-/// @throws std::runtime_error with what gnuplot says when it cannot draw.
+/// Every figure that the results of a study can give, for a report.
 [[nodiscard]] std::vector<ReportFigure> report_figures(const NetcdfReader& results, const std::string& language);
 /// The same of a run.
 [[nodiscard]] std::vector<ReportFigure> report_figures(const RunResults& results, const std::string& language);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
-#include "bentur/files/ida_reading.h"
 #include "bentur/model/story/study_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/markup.h"
@@ -19,6 +18,7 @@
 #include "bentur/report/kinds/internal/sweep_data.h"
 #include "bentur/report/story_text.h"
 #include "bentur/study/fragility/fragility_report.h"
+#include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
 namespace {

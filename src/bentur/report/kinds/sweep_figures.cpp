@@ -17,7 +17,7 @@ constexpr std::size_t most_level_curves = 4;  // values of a second parameter dr
 
 /// "Model 1" out of the long name of the floors, where it stands in quotes.
 std::string building_name(const NetcdfReader& results, std::size_t number, const FigureWords& say) {
-  const NetcdfVariable* floors = results.find(fmt::format("elevation_{}", number));
+  const StoredVariable* floors = results.find(fmt::format("elevation_{}", number));
   if (floors != nullptr) {
     const std::string& text = floors->long_name;
     const std::size_t first = text.find('"');

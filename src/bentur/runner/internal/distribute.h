@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "bentur/runner/internal/journal.h"
 #include "bentur/runner/ranks.h"
+#include "bentur/study/journal.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {

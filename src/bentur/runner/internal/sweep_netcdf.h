@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "bentur/runner/internal/journal.h"
 #include "bentur/runner/sweep.h"
+#include "bentur/study/journal.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {

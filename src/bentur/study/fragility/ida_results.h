@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/io/results/result_variable.h"
 #include "bentur/study/fragility/ida_fragility.h"
 
 namespace bentur {
@@ -59,5 +60,13 @@ struct IdaResults {
   /// Which value of each axis a case has.
   [[nodiscard]] std::vector<std::size_t> places(std::size_t c) const;
 };
+
+/// Whether runs are compared by |value| of a variable, which can have either sign (Quantity::by_size).
+[[nodiscard]] bool is_compared_by_size(const ResultSource& file, const std::string& variable);
+
+/// Reads the results of an incremental dynamic analysis. The quantity of the event is a variable's name; of those with
+/// a building's number also the name without it, for all buildings; `drift` is peak_drift_ratio. The file fails when
+/// there is no such quantity, or it does not hold such results.
+[[nodiscard]] IdaResults read_ida_results(const ResultSource& file, const EventRule& event);
 
 }  // namespace bentur

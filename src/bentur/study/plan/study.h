@@ -69,6 +69,8 @@ struct Study {
 /// Reads a study (docs/studies.md) and the case it names. Every error found goes to `diagnostics`, but the values are
 /// not yet tried in the case: see check_study().
 [[nodiscard]] std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// The same of tables that are in memory. @param study its files, texts and case; messages carry no file
+[[nodiscard]] std::optional<Study> read_study(const TomlValue& tables, Study study, Diagnostics& diagnostics);
 
 /// One choice along every axis: a level where there are values, else an extreme value or the probability u.
 struct Choice {

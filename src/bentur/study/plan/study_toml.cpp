@@ -80,6 +80,11 @@ void place_in_case(const TomlView& parameter, const TomlValue& case_root, bool i
   vary.original = *original;
 }
 
+/// Where the study says it, as a message tells it: "in line 4".
+std::string place_of(const TomlView& view, const Vary& vary) {
+  return view.value().line > 0 ? fmt::format("in line {}", view.value().line) : "as " + vary.parameter;
+}
+
 /// Two varies of one key would overwrite one another.
 void refuse_overlaps(const std::vector<TomlView>& views, const std::vector<Vary>& varies) {
   const auto paths = [](const Vary& vary) {
@@ -99,7 +104,7 @@ void refuse_overlaps(const std::vector<TomlView>& views, const std::vector<Vary>
     for (std::size_t j = 0; j < i; ++j) {
       if (!meet(varies[i], varies[j])) continue;
       if (const auto parameter = views[i].find("parameter")) {
-        parameter->error_value(fmt::format("is varied in line {} already", views[j].value().line));
+        parameter->error_value(fmt::format("is varied {} already", place_of(views[j], varies[j])));
       }
       break;
     }
@@ -131,8 +136,8 @@ void settle_axes(const std::vector<TomlView>& views, const std::vector<std::stri
     if (vary.values.size() != first.values.size() || vary.distribution.has_value() != first.distribution.has_value()) {
       views[i]
           .find("together")
-          ->error_value(fmt::format("has {} here, and {} in line {}: these cannot move in step", levels_text(vary),
-                                    levels_text(first), views[leader->second].value().line));
+          ->error_value(fmt::format("has {} here, and {} {}: these cannot move in step", levels_text(vary),
+                                    levels_text(first), place_of(views[leader->second], first)));
     }
   }
   std::map<std::string, std::size_t> names;
@@ -140,8 +145,8 @@ void settle_axes(const std::vector<TomlView>& views, const std::vector<std::stri
     const std::string& name = study.varies[i].name;
     const auto [first, is_new] = names.emplace(name, i);
     if (!name.empty() && !is_new) {
-      views[i].error(fmt::format("has the name {} in the results, as the one in line {}: give name = \"..\"",
-                                 in_quotes(name), views[first->second].value().line));
+      views[i].error(fmt::format("has the name {} in the results, as the one {}: give name = \"..\"", in_quotes(name),
+                                 place_of(views[first->second], study.varies[first->second])));
     }
   }
   for (const auto& [name, leader] : leaders) {
@@ -228,6 +233,23 @@ void add_polarity(const TomlView& root, Study& study) {
   study.varies.push_back(std::move(vary));
 }
 
+/// All of a study but its case.
+void read_tables(const TomlView& root, bool has_case, Study& study, const Diagnostics& found) {
+  (void)TableView::of(root, study_keys());
+  read_sampling(root, study);
+  study.ida = read_ida(root);
+  if (has_case) {
+    read_varies(root, study);
+    if (study.ida) add_polarity(root, study);
+    if (found.ok()) settle_normalisation(root, study);
+  }
+  check_values(root, study_keys());
+  if (study.ida) {
+    study.ida->axis = study.axes.size();
+    study.axes.emplace_back("intensity");
+  }
+}
+
 TomlValue scaled(TomlValue value, double factor) {
   if (value.kind == TomlValue::Kind::list) {
     for (TomlValue& item : value.items) item = scaled(std::move(item), factor);
@@ -248,20 +270,17 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
   const std::string name = file.string();
   if (const auto parsed = parse_toml(study.text, name, found)) {
     const TomlView root(*parsed, "", name, found);
-    (void)TableView::of(root, study_keys());
-    read_sampling(root, study);
-    study.ida = read_ida(root);
-    if (read_case_of(root, study, found)) {
-      read_varies(root, study);
-      if (study.ida) add_polarity(root, study);
-      if (found.ok()) settle_normalisation(root, study);
-    }
-    check_values(root, study_keys());
-    if (study.ida) {
-      study.ida->axis = study.axes.size();
-      study.axes.emplace_back("intensity");
-    }
+    const bool has_case = read_case_of(root, study, found);
+    read_tables(root, has_case, study, found);
   }
+  diagnostics.add(found);
+  return found.ok() ? std::optional(std::move(study)) : std::nullopt;
+}
+
+std::optional<Study> read_study(const TomlValue& tables, Study study, Diagnostics& diagnostics) {
+  Diagnostics found;
+  const std::string no_file;
+  read_tables(TomlView(tables, "", no_file, found), true, study, found);
   diagnostics.add(found);
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
 }

@@ -118,12 +118,6 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
   return ticks;
 }
 
-/// Where a value stands along an axis, 0 at its begin and 1 at its end.
-double along(const Ticks& ticks, double at) {
-  return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
-                           : (at - ticks.from) / (ticks.to - ticks.from);
-}
-
 /// Whether two numbers of an axis of this length come too near to one another.
 bool is_crowded(const Ticks& ticks, double length) {
   for (std::size_t i = 1; i < ticks.labels.size(); ++i) {

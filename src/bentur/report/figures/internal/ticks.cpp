@@ -120,6 +120,11 @@ std::string scaled(const std::string& label, const Ticks& ticks, const std::stri
 
 Ticks make_ticks(const TickRequest& request) { return request.logarithmic ? logarithmic(request) : linear(request); }
 
+double along(const Ticks& ticks, double at) {
+  return ticks.logarithmic ? std::log(at / ticks.from) / std::log(ticks.to / ticks.from)
+                           : (at - ticks.from) / (ticks.to - ticks.from);
+}
+
 void put_at(Ticks& ticks, const std::vector<double>& places, double room) {
   const double least = room * (ticks.to - ticks.from);
   const auto near = [&](double a, double b) { return b - a < least; };

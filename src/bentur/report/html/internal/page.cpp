@@ -8,34 +8,12 @@
 #include <string_view>
 
 #include "bentur/core/errors.h"
+#include "bentur/report/figures/figure.h"
 #include "bentur/report/html/internal/assets.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur::html {
 namespace {
-
-/// A figure's SVG without what only a file of its own has, and with names of its own among all figures of the page.
-std::string inline_svg(const std::string& file, std::size_t number, const std::string& label) {
-  const std::size_t start = file.find("<svg");
-  if (start == std::string::npos) throw InvalidParameter("figures", std::to_string(number), "is no SVG");
-  std::string svg = file.substr(start);
-  for (const std::string name : {"title", "desc"}) {  // the caption says what it is, and who drew it is no tooltip
-    for (std::size_t open = svg.find("<" + name + ">"); open != std::string::npos; open = svg.find("<" + name + ">")) {
-      const std::size_t close = svg.find("</" + name + ">", open);
-      if (close == std::string::npos) break;
-      svg.erase(open, close + name.size() + 3 - open);
-    }
-  }
-  svg.insert(4, " role=\"img\" aria-label=\"" + Html::text(label).str() + "\"");
-  const std::string prefix = fmt::format("figure{}-", number);
-  for (const std::string opening : {" id=\"", " id='", "href=\"#", "href='#", "url(#"}) {
-    for (std::size_t at = svg.find(opening); at != std::string::npos; at = svg.find(opening, at)) {
-      at += opening.size();
-      svg.insert(at, prefix);
-    }
-  }
-  return svg;
-}
 
 /// A number that an author of a case's text cannot foresee: it depends on all of the page (FNV-1a).
 std::string nonce_of(const std::string& page) {
@@ -93,24 +71,22 @@ std::string page(const Words& say, const std::string& title, const PageBody& bod
   const Html document =
       element("head",
               Html::markup(head) + element("title", title) +
-                  element("style", Html::markup(std::string(asset("report.css")) + "@page { @top-left { content: \"" +
-                                                css_text(title) + "\"; } }\n"))) +
+                  element("style", Html::markup(std::string(asset("report.css")) + figure_style() +
+                                                "\n@page { @top-left { content: \"" + css_text(title) + "\"; } }\n"))) +
       Html::markup("\n") + element("body", content);
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 
 PageSection figures_section(const Words& say, const std::vector<ReportFigure>& figures) {
+  if (figures.empty()) return {"figures", say("heading.figures"), {}};
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string caption = say("figure.number", {{"n", std::to_string(i + 1)}, {"caption", figures[i].caption}});
-    content +=
-        element("figure",
-                Html::markup(inline_svg(figures[i].svg, i + 1, figures[i].caption)) + element("figcaption", caption),
-                figures[i].wide ? "class=\"broad\"" : "") +
-        Html::markup("\n");
+    content += element("figure", Html::markup(figures[i].svg) + element("figcaption", caption),
+                       figures[i].wide ? "class=\"broad\"" : "") +
+               Html::markup("\n");
   }
-  return {"figures", say("heading.figures"),
-          figures.empty() ? element("p", say("figures.none")) : element("div", content, "class=\"figures\"")};
+  return {"figures", say("heading.figures"), element("div", content, "class=\"figures\"")};
 }
 
 }  // namespace bentur::html

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "bentur/files/ida_reading.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
 namespace {
@@ -73,7 +73,7 @@ std::vector<std::string> names_of(const std::vector<SweepDimension>& dimensions)
   return names;
 }
 
-SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
+SweepDimension SweepData::coordinate(const StoredVariable& variable) const {
   SweepDimension one;
   one.name = variable.name;
   one.short_name = variable.name;
@@ -101,13 +101,13 @@ SweepDimension SweepData::coordinate(const NetcdfVariable& variable) const {
 }
 
 SweepData::SweepData(const NetcdfReader& results, FigureWords say) : results_(results), say_(std::move(say)) {
-  const NetcdfVariable& status = results.at("status");
+  const StoredVariable& status = results.at("status");
   for (std::size_t d = 0; d < status.dimensions.size(); ++d) {
     const std::string& name = status.dimensions[d];
-    const NetcdfVariable* variable = results.find(name);
+    const StoredVariable* variable = results.find(name);
     if (variable != nullptr && variable->long_name == index_title) variable = nullptr;
     for (std::size_t i = 0; variable == nullptr && i < status.coordinates.size() && name != "sample"; ++i) {
-      const NetcdfVariable* other = results.find(status.coordinates[i]);  // of several that move together
+      const StoredVariable* other = results.find(status.coordinates[i]);  // of several that move together
       if (other != nullptr && other->dimensions == std::vector<std::string>{name}) variable = other;
     }
     SweepDimension one;
@@ -125,7 +125,7 @@ std::size_t SweepData::index(const std::string& name) const {
 }
 
 std::size_t SweepData::owners(const std::string& quantity) const {
-  const NetcdfVariable& variable = results_.at(quantity);
+  const StoredVariable& variable = results_.at(quantity);
   return variable.shape.size() > dimensions_.size() ? variable.shape.back() : 1;
 }
 
@@ -146,11 +146,11 @@ std::vector<double> SweepData::values(const std::string& quantity, const std::ve
 }
 
 std::vector<std::string> SweepData::owner_names(const std::string& quantity) const {
-  const NetcdfVariable& variable = results_.at(quantity);
+  const StoredVariable& variable = results_.at(quantity);
   const std::size_t count = owners(quantity);
   if (variable.shape.size() == dimensions_.size()) return {""};
   const std::string& dimension = variable.dimensions.back();
-  const NetcdfVariable* elevations =
+  const StoredVariable* elevations =
       results_.find(dimension == "point" || dimension == "link" ? dimension + "_elevation" : dimension);
   std::vector<std::string> names;
   if (elevations != nullptr && !elevations->text && elevations->shape == std::vector<std::size_t>{count}) {
@@ -194,7 +194,7 @@ std::vector<std::size_t> SweepData::chosen(const std::vector<std::pair<std::stri
 std::vector<SweepDimension> SweepData::sample_coordinates() const {
   std::vector<SweepDimension> list;
   for (const std::string& name : results_.at("status").coordinates) {
-    const NetcdfVariable* variable = results_.find(name);
+    const StoredVariable* variable = results_.find(name);
     if (variable != nullptr && variable->dimensions == std::vector<std::string>{"sample"}) {
       list.push_back(coordinate(*variable));
     }

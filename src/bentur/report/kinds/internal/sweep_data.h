@@ -58,7 +58,7 @@ class SweepData {
   [[nodiscard]] std::vector<SweepDimension> sample_coordinates() const;
 
  private:
-  [[nodiscard]] SweepDimension coordinate(const NetcdfVariable& variable) const;
+  [[nodiscard]] SweepDimension coordinate(const StoredVariable& variable) const;
 
   const NetcdfReader& results_;
   FigureWords say_;

@@ -1,4 +1,4 @@
-#include "bentur/runner/internal/journal.h"
+#include "bentur/study/journal.h"
 
 #include <gtest/gtest.h>
 

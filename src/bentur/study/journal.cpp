@@ -1,4 +1,4 @@
-#include "bentur/runner/internal/journal.h"
+#include "bentur/study/journal.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 namespace bentur {
@@ -78,11 +76,11 @@ std::size_t differing_line(const std::string& a, const std::string& b) {
 
 /// Nobody else may write the same file. One that was killed may take its time to go.
 void lock(const OpenFile& file) {
-  constexpr auto pause = std::chrono::milliseconds(100);
+  constexpr ::useconds_t pause = 100'000;  // [µs]
   constexpr int most = 30;
   for (int tries = 0; ::flock(file.descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++tries) {
     if (tries == most) refuse(file.name(), "another program is writing it");
-    std::this_thread::sleep_for(pause);
+    ::usleep(pause);
   }
 }
 
@@ -152,7 +150,7 @@ Journal Journal::resume(const fs::path& file, const JournalOrigin& origin) {
   if (std::memcmp(head.magic, FileHead{}.magic, sizeof head.magic) != 0 || head.origin_bytes > largest_origin) {
     refuse(file, "is not the journal of a sweep");
   }
-  std::string packed(head.origin_bytes, '\0');
+  std::string packed(static_cast<std::size_t>(head.origin_bytes), '\0');
   open.read(packed, sizeof head);
   if (head.checksum != checksum(packed, 0)) refuse(file, "is damaged");
   if (const auto differs = difference(nlohmann::json::from_msgpack(packed), origin)) {

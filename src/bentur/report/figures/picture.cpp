@@ -1,4 +1,4 @@
-#include "bentur/report/figures/gnuplot.h"
+#include "bentur/report/figures/picture.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/temporary_folder.h"
@@ -18,16 +20,16 @@ namespace bentur {
 namespace {
 
 [[noreturn]] void fail(const std::string& what, int code) {
-  throw std::runtime_error("gnuplot: " + what + ": " + std::generic_category().message(code));
+  throw std::runtime_error("rsvg-convert: " + what + ": " + std::generic_category().message(code));
 }
 
 /// What a program has printed, and its exit status.
-struct GnuplotRun {
+struct Ended {
   int status = 0;
   std::string output;
 };
 
-/// What a child does with its files before it becomes gnuplot.
+/// What a child does with its files before it becomes another program.
 class FileActions {
  public:
   FileActions() { check(posix_spawn_file_actions_init(&actions_)); }
@@ -43,10 +45,10 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Runs gnuplot in a folder, standard input empty, standard output and error kept; nothing where there is no such
+/// Runs rsvg-convert in a folder, standard input empty, standard output and error kept; nothing where there is no such
 /// program.
-std::optional<GnuplotRun> run_gnuplot(std::vector<std::string> arguments, const std::string& folder) {
-  arguments.insert(arguments.begin(), "gnuplot");
+std::optional<Ended> convert(std::vector<std::string> arguments, const std::string& folder) {
+  arguments.insert(arguments.begin(), "rsvg-convert");
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -60,10 +62,10 @@ std::optional<GnuplotRun> run_gnuplot(std::vector<std::string> arguments, const 
     FileActions::check(posix_spawn_file_actions_adddup2(actions.get(), pipe[1], STDOUT_FILENO));
     FileActions::check(posix_spawn_file_actions_adddup2(actions.get(), pipe[1], STDERR_FILENO));
     FileActions::check(posix_spawn_file_actions_addchdir_np(actions.get(), folder.c_str()));
-    error = posix_spawnp(&child, "gnuplot", actions.get(), nullptr, argv.data(), environ);
+    error = posix_spawnp(&child, "rsvg-convert", actions.get(), nullptr, argv.data(), environ);
   }
   ::close(pipe[1]);
-  GnuplotRun outcome;
+  Ended outcome;
   std::array<char, 4096> buffer{};
   for (ssize_t got = 0; error == 0 && (got = ::read(pipe[0], buffer.data(), buffer.size())) != 0;) {
     if (got > 0) {
@@ -89,36 +91,39 @@ std::string trimmed(std::string text) {
 
 }  // namespace
 
-NoGnuplot::NoGnuplot()
+NoConverter::NoConverter()
     : std::runtime_error(
-          "gnuplot is not installed, so that figures cannot be drawn (Debian: apt install gnuplot-nox "
-          "fonts-dejavu-core)") {}
-
-std::optional<std::string> gnuplot_version() {
-  const std::optional<GnuplotRun> outcome = run_gnuplot({"--version"}, "/");
-  if (!outcome || outcome->status != 0) return std::nullopt;
-  return trimmed(outcome->output);
-}
+          "rsvg-convert is not installed, which makes PDF and PNG of a figure (Debian: apt install librsvg2-bin "
+          "fonts-dejavu-core); SVG needs nothing") {}
 
 const std::vector<std::string>& picture_formats() {
   static const std::vector<std::string> formats = {"svg", "pdf", "png"};
   return formats;
 }
 
-std::string draw(const FigureText& text, const std::string& name, const std::string& format) {
+bool can_draw(const std::string& format) {
+  if (format == "svg") return true;
+  const std::optional<Ended> outcome = convert({"--version"}, "/");
+  return outcome && outcome->status == 0;
+}
+
+std::string draw(const Figure& figure, const std::string& format) {
+  std::string svg = figure_svg(figure);
+  if (format == "svg") return svg;
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add(name + ".dat", text.data, ResultKind::figure_data);
-  files.add(name + ".gp", text.script, ResultKind::figure_script);
+  files.add("figure.svg", std::move(svg), ResultKind::picture);
   files.commit();
+  constexpr const char* dense = "3.125";  // 300 pixels an inch for 96
   const auto outcome =
-      run_gnuplot({"--default-settings", "-e", "format='" + format + "'", "./" + name + ".gp"}, folder.path().string());
-  if (!outcome) throw NoGnuplot();
-  std::ifstream file(folder.path() / (name + "." + format), std::ios::binary);
+      convert({"--format", format, "--zoom", format == "png" ? dense : "1", "--output", "drawn", "figure.svg"},
+              folder.path().string());
+  if (!outcome) throw NoConverter();
+  std::ifstream file(folder.path() / "drawn", std::ios::binary);
   const bool ended = WIFEXITED(outcome->status) && WEXITSTATUS(outcome->status) == 0;
   std::string bytes(std::istreambuf_iterator<char>(file), {});
   if (!ended || bytes.empty()) {
-    throw std::runtime_error("gnuplot cannot draw " + name + ": " +
+    throw std::runtime_error("rsvg-convert cannot draw: " +
                              (outcome->output.empty() ? "no reason given" : trimmed(outcome->output)));
   }
   return bytes;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,8 +18,8 @@ struct JournalOrigin {
   std::string study;    ///< texts of the two files
   std::string case_text;
   std::map<std::string, std::string> records;  ///< name to hash
-  std::uint64_t runs = 0;
-  std::uint64_t values = 0;  ///< of a row
+  std::size_t runs = 0;
+  std::size_t values = 0;  ///< of a row
 };
 
 /// What differs between what something was begun with and what there is now, to be read after "was begun": "with

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/thin.h"
+
+namespace bentur {
+
+// What of a figure's data is drawn.
+
+/// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
+void check(const Figure& figure);
+
+/// The points of a curve that can be seen in a frame of this width [cm].
+[[nodiscard]] Points visible(const Curve& curve, double width);
+
+/// A map whose neighbouring cells are merged, keeping the largest, until there are few enough for a file.
+[[nodiscard]] HeatMap merged(const HeatMap& map);
+
+}  // namespace bentur

@@ -1,0 +1,21 @@
+#include <fmt/format.h>
+
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/colours.h"
+
+namespace bentur {
+
+std::string figure_style() {
+  std::string light, dark, rules;
+  const auto add = [&](const Colour& one) {
+    light += fmt::format("--{}:{};", one.name, one.paper);
+    dark += fmt::format("--{}:{};", one.name, one.dark);
+    rules += fmt::format(".bentur .fill-{0}{{fill:var(--{0})}}.bentur .stroke-{0}{{stroke:var(--{0})}}", one.name);
+  };
+  for (const Colour& one : colours) add(one);
+  add(paper);
+  return fmt::format(".bentur{{{}}}{}@media screen and (prefers-color-scheme:dark){{.bentur{{{}}}}}", light, rules,
+                     dark);
+}
+
+}  // namespace bentur

@@ -1,0 +1,373 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/colours.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/visible.h"
+
+namespace bentur {
+namespace {
+
+constexpr double pixel = 2.54 / 96;                        // [cm]
+constexpr double letters = 8.0 / 72 * 2.54 / pixel;        // 8 pt [px]
+constexpr double baseline = 0.36 * letters;                // below the middle of a line of text
+constexpr double frame_line = 0.7;                         // [px]
+constexpr double major_tick = 3.6, minor_tick = 2;         // [px]
+constexpr double number_gap = 0.12, number_depth = 0.33;   // of numbers from the frame: to its left, below it [cm]
+constexpr double scale_gap = 0.2, scale_thickness = 0.25;  // of a map's colours [cm]
+constexpr int shades = 64;                                 // that a map's colours have
+
+constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7",
+                                  "5 1.9 1.5 1.9"};  // in the order of Line, of a width of 1
+
+using Rgb = std::array<double, 3>;
+constexpr Rgb one_way[] = {{255, 255, 224}, {199, 233, 180}, {127, 205, 187}, {65, 182, 196},
+                           {29, 145, 192},  {34, 94, 168},   {8, 29, 88}};
+constexpr Rgb both_ways[] = {{31, 79, 138}, {111, 156, 203}, {245, 245, 245}, {221, 149, 88}, {148, 67, 10}};
+
+/// Of a map, at a part of its scale from 0 to 1.
+std::string shade(double part, bool ratio) {
+  const Rgb* stops = ratio ? both_ways : one_way;
+  const std::size_t last = (ratio ? std::size(both_ways) : std::size(one_way)) - 1;
+  const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(last);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), last - 1);
+  const double beyond = at - static_cast<double>(below);
+  std::string text = "#";
+  for (std::size_t c = 0; c < 3; ++c) {
+    text += fmt::format("{:02x}", std::lround(stops[below][c] + beyond * (stops[below + 1][c] - stops[below][c])));
+  }
+  return text;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : plain_text(text)) {
+    switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// A length in pixels, to a hundredth; far outside of every frame where it would have no end.
+std::string length(double pixels) {
+  constexpr double far = 1e5;
+  std::string text = fmt::format("{:.2f}", std::clamp(pixels, -far, far));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string drawn_in(const char* what, const Colour& of) {
+  return fmt::format("class=\"{}-{}\" {}=\"{}\"", what, of.name, what, of.paper);
+}
+
+std::string line_style(Tone tone, Line line, double width) {
+  std::string style = drawn_in("stroke", colour(tone)) + fmt::format(" stroke-width=\"{}\"", length(width));
+  const char* dash = dashes[static_cast<std::size_t>(line)];
+  if (*dash != '\0') style += fmt::format(" stroke-dasharray=\"{}\"", dash);
+  return style;
+}
+
+/// Lower left corner of the figure at the origin in `layout`, upper left one here.
+class Drawing {
+ public:
+  explicit Drawing(const Figure& figure) : figure_(figure), layout_((check(figure), layout(figure))) {}
+
+  std::string file() {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+           svg("xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" ",
+               figure_.title.empty() ? "" : "<title>" + escaped(figure_.title) + "</title>\n",
+               "<style>" + figure_style() + "</style>\n") +
+           "\n";
+  }
+  std::string element(std::string_view label) {
+    return svg(fmt::format("role=\"img\" aria-label=\"{}\" ", escaped(label)), "", "");
+  }
+
+ private:
+  std::string svg(const std::string& attributes, const std::string& title, const std::string& style) {
+    for (const PlacedPanel& placed : layout_.panels) panel(placed);
+    const std::string width = length(layout_.width / pixel), height = length(layout_.height / pixel);
+    return fmt::format(
+        "<svg {}class=\"bentur\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" font-family=\"'DejaVu Sans', "
+        "'Liberation Sans', Arial, sans-serif\" font-size=\"{}\">\n{}{}<rect {} width=\"{}\" height=\"{}\"/>\n{}</svg>",
+        attributes, width, height, width, height, length(letters), title, style, drawn_in("fill", paper), width, height,
+        out_);
+  }
+
+  [[nodiscard]] static double x(double cm) { return cm / pixel; }
+  [[nodiscard]] double y(double cm) const { return (layout_.height - cm) / pixel; }
+
+  void path(const std::string& data, const std::string& style) {
+    if (!data.empty()) out_ += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", data, style);
+  }
+
+  void text(const std::string& words, double x_px, double y_px, const char* anchor, bool upright = false) {
+    if (words.empty()) return;
+    const std::string turned =
+        upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", length(x_px), length(y_px)) : "";
+    out_ +=
+        fmt::format("<text x=\"{}\" y=\"{}\" dy=\"{}\" text-anchor=\"{}\"{} {}>{}</text>\n", length(x_px), length(y_px),
+                    length(baseline), anchor, turned, drawn_in("fill", colour(Tone::black)), escaped(words));
+  }
+
+  void lines(const std::vector<std::string>& texts, double x_cm, double y_cm) {
+    for (const std::string& one : texts) {
+      text(one, x(x_cm), y(y_cm), "middle");
+      y_cm -= line_height;
+    }
+  }
+
+  static std::string polygon(std::initializer_list<std::pair<double, double>> corners) {
+    std::string data;
+    for (const auto& [dx, dy] : corners) data += fmt::format("{}{} {}", data.empty() ? "M" : "L", dx, dy);
+    return data + "Z";
+  }
+
+  /// Around a place [px].
+  void mark(Mark mark, Tone tone, double x_px, double y_px) {
+    const std::string at = fmt::format("cx=\"{}\" cy=\"{}\"", length(x_px), length(y_px));
+    const std::string stroke = "fill=\"none\" stroke-width=\"1\" " + drawn_in("stroke", colour(tone));
+    const auto shape = [&](const std::string& data) {
+      out_ +=
+          fmt::format("<path transform=\"translate({} {})\" d=\"{}\" {}/>\n", length(x_px), length(y_px), data, stroke);
+    };
+    switch (mark) {
+      case Mark::none:
+        return;
+      case Mark::disc:
+        out_ += fmt::format("<circle {} r=\"1.6\" {}/>\n", at, drawn_in("fill", colour(tone)));
+        return;
+      case Mark::circle:
+        out_ += fmt::format("<circle {} r=\"1.8\" {}/>\n", at, stroke);
+        return;
+      case Mark::square:
+        return shape("M-1.7 -1.7H1.7V1.7H-1.7Z");
+      case Mark::triangle:
+        return shape("M0 -2.2L2 1.4H-2Z");
+      case Mark::diamond:
+        return shape("M0 -2.3L2.3 0L0 2.3L-2.3 0Z");
+      case Mark::cross:
+        return shape("M-1.8 -1.8L1.8 1.8M-1.8 1.8L1.8 -1.8");
+    }
+  }
+
+  void event(double x_px, double y_px) {
+    out_ += fmt::format("<path transform=\"translate({} {})\" d=\"M-1.8 -1.3H1.8L0 1.8Z\" {}/>\n", length(x_px),
+                        length(y_px), drawn_in("fill", colour(Tone::grey)));
+  }
+
+  void legend(const PlacedPanel& placed) {
+    for (const LegendEntry& entry : placed.legend) {
+      const double begin = x(entry.x), end = x(entry.x + sample_width), middle = y(entry.y);
+      if (entry.area) {
+        out_ += fmt::format("<path d=\"M{} {}H{}v7.6H{}Z\" {}/>\n", length(begin), length(middle - 3.8), length(end),
+                            length(begin), drawn_in("fill", colour(entry.tone)));
+      } else if (entry.line != Line::none) {
+        path(fmt::format("M{} {}H{}", length(begin), length(middle), length(end)),
+             line_style(entry.tone, entry.line, entry.width));
+      }
+      if (entry.event) event((begin + end) / 2, middle);
+      mark(entry.mark, entry.tone, (begin + end) / 2, middle);
+      text(entry.label, x(entry.x + sample_width + 0.1), middle, "start");
+    }
+  }
+
+  /// The frame of a panel [px], and where values stand in it.
+  struct Frame {
+    double left, top, width, height;
+    const Ticks *across, *up;
+    [[nodiscard]] double x(double value) const { return along(*across, value) * width; }
+    [[nodiscard]] double y(double value) const { return (1 - along(*up, value)) * height; }
+    [[nodiscard]] bool holds(double px, double py) const {
+      return px >= -1e-6 && px <= width + 1e-6 && py >= -1e-6 && py <= height + 1e-6;
+    }
+  };
+
+  void panel(const PlacedPanel& placed) {
+    const Panel& panel = *placed.panel;
+    const Frame frame{.left = x(placed.left),
+                      .top = y(placed.top),
+                      .width = x(placed.right - placed.left),
+                      .height = x(placed.top - placed.bottom),
+                      .across = &placed.x,
+                      .up = &placed.y};
+    // What is outside of the frame is cut off; marks within are whole.
+    out_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", length(frame.left), length(frame.top),
+                        length(frame.width), length(frame.height));
+    if (panel.map) map(placed, frame);
+    for (const RuleLine& rule : panel.rules) {
+      const std::string place = length(rule.vertical ? frame.x(rule.at) : frame.y(rule.at));
+      path(rule.vertical ? fmt::format("M{} 0V{}", place, length(frame.height))
+                         : fmt::format("M0 {}H{}", place, length(frame.width)),
+           line_style(rule.tone, rule.line, 0.7));
+    }
+    std::vector<Points> points;
+    for (const Curve& curve : panel.curves) {
+      points.push_back(visible(curve, placed.right - placed.left));
+      line(curve, points.back(), frame);
+    }
+    out_ += "</svg>\n";
+    for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
+    for (const double at : panel.events.x) {
+      if (at < placed.x.from || at > placed.x.to) continue;
+      event(frame.left + frame.x(at), frame.top + 0.03 * frame.height);
+    }
+    axes(placed, frame);
+    const double middle = (placed.left + placed.right) / 2;
+    lines(placed.title, middle, placed.title_y);
+    lines(placed.x_label, placed.x_label_x, placed.x_label_y);
+    text(panel.note, x(middle), y((placed.bottom + placed.top) / 2), "middle");
+    text(scaled(panel.y.label, placed.y, panel.y.number), x(placed.cell_left + 0.25),
+         y((placed.bottom + placed.top) / 2), "middle", true);
+    legend(placed);
+  }
+
+  /// A line through points, begun anew behind places where there is none; or an area between two of them.
+  void line(const Curve& curve, const Points& points, const Frame& frame) {
+    std::string data, back;
+    const auto close = [&] {
+      if (!curve.top.empty() && !back.empty()) data += back + "Z";
+      back.clear();
+    };
+    const bool is_area = !curve.top.empty();
+    bool is_begun = false;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      const double px = frame.x(points.x[i]), py = frame.y(points.y[i]);
+      const double upper = is_area ? frame.y(curve.top[i]) : 0;
+      if (!std::isfinite(px) || !std::isfinite(py) || !std::isfinite(upper)) {
+        close();
+        is_begun = false;
+        continue;
+      }
+      data += fmt::format("{}{} {}", is_begun ? "L" : "M", length(px), length(py));
+      if (is_area) back.insert(0, fmt::format("L{} {}", length(px), length(upper)));
+      is_begun = true;
+    }
+    close();
+    if (is_area) {
+      if (!data.empty()) out_ += fmt::format("<path d=\"{}\" {}/>\n", data, drawn_in("fill", colour(curve.tone)));
+    } else if (curve.line != Line::none) {
+      path(data, line_style(curve.tone, curve.line, curve.width) + " stroke-linejoin=\"round\"");
+    }
+  }
+
+  void marks(const Curve& curve, const Points& points, const Frame& frame) {
+    if (curve.mark == Mark::none) return;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+      const double px = frame.x(points.x[i]), py = frame.y(points.y[i]);
+      if (frame.holds(px, py)) mark(curve.mark, curve.tone, frame.left + px, frame.top + py);
+    }
+  }
+
+  /// The frame, with ticks inwards on opposite sides, and the numbers.
+  void axes(const PlacedPanel& placed, const Frame& f) {
+    std::string ticks = fmt::format("M{} {}h{}v{}h-{}Z", length(f.left), length(f.top), length(f.width),
+                                    length(f.height), length(f.width));
+    const double bottom = f.top + f.height, right = f.left + f.width;
+    const auto across = [&](double value, double size) {
+      const std::string at = length(f.left + f.x(value));
+      ticks += fmt::format("M{} {}v-{}M{} {}v{}", at, length(bottom), size, at, length(f.top), size);
+    };
+    const auto up = [&](double value, double size) {
+      const std::string at = length(f.top + f.y(value));
+      ticks += fmt::format("M{} {}h{}M{} {}h-{}", length(f.left), at, size, length(right), at, size);
+    };
+    for (const double value : placed.x.minor) across(value, minor_tick);
+    for (const double value : placed.y.minor) up(value, minor_tick);
+    for (const auto& [value, label] : placed.x.labels) across(value, major_tick);
+    for (const auto& [value, label] : placed.y.labels) up(value, major_tick);
+    path(ticks, line_style(Tone::black, Line::solid, frame_line));
+    for (const auto& [value, label] : placed.x.labels) {
+      if (!placed.panel->x.numbers) break;
+      const double px = f.left + f.x(value);
+      if (placed.x.upright) {
+        text(label, px, bottom + x(number_gap), "end", true);
+      } else {
+        text(label, px, bottom + x(number_depth), "middle");
+      }
+    }
+    for (const auto& [value, label] : placed.y.labels) {
+      if (placed.panel->y.numbers) text(label, f.left - x(number_gap), f.top + f.y(value), "end");
+    }
+  }
+
+  /// Cells of one shade are one path; then the scale beside the frame.
+  void map(const PlacedPanel& placed, const Frame& frame) {
+    const HeatMap cells = merged(*placed.panel->map);
+    const std::size_t nx = cells.x_edges.size() - 1;
+    std::array<std::string, shades + 1> of_shade;
+    for (std::size_t i = 0; i < cells.values.size(); ++i) {
+      if (!std::isfinite(cells.values[i]) || (cells.ratio && cells.values[i] <= 0)) continue;
+      const double part = std::clamp(along(placed.scale, cells.values[i]), 0.0, 1.0);
+      const double *across = &cells.x_edges[i % nx], *up = &cells.y_edges[i / nx];
+      of_shade[static_cast<std::size_t>(std::lround(part * shades))] +=
+          fmt::format("M{} {}H{}V{}H{}Z", length(frame.x(across[0])), length(frame.y(up[0])),
+                      length(frame.x(across[1])), length(frame.y(up[1])), length(frame.x(across[0])));
+    }
+    for (std::size_t s = 0; s < of_shade.size(); ++s) {
+      if (of_shade[s].empty()) continue;
+      out_ += fmt::format("<path d=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n", of_shade[s],
+                          shade(static_cast<double>(s) / shades, cells.ratio));
+    }
+    out_ += "</svg>\n";
+    scale(placed, frame, cells);
+    out_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", length(frame.left), length(frame.top),
+                        length(frame.width), length(frame.height));
+  }
+
+  void scale(const PlacedPanel& placed, const Frame& frame, const HeatMap& cells) {
+    const double left = x(placed.right + scale_gap), width = x(scale_thickness), right = left + width;
+    const double step = frame.height / (shades + 1);
+    for (int s = 0; s <= shades; ++s) {
+      out_ += fmt::format("<path d=\"M{} {}h{}V{}h-{}Z\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n", length(left),
+                          length(frame.top + frame.height - s * step), length(width),
+                          length(frame.top + frame.height - (s + 1) * step), length(width),
+                          shade(static_cast<double>(s) / shades, cells.ratio));
+    }
+    std::string ticks = fmt::format("M{} {}h{}v{}h-{}Z", length(left), length(frame.top), length(width),
+                                    length(frame.height), length(width));
+    for (const auto& [value, label] : placed.scale.labels) {
+      const double at = frame.top + (1 - along(placed.scale, value)) * frame.height;
+      ticks += fmt::format("M{} {}h-3", length(right), length(at));
+      text(label, right + x(0.1), at, "start");
+    }
+    path(ticks, line_style(Tone::black, Line::solid, frame_line));
+    text(scaled(placed.panel->map->label, placed.scale), x(placed.scale_label_x), y((placed.bottom + placed.top) / 2),
+         "middle", true);
+  }
+
+  const Figure& figure_;
+  Layout layout_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string figure_svg(const Figure& figure) { return Drawing(figure).file(); }
+
+std::string figure_element(const Figure& figure, std::string_view label) { return Drawing(figure).element(label); }
+
+}  // namespace bentur

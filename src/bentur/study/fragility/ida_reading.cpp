@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "bentur/io/toml/toml_view.h"
+#include "bentur/study/fragility/ida_results.h"
+#include "bentur/study/study_variables.h"
+
+namespace bentur {
+namespace {
+
+class Reader {
+ public:
+  Reader(const ResultSource& file, const EventRule& event) : file_(file), event_(event) {
+    const StoredVariable* intensity = file_.find("intensity");
+    const StoredVariable* records = file_.find("record_intensity");
+    const StoredVariable* status = file_.find("status");
+    if (intensity == nullptr || records == nullptr || status == nullptr) {
+      file_.fail(status != nullptr && file_.find("message") != nullptr
+                     ? "holds the results of a sweep: a fragility needs those of bentur ida"
+                     : "does not hold the results of bentur ida");
+    }
+    runs_ = status->dimensions;
+    sizes_ = status->shape;
+    roles_.resize(runs_.size());
+    results_.title = file_.attribute("title");
+    results_.intensity = intensity->long_name;
+    results_.units = intensity->units;
+    results_.study_unit = file_.attribute("intensity", "study_unit");
+    results_.table.levels = file_.numbers("intensity");
+    results_.table.cases = results_.table.records = 1;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const std::size_t size = sizes_[i];
+      if (intensity->dimensions == std::vector<std::string>{runs_[i]}) {
+        roles_[i] = Role::level;
+      } else if (std::count(records->dimensions.begin(), records->dimensions.end(), runs_[i]) > 0) {
+        roles_[i] = Role::record;
+        results_.table.records *= size;
+        // The record dimension that moves fastest is the last one.
+        const bool polarity =
+            file_.find(runs_[i]) != nullptr && file_.attribute(runs_[i], "parameter") == "excitation.polarity";
+        results_.table.together = polarity ? size : 1;
+      } else {
+        roles_[i] = Role::other;
+        results_.table.cases *= size;
+        results_.axes.push_back(axis(i));
+      }
+    }
+    if (std::count(roles_.begin(), roles_.end(), Role::level) != 1) {
+      file_.fail("does not hold the results of bentur ida: its runs have no levels of intensity");
+    }
+    read_outcomes();
+  }
+
+  IdaResults take() { return std::move(results_); }
+
+ private:
+  enum class Role { level, record, other };
+
+  [[nodiscard]] ResultAxis axis(std::size_t i) const {
+    ResultAxis result{runs_[i], sizes_[i], {}};
+    for (const StoredVariable& variable : file_.variables()) {
+      if (variable.dimensions != std::vector<std::string>{runs_[i]} || variable.long_name == index_title) continue;
+      ResultCoordinate coordinate{variable.name, variable.units, file_.attribute(variable.name, "parameter"), {}, {}};
+      if (variable.text) {
+        coordinate.texts = file_.texts(variable.name);
+      } else {
+        coordinate.numbers = file_.numbers(variable.name);
+      }
+      result.coordinates.push_back(std::move(coordinate));
+    }
+    return result;
+  }
+
+  /// Variables with a value for each run at least.
+  [[nodiscard]] std::vector<const StoredVariable*> quantities() const {
+    std::vector<const StoredVariable*> result;
+    for (const StoredVariable& variable : file_.variables()) {
+      if (!variable.text && variable.dimensions.size() >= runs_.size() && variable.name != "scale_factor" &&
+          variable.name != "record_intensity" && variable.name != "intensity" && variable.name != "status" &&
+          std::equal(runs_.begin(), runs_.end(), variable.dimensions.begin())) {
+        result.push_back(&variable);
+      }
+    }
+    return result;
+  }
+
+  /// Those that the event is about.
+  [[nodiscard]] std::vector<const StoredVariable*> event_variables() const {
+    const std::string wanted = event_.quantity == "drift" ? "peak_drift_ratio" : event_.quantity;
+    std::vector<const StoredVariable*> result;
+    std::vector<std::string> known = {"drift"};
+    for (const StoredVariable* variable : quantities()) {
+      const std::string base = without_number(variable->name);
+      if (variable->name == wanted || base == wanted) result.push_back(variable);
+      // An impact that is not modelled is one: of how hard it is, or how many there are, nothing is known.
+      const bool any_impact = wanted == "impacts" && event_.holds(1) && !event_.holds(0);
+      if (any_impact && variable->name == "unmodelled_contacts") result.push_back(variable);
+      for (const std::string& name : {base, variable->name}) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+      }
+    }
+    if (!result.empty()) return result;
+    const std::string near = nearest(event_.quantity, known);
+    std::string which = near.empty() ? "there are" : fmt::format("did you mean \"{}\"?", near);
+    if (near.empty()) {
+      std::set<std::string> names;
+      for (const StoredVariable* variable : quantities()) names.insert(without_number(variable->name));
+      for (const std::string& name : names) which += (name == *names.begin() ? " " : ", ") + name;
+    }
+    file_.fail(fmt::format("has no quantity {} for the event, {}", in_quotes(event_.quantity), which));
+    return result;
+  }
+
+  void read_outcomes() {
+    const std::vector<const StoredVariable*> variables = event_variables();
+    results_.quantity_units = variables.front()->units;
+    OutcomeTable& table = results_.table;
+    table.outcomes.resize(table.cases * table.records * table.levels.size());
+    for (std::size_t i = 0; i < sizes_.front(); ++i) {
+      const std::vector<double> ends = file_.numbers("status", i);
+      std::vector<bool> events(ends.size(), false);
+      // What collapses, and what no longer can be computed, is beyond any threshold.
+      if (file_.find("collapsed") != nullptr) {
+        const std::vector<double> collapsed = file_.numbers("collapsed", i);
+        for (std::size_t k = 0; k < collapsed.size(); ++k) events[k] = collapsed[k] > 0;
+      }
+      for (const StoredVariable* variable : variables) {
+        const std::vector<double> values = file_.numbers(variable->name, i);
+        const std::size_t each = values.size() / ends.size();
+        const bool by_size = is_compared_by_size(file_, variable->name);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+          if (event_.holds(by_size ? std::abs(values[k]) : values[k])) events[k / each] = true;
+        }
+      }
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        constexpr double numbers_failed = 1, no_case = 2;
+        table.outcomes[place(i * ends.size() + k)] = ends[k] == no_case                       ? Outcome::failed
+                                                     : events[k] || ends[k] == numbers_failed ? Outcome::event
+                                                                                              : Outcome::no_event;
+      }
+    }
+  }
+
+  /// Where in the table run number `run` belongs.
+  [[nodiscard]] std::size_t place(std::size_t run) const {
+    std::size_t c = 0, record = 0, level = 0, cases = 1, records = 1;
+    for (std::size_t i = runs_.size(); i-- > 0;) {
+      const std::size_t size = sizes_[i];
+      const std::size_t at = run % size;
+      run /= size;
+      if (roles_[i] == Role::level) {
+        level = at;
+      } else if (roles_[i] == Role::record) {
+        record += at * records;
+        records *= size;
+      } else {
+        c += at * cases;
+        cases *= size;
+      }
+    }
+    return (c * results_.table.records + record) * results_.table.levels.size() + level;
+  }
+
+  const ResultSource& file_;
+  const EventRule& event_;
+  std::vector<std::string> runs_;  // dimensions
+  std::vector<std::size_t> sizes_;
+  std::vector<Role> roles_;
+  IdaResults results_;
+};
+
+}  // namespace
+
+bool is_compared_by_size(const ResultSource& file, const std::string& variable) {
+  return file.attribute(variable, "compared_by") == "size";
+}
+
+IdaResults read_ida_results(const ResultSource& file, const EventRule& event) { return Reader(file, event).take(); }
+
+}  // namespace bentur
