@@ -120,7 +120,7 @@ class Echo {
         rows_.emplace_back(label(key) + ", " + member.key, text_with_unit(member.value, key, given));
       }
     } else if (value.kind == Kind::table && key.table != nullptr) {
-      add(*key.table, value, label(key, of));
+      add(*key.table, value, label(key));
     } else if (is_list && key.table != nullptr) {
       add_tables(key, value);
     } else if (is_list && value.items.front().kind == Kind::list) {
