@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/model/own_law.h"
+#include "bentur/contact/own_law.h"
 
 namespace bentur::python {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/contact/own_law.h"
 #include "bentur/core/key.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/io/toml/toml_view.h"
-#include "bentur/model/own_law.h"
 
 namespace bentur {
 

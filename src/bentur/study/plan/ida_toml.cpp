@@ -36,8 +36,6 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   if (spec.spectral) {
     spec.period = view->number("period").value_or(1);
     spec.damping = view->number("damping").value_or(spec.damping);
-  } else if (intensity) {
-    view->refuse({"period", "damping"}, "goes with intensity = \"sa\"");
   }
   spec.unit = view->word("unit").value_or("");
   spec.levels = read_levels(*view);
