@@ -43,7 +43,6 @@ class Writer {
   Writer(const Figure& figure, const std::string& name) : figure_(figure), name_(name), layout_(layout(figure)) {}
 
   FigureText write() {
-    check(figure_);
     head();
     for (const PlacedPanel& placed : layout_.panels) panel(placed);
     script_ += "unset multiplot\nunset output\n";

@@ -93,7 +93,7 @@ std::string line_style(Tone tone, Line line, double width) {
 /// Lower left corner of the figure at the origin in `layout`, upper left one here.
 class Drawing {
  public:
-  explicit Drawing(const Figure& figure) : figure_(figure), layout_((check(figure), layout(figure))) {}
+  explicit Drawing(const Figure& figure) : figure_(figure), layout_(layout(figure)) {}
 
   std::string file() {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
@@ -138,12 +138,6 @@ class Drawing {
       text(one, x(x_cm), y(y_cm), "middle");
       y_cm -= line_height;
     }
-  }
-
-  static std::string polygon(std::initializer_list<std::pair<double, double>> corners) {
-    std::string data;
-    for (const auto& [dx, dy] : corners) data += fmt::format("{}{} {}", data.empty() ? "M" : "L", dx, dy);
-    return data + "Z";
   }
 
   /// Around a place [px].
@@ -230,6 +224,7 @@ class Drawing {
       line(curve, points.back(), frame);
     }
     out_ += "</svg>\n";
+    if (panel.map) scale(placed, frame);
     for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
     for (const double at : panel.events.x) {
       if (at < placed.x.from || at > placed.x.to) continue;
@@ -314,7 +309,7 @@ class Drawing {
     }
   }
 
-  /// Cells of one shade are one path; then the scale beside the frame.
+  /// Cells of one shade are one path.
   void map(const PlacedPanel& placed, const Frame& frame) {
     const HeatMap cells = merged(*placed.panel->map);
     const std::size_t nx = cells.x_edges.size() - 1;
@@ -332,13 +327,11 @@ class Drawing {
       out_ += fmt::format("<path d=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n", of_shade[s],
                           shade(static_cast<double>(s) / shades, cells.ratio));
     }
-    out_ += "</svg>\n";
-    scale(placed, frame, cells);
-    out_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", length(frame.left), length(frame.top),
-                        length(frame.width), length(frame.height));
   }
 
-  void scale(const PlacedPanel& placed, const Frame& frame, const HeatMap& cells) {
+  /// The colours of a map, beside its frame.
+  void scale(const PlacedPanel& placed, const Frame& frame) {
+    const HeatMap& cells = *placed.panel->map;
     const double left = x(placed.right + scale_gap), width = x(scale_thickness), right = left + width;
     const double step = frame.height / (shades + 1);
     for (int s = 0; s <= shades; ++s) {
@@ -355,8 +348,8 @@ class Drawing {
       text(label, right + x(0.1), at, "start");
     }
     path(ticks, line_style(Tone::black, Line::solid, frame_line));
-    text(scaled(placed.panel->map->label, placed.scale), x(placed.scale_label_x), y((placed.bottom + placed.top) / 2),
-         "middle", true);
+    text(scaled(cells.label, placed.scale), x(placed.scale_label_x), y((placed.bottom + placed.top) / 2), "middle",
+         true);
   }
 
   const Figure& figure_;

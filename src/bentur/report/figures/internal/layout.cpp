@@ -10,6 +10,7 @@
 
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/figures/internal/visible.h"
 
 namespace bentur {
 namespace {
@@ -340,6 +341,9 @@ class Arrangement {
 
 }  // namespace
 
-Layout layout(const Figure& figure) { return Arrangement(figure).make(); }
+Layout layout(const Figure& figure) {
+  check(figure);
+  return Arrangement(figure).make();
+}
 
 }  // namespace bentur

@@ -43,7 +43,7 @@ struct Layout {
   std::vector<PlacedPanel> panels;
 };
 
-/// Places panels, numbers and legends so that no text lies on another or on a curve.
+/// Places panels, numbers and legends so that no text lies on another or on a curve. @throws as check() does.
 [[nodiscard]] Layout layout(const Figure& figure);
 
 }  // namespace bentur
