@@ -767,3 +767,30 @@ test("a picture says of which case, when and how much magnified it is, and what 
     assert.ok(picture.replaceAll("\n", " ").includes(await shown("event")), picture);
   });
 });
+
+for (const [width, height] of [[1366, 768], [390, 844], [844, 390], [1920, 1080]]) {
+  test(`the slider and all of the buildings are in one screen, ${width} × ${height}`, async () => {
+    await on(async (page) => {
+      await solved(page);
+      const isInSight = (selector) => page.locator(selector).first().evaluate((one) => {
+        const { top, bottom, left, right } = one.getBoundingClientRect();
+        return top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth && one.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
+      });
+      for (const id of await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case))) {
+        await page.click(`[data-case="${id}"]`);
+        await solved(page);
+        assert.equal(await page.evaluate(() => scrollY), 0);
+        for (const one of ["#gap", "#motion .stage", ".brief .badge"]) assert.ok(await isInSight(one), `${id}: ${one}`);
+        // The slider stays while one looks at what stands below it.
+        for (const one of ["#motion .timeline", "#edit", "#compare"]) {
+          await page.locator(one).evaluate((section) => section.scrollIntoView());
+          assert.ok(await isInSight("#gap"), `${id}: at ${one}`);
+          assert.ok(await page.evaluate((at) => document.querySelector(at).getBoundingClientRect().top >= document.querySelector(".bar").getBoundingClientRect().bottom - 1, one), `${one} is not below the bar`);
+        }
+        await page.evaluate(() => scrollTo(0, 0));
+      }
+      const used = await page.locator(".lives").boundingBox();
+      assert.ok(used.width > 0.9 * width, `${used.width} of ${width}`);
+    }, { viewport: { width, height } });
+  });
+}

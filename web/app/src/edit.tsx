@@ -1,3 +1,4 @@
+import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
@@ -113,7 +114,7 @@ function Group({ path, title }: { path: Path; title: string }) {
 }
 
 function Choice({ name, options, value, set }: { name: string; options: string[]; value: string; set: (value: string) => void }) {
-  return <label class="choice">{name} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
+  return <label class="choice"><span>{name} </span><select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
 }
 
 /** The unit that a case has, and all there are with what they are in metres or newtons. */
@@ -223,21 +224,24 @@ export function FilePicker({ label: shown }: { label: string }) {
   }} /></label>;
 }
 
-/** The slider that everything starts with. */
-export function GapSlider() {
+/** The slider that everything starts with; beside what it is of stand the children. */
+export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
-  if (!overview || !one) return null;
+  if (!overview || !one) return <div class="head">{children}</div>;
   const key = `${gap.value}|${loads.value}|${overview.title}|${overview.units.length}`;
   const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
   if (most.current.key !== key || Math.max(width.value, one.needed) > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
-  const span = most.current.value;
+  const span = most.current.value, several = overview.gaps.length > 1;
   return (
     <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
-      {overview.gaps.length > 1 && <label>{nameOf("gap", "width")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
-      <label class="slide"><span>{overview.gaps.length > 1 ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
-        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} /></label>
+      <div class="head">
+        <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></label>
+          {several && <select aria-label={say("gap.which")} value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select>}</p>
+        {children}
+      </div>
+      <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} />
       <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
     </div>
   );

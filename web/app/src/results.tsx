@@ -54,6 +54,13 @@ function Statements({ overview }: { overview: Overview }) {
   );
 }
 
+/** The verdict's badges in one line: of what is told first, and of the gap that is looked at. */
+export function Brief() {
+  const all = (result.value?.overview.statements ?? []).filter((one) => one.badge && (one.gap === null || one.gap === gap.value || one.severity === "danger"));
+  const badges = new Map(all.map((one) => [one.badge, isGrave(one)]));
+  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, grave]) => <span key={badge} class={`badge${grave ? " grave" : ""}`}>{badge}</span>)}</p>;
+}
+
 export function Verdict() {
   const now = result.value;
   return (
