@@ -2,11 +2,11 @@ import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { cases } from "./cases";
-import { Editor, Errors, Form, GapSlider, goTo, openFile, Units } from "./edit";
-import { fromFragment } from "./link";
+import { Editor, Errors, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
+import { fromFragment, linked } from "./link";
 import { MotionView } from "./motion";
-import { Brief, Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict, widthsOf } from "./results";
-import { begin, chosen, load, pinned, problem, result, stale, standing } from "./state";
+import { Brief, caseOf, Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Stale, Verdict } from "./results";
+import { begin, isOwn, load, pinned, problem, result, stale, standing, startAnew, text } from "./state";
 import "./style.css";
 import { Take } from "./take";
 import { language, languages, say, type Word } from "./texts";
@@ -25,7 +25,8 @@ function Head() {
             {(["auto", "light", "dark"] as const).map((one) => <option key={one} value={one} selected={one === choice.value}>{say(`theme.${one}`)}</option>)}</select></label>
         </p></div>
       <p class="lead">{say("lead")}</p>
-      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={chosen.value === one.id} onClick={() => load(one.text, one.id)}>{say(`case.${one.id}` as Word)}</button>)}</nav>
+      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={text.value === one.text} onClick={() => load(one.text)}>{say(`case.${one.id}` as Word)}</button>)}
+        {isOwn.value && <button type="button" onClick={startAnew}>{say("anew")}</button>}</nav>
     </header>
   );
 }
@@ -38,7 +39,7 @@ function Bar() {
     watched.observe(bar.current!);
     return () => watched.disconnect();
   }, []);
-  return <div class="bar" ref={bar}><GapSlider><Brief /></GapSlider></div>;
+  return <div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div>;
 }
 
 function App() {
@@ -63,9 +64,9 @@ function App() {
         <div class="lives">
           {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
             <div class={pinned.value ? "motions" : ""}>
-              <div>{pinned.value && <h3>{say("now")}: {now.overview.title}, {widthsOf(now.overview)}</h3>}
+              <div>{pinned.value && <h3>{say("now")}: {caseOf(now.overview)}</h3>}
                 <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
-              {pinned.value && <div><h3>{say("pinned")}: {pinned.value.overview.title}, {widthsOf(pinned.value.overview)}</h3>
+              {pinned.value && <div><h3>{say("pinned")}: {caseOf(pinned.value.overview)}</h3>
                 <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
             </div></section>}
           <div class="said">
@@ -94,7 +95,16 @@ function App() {
 }
 
 effect(() => { document.documentElement.lang = language.value; });
-const fromAddress = () => fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); });
+const fromAddress = () => fromFragment(location.hash).then((given) => {
+  if (given !== null) load(given);
+  linked.value = given === null ? null : text.value;
+}).catch(() => { problem.value = () => say("error.link"); });
 void fromAddress().then(begin);
 addEventListener("hashchange", () => void fromAddress());
+effect(() => {
+  if (linked.value === null || text.value === linked.value) return;
+  linked.value = null;
+  history.replaceState(null, "", location.pathname + location.search);
+});
+listenToKeys();
 render(<App />, document.getElementById("app")!);
