@@ -15,7 +15,7 @@
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/figures/picture.h"
+#include "bentur/report/files/picture.h"
 
 namespace bentur {
 namespace {
@@ -195,6 +195,15 @@ TEST(Picture, PdfAndPngToo) {
   if (!can_draw("pdf")) GTEST_SKIP() << "rsvg-convert is not installed";
   EXPECT_EQ(draw(simple("x"), "pdf").substr(0, 5), "%PDF-");
   EXPECT_EQ(draw(simple("x"), "png").substr(1, 3), "PNG");
+}
+
+TEST(FigureSvg, TheFindingIsTheDescription) {
+  Figure figure = simple("x");
+  EXPECT_EQ(figure_svg(figure).find("<desc>"), std::string::npos);
+  EXPECT_NE(figure_element(figure, "Force").find("aria-label=\"Force\""), std::string::npos);
+  figure.finding = "peak < 5 kN at 3.57 s";
+  EXPECT_NE(figure_svg(figure).find("<desc>peak &lt; 5 kN at 3.57 s</desc>"), std::string::npos);
+  EXPECT_NE(figure_element(figure, "Force").find("aria-label=\"Force: peak &lt; 5 kN at 3.57 s\""), std::string::npos);
 }
 
 TEST(FigureSvg, RefusesEmptyFrames) {
