@@ -44,4 +44,4 @@ export async function open(browser, address, { slow = false, ...options } = {}) 
 export const solved = (page, state = "fine") => page.waitForSelector(`main[data-solved="${state}"]`);
 
 /** Until the curve over gaps is whole, so that no worker has anything to do. */
-export const curveDone = (page) => page.waitForFunction(() => document.querySelector("#curve figcaption")?.textContent.includes("amplification"));
+export const curveDone = (page) => page.waitForFunction(() => document.querySelector("#figures")?.dataset.curve === "1");

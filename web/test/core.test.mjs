@@ -68,6 +68,48 @@ for (const file of files) {
   }
 }
 
+/** Figures of a page, each as what is written and drawn in it, element by element. */
+const figuresOf = (html) => [...html.matchAll(/<figure[^>]*>(<svg[\s\S]*?<\/svg>)/g)].map(([, svg]) => svg.split("\n"));
+const numbers = (text) => (text.match(/-?\d+(?:\.\d+)?/g) ?? []).map(Number);
+
+/** Farthest that a point of one line through points lies from the other [px]. */
+function apart(one, other) {
+  let farthest = 0;
+  for (let i = 0; i + 1 < one.length; i += 2) {
+    let nearest = Math.hypot(one[i] - other[0], one[i + 1] - other[1]);
+    for (let k = 0; k + 3 < other.length && nearest > 0; k += 2) {
+      const [x, y, dx, dy] = [other[k], other[k + 1], other[k + 2] - other[k], other[k + 3] - other[k + 1]];
+      const part = Math.min(1, Math.max(0, ((one[i] - x) * dx + (one[i + 1] - y) * dy) / (dx * dx + dy * dy || 1)));
+      nearest = Math.min(nearest, Math.hypot(one[i] - x - part * dx, one[i + 1] - y - part * dy));
+    }
+    farthest = Math.max(farthest, nearest);
+  }
+  return farthest;
+}
+
+for (const file of files) {
+  const name = file.slice(file.lastIndexOf("/") + 1);
+  test(`${name}: a report made in the page has the command line's figures`, () => {
+    JSON.parse(one.open(readFileSync(file, "utf8"), name));
+    assert.ok(JSON.parse(one.solve(null, null)).ok);
+    const mine = figuresOf(one.report("en"));
+    const theirs = figuresOf(execFileSync(process.env.BENTUR, ["report", file, "-o", "-"], { maxBuffer: 1e8 }).toString());
+    assert.equal(mine.length, theirs.length);
+    assert.ok(theirs.length > 2);
+    if (exact.has(name)) return assert.deepEqual(mine, theirs);
+    theirs.forEach((elements, i) => {
+      assert.equal(mine[i].length, elements.length, elements[0]);
+      elements.forEach((element, k) => {
+        const data = (text) => /^<path d="(M[-\d. L]*L[-\d. L]*)"/.exec(text)?.[1];
+        const [a, b] = [numbers(data(mine[i][k]) ?? mine[i][k]), numbers(data(element) ?? element)];
+        // Of equal extremes of a curve either may be drawn: a line is where the other is, to a hundredth rounded either way.
+        const worst = data(element) ? Math.max(apart(a, b), apart(b, a)) : Math.max(0, ...a.map((value, n) => Math.abs(value - b[n])));
+        assert.ok(worst < 0.0142, `${elements[0].slice(0, 90)}: ${worst} ${element.slice(0, 200)}`);
+      });
+    });
+  });
+}
+
 test("a column that fails is told of first", () => {
   solved(read("struck-column.toml"), "struck-column.toml");
   for (const [language, column] of [["en", "column of Office at level 19.4 m"], ["id", "kolom Office di elevasi 19.4 m"]]) {

@@ -122,7 +122,8 @@ test("what is taken away is what was computed; the link brings the case back", a
     assert.equal(summary.gaps[0].points.reduce((sum, point) => sum + point.impacts, 0), 37);
     assert.match(await download(page, "report"), /^<!DOCTYPE html>/);
     assert.match(await download(page, "svg"), /^<svg[^>]*viewBox/);
-    assert.match(await download(page, "history-svg"), /^<svg/);
+    const [figure] = await Promise.all([page.waitForEvent("download"), page.click('[data-file="force.svg"]')]);
+    assert.match(readFileSync(await figure.path(), "utf8"), /^<\?xml[^>]*>\s*<svg[^>]*class="bentur"/);
     assert.equal((await download(page, "histories")).split("\n")[0].split(",").length, 2 + 6 + 6);
     assert.ok((await download(page, "png")).startsWith("\u{FFFD}PNG"));
     const text = await download(page, "case");
@@ -328,6 +329,41 @@ test("from a change to the new curves", async () => {
   });
 });
 
+test("a figure tells the values that are pointed at, shows a part of the time, and moves the buildings", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click('[data-case="monograph"]');
+    await solved(page);
+    const figure = page.locator('[data-figure="opening"]');
+    await figure.scrollIntoViewIfNeeded();
+    const sheet = figure.locator(".sheet"), box = await sheet.boundingBox();
+    const numbers = () => figure.locator(".sheet > div > svg").evaluate((svg) => [...svg.querySelectorAll("text")].map((one) => one.textContent));
+    const before = await numbers();
+    const at = (part) => [box.x + part * box.width, box.y + 0.3 * box.height];
+    await page.mouse.move(...at(0.5));
+    const told = await figure.locator("output").textContent();
+    assert.match(told, /^Time [\d.]+ · .*: -?[\d.]+/);
+    // What is told is the opening of the histories that are given away.
+    const rows = (await download(page, "histories")).trim().split("\n").map((line) => line.split(","));
+    const [, time, opening] = /^Time ([\d.]+) · .*?: (-?[\d.]+)/.exec(told).map(Number);
+    const next = rows.findIndex((row, k) => k > 0 && Number(row[0]) >= time);
+    const openings = rows[0].flatMap((head, column) => (head.includes("opening") ? [Number(rows[next][column])] : []));
+    assert.ok(openings.some((one) => Math.abs(one - opening) < 0.02 * Math.max(...openings.map(Math.abs))), `${told}: ${openings}`);
+    await page.mouse.down();
+    await page.mouse.up();
+    const shown = Number(await page.locator("#motion .stage").getAttribute("data-time"));
+    assert.ok(Math.abs(shown - time) < 0.02 * time, `${shown} ${time}`);
+    await page.mouse.move(...at(0.4));
+    await page.mouse.down();
+    await page.mouse.move(...at(0.6), { steps: 4 });
+    await page.mouse.up();
+    await page.waitForSelector("[data-span]");
+    await page.waitForFunction((old) => JSON.stringify([...document.querySelectorAll('[data-figure="opening"] svg text')].map((one) => one.textContent)) !== old, JSON.stringify(before));
+    await page.click("[data-span]");
+    await page.waitForFunction((old) => JSON.stringify([...document.querySelectorAll('[data-figure="opening"] svg text')].map((one) => one.textContent)) === old, JSON.stringify(before));
+  });
+});
+
 test("other units are the same buildings, and back again the same text", async () => {
   await on(async (page) => {
     await solved(page);
@@ -415,7 +451,7 @@ for (const colorScheme of ["light", "dark"]) {
         await solved(page);
         await page.click('[data-case="yielding"]');
         await solved(page);
-        await page.waitForSelector("#loops");
+        await page.waitForSelector('[data-figure="storey-loop"]');
         await page.click("#compare button");
         await page.evaluate(() => { for (const one of document.querySelectorAll("details")) one.open = true; });
         await page.waitForSelector(".form");
@@ -601,7 +637,7 @@ test("what stands beside errors, or while work takes its time, is said to be of 
     assert.equal(await colour(), alarm);
     await write(page, lasting("-1.0"), "errors");
     for (const place of [".bar", ".verdicts", "#take"]) assert.match(await page.textContent(`${place} .stale-note`), /of “Eight and six storeys.*Gap 0\.05 m/, place);
-    for (const section of ["#histories", "#envelopes", "#impacts", "#compare"]) { // the bar stays in sight
+    for (const section of ["#figures", "#impacts", "#compare"]) { // the bar stays in sight
       await page.locator(section).evaluate((one) => one.scrollIntoView());
       const { top, bottom } = await page.locator(".bar .stale-note").evaluate((one) => one.getBoundingClientRect().toJSON());
       assert.ok(top >= 0 && bottom <= 900, section);

@@ -35,8 +35,8 @@ class Studio {
   [[nodiscard]] std::string in_units(const std::string& text, const std::string& length,
                                      const std::string& force) const;
 
-  /// {case: what `bentur schema` says, units: {length: {m: 1, ...}, force: {N: 1, ...}}}, units in
-  /// metres and newtons.
+  /// {case: what `bentur schema` says, units: {length: {m: 1, ...}, force: {N: 1, ...}}, style: CSS
+  /// of figures}, units in metres and newtons.
   [[nodiscard]] std::string schema() const;
 
   /// The unit that a record says it is in; empty where it says none, or is none.

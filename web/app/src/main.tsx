@@ -2,10 +2,12 @@ import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { cases } from "./cases";
+import { beginDrawing } from "./drawing";
 import { Editor, Errors, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
+import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./motion";
-import { Brief, caseOf, Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Stale, Verdict } from "./results";
+import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
 import { begin, isOwn, load, pinned, problem, result, stale, standing, startAnew, text } from "./state";
 import "./style.css";
 import { Take } from "./take";
@@ -81,10 +83,8 @@ function App() {
           </section>
         </div>
         {now && <div class="found">
-          <Histories now={now} />
-          <div class="pair"><Envelopes now={now} /><GapCurve now={now} /></div>
+          <Figures now={now} />
           <Impacts now={now} />
-          <Loops now={now} />
           <Comparison now={now} />
         </div>}
         <Take />
@@ -99,7 +99,7 @@ const fromAddress = () => fromFragment(location.hash).then((given) => {
   if (given !== null) load(given);
   linked.value = given === null ? null : text.value;
 }).catch(() => { problem.value = () => say("error.link"); });
-void fromAddress().then(begin);
+void fromAddress().then(begin).then(beginDrawing);
 addEventListener("hashchange", () => void fromAddress());
 effect(() => {
   if (linked.value === null || text.value === linked.value) return;

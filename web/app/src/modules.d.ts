@@ -23,6 +23,8 @@ declare module "*/bentur_web.mjs" {
     report(language: string): string;
     overview(language: string): string;
     histories(): import("./solver").Histories;
+    draw(kind: string, language: string, wanted: import("./solver").Wanted): import("./solver").Drawn;
+    figureFile(kind: string, language: string, wanted: import("./solver").Wanted): string;
     atWidth(gap: number, width: number): string;
   }
   export default function createBentur(): Promise<{ Studio: new () => Studio }>;

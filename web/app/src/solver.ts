@@ -4,6 +4,19 @@ import { signal } from "@preact/signals";
 import SolverWorker from "./worker?worker&inline";
 
 export interface CaseError { file: string; line: number; column: number; key: string; message: string }
+export interface AxisPlace { label: string; from: number; to: number; logarithmic: boolean }
+/** A frame of a figure [px of its SVG], and what is drawn there. */
+export interface PanelPlace {
+  left: number; top: number; width: number; height: number; x: AxisPlace; y: AxisPlace;
+  curves: { label: string; x: Float64Array; y: Float64Array }[];
+}
+/** `width` in cm. */
+export interface Drawn { svg: string; width: number; panels: PanelPlace[]; error?: string }
+export interface Wanted {
+  width: number; from?: number; to?: number; gap?: number; elevation?: number;
+  curve?: { gap: number; widths: number[]; forces: number[]; amplifications: number[] };
+}
+export type Draw = [kind: string, wanted: Wanted][];
 export interface Histories {
   time: Float64Array;
   ground: Float64Array;
@@ -26,6 +39,7 @@ export interface Overview {
   title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
+  figures: { kind: string; caption: string; overTime: boolean }[];
 }
 /** What `bentur schema` says of a key in one of its meanings: `unit` in words, "force/length". */
 export interface Key {
@@ -40,28 +54,31 @@ export interface Node {
   description: string; properties?: Record<string, Node>; items?: Node; anyOf?: Node[];
   "x-bentur": Key[];
 }
-export interface Schema { case: Node; units: Record<"length" | "force", Record<string, number>> }
+export interface Schema { case: Node; units: Record<"length" | "force", Record<string, number>>; style: string }
 export interface CurvePoint { width: number; force: number; amplification: number }
-export type Take = "summary" | "impacts" | "gaps" | "modes" | "report";
+export type Take = "summary" | "impacts" | "gaps" | "modes" | "report" | "figure" | "histories";
 export type Files = [string, Uint8Array][];
 interface Common { id: number; text: string; language: string; files?: Files }
 export type Request = Common & (
-  | { kind: "run"; step: number | null }
-  | { kind: "take"; what: Take }
+  | { kind: "run"; step: number | null; draw: Draw }
+  | { kind: "draw"; draw: Draw }
+  | { kind: "take"; what: Take; draw?: Draw }
   | { kind: "units"; length: string; force: string }
   | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; motion: string; histories: Histories; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; motion: string; drawn: Record<string, Drawn>; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
   | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }
   | { kind: "progress"; done: number }
   | ({ kind: "result" } & Result)
+  | { kind: "drawn"; drawn: Record<string, Drawn> }
+  | { kind: "histories"; histories: Histories; overview: Overview }
   | { kind: "text"; text: string }
   | { kind: "curve"; curve: CurvePoint[]; done: number });
 
-type Wanted = Pick<Request, "kind"> & { [key: string]: unknown };
-interface Asked { request: Wanted; hear: (answer: Answer) => void }
+type AnyRequest = Pick<Request, "kind"> & { [key: string]: unknown };
+interface Asked { request: AnyRequest; hear: (answer: Answer) => void }
 const LIMIT = 20000; // [ms] that anything may take
 const MOMENT = 700; // [ms] after which it is said that something is under way
 
@@ -112,12 +129,12 @@ export class Solver {
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
     this.timer = window.setTimeout(() => this.giveUp("limit"), LIMIT);
-    this.moment = window.setTimeout(() => this.slow(true), MOMENT);
+    if (asked.request.kind !== "draw") this.moment = window.setTimeout(() => this.slow(true), MOMENT); // of what is there already
     this.awake.postMessage({ ...asked.request, id: this.last, files });
   }
 
   /** Asks for something, for which older ones of its kind that wait are forgotten; what is taken away is never. */
-  ask(request: Wanted, hear: (answer: Answer) => void) {
+  ask(request: AnyRequest, hear: (answer: Answer) => void) {
     this.waiting = this.waiting.filter((one) => one.request.kind !== request.kind || request.kind === "take");
     this.waiting.push({ request, hear });
     // A curve under way ends for a newer one: its worker hears of what comes next and stops.

@@ -2,7 +2,8 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { cases, recordBytes, recordName } from "./cases";
 import { forget, keep, kept } from "./kept";
-import { type CaseError, type CurvePoint, type Files, type Result, Solver, type Take } from "./solver";
+import { take as takeDrawn, wanted, wantedNow } from "./drawing";
+import { type Answer, type CaseError, type CurvePoint, type Files, type Result, Solver, type Take } from "./solver";
 import { record, step } from "./steps";
 import { language, say, type Word } from "./texts";
 import { leaf, outline, widths, withWidth } from "./toml";
@@ -59,7 +60,7 @@ export const width = computed(() => {
   return values.length > 0 ? Math.min(...values) : 0;
 });
 
-const live = new Solver((yes) => {
+export const live = new Solver((yes) => {
   slow.value = yes;
   if (!yes) progress.value = 0;
 });
@@ -75,7 +76,7 @@ function run(fine: boolean) {
   clearTimeout(settle);
   const duration = result.value?.overview.duration ?? 20;
   const number = asked.value += 1;
-  live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002) }, (answer) => {
+  live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002), draw: wantedNow() }, (answer) => {
     if (answer.kind === "progress") progress.value = answer.done;
     if (answer.kind === "refused") batch(() => { errors.value = answer.errors; answered.value = number; });
     if (answer.kind === "result") {
@@ -83,6 +84,7 @@ function run(fine: boolean) {
         answered.value = number;
         errors.value = [];
         result.value = answer;
+        takeDrawn(answer.drawn);
         solvedText.value = wanted;
         solvedWith.value = used;
         if (gap.value >= answer.overview.gaps.length) gap.value = 0;
@@ -213,14 +215,22 @@ export function addFile(name: string, bytes: Uint8Array, then: (unit: string) =>
   }));
 }
 
-export function take(what: Take): Promise<string> {
+function answerTo<Kind extends Answer["kind"]>(kind: Kind, request: object): Promise<Extract<Answer, { kind: Kind }>> {
   return new Promise((resolve, reject) => {
-    behind.ask({ kind: "take", what, text: text.value, language: language.value }, (answer) => {
-      if (answer.kind === "text") resolve(answer.text);
+    behind.ask({ kind: "take", text: text.value, language: language.value, ...request }, (answer) => {
+      if (answer.kind === kind) resolve(answer as Extract<Answer, { kind: Kind }>);
       if (answer.kind === "refused") reject(new Error(told(answer.errors[0])));
     });
   });
 }
+
+export const take = (what: Take) => answerTo("text", { what }).then((answer) => answer.text);
+
+/** The histories of the case, finely. */
+export const takeHistories = () => answerTo("histories", { what: "histories" });
+
+/** A figure as a file of its own, as wide as a journal's column. */
+export const takeFigure = (kind: string) => answerTo("text", { what: "figure", draw: [[kind, { ...wanted(kind, 0), width: 8.8 }]] }).then((answer) => answer.text);
 
 const work = computed(() => ({ text: text.value, files: files.value }));
 let saving = 0;

@@ -1,21 +1,13 @@
 import { useState } from "preact/hooks";
 import { FilePicker } from "./edit";
 import { linked, toFragment } from "./link";
-import { caseOf, historiesSvg, Stale } from "./results";
-import type { Result } from "./solver";
-import { ownRecord, result, stale, take, text } from "./state";
+import { caseOf, Stale } from "./results";
+import { png, save } from "./save";
+import type { Histories, Overview, Result } from "./solver";
+import { ownRecord, result, stale, take, takeHistories, text } from "./state";
 import { say } from "./texts";
 
-function save(name: string, content: BlobPart, type: string) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([content], { type }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-
-function historiesCsv(now: Result): string {
-  const { histories, overview } = now;
+function historiesCsv({ histories, overview }: { histories: Histories; overview: Overview }): string {
   const quoted = (value: string) => `"${value.replaceAll('"', '""')}"`;
   const heads = ["time [s]", `ground_acceleration [${overview.units.length}/s2]`];
   const columns: Float64Array[] = [histories.time, histories.ground];
@@ -80,19 +72,6 @@ function stageSvg(now: Result): string {
   return new XMLSerializer().serializeToString(copy);
 }
 
-async function png(svg: string): Promise<Blob> {
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
-  await image.decode();
-  const canvas = document.createElement("canvas");
-  canvas.width = 2 * image.naturalWidth;
-  canvas.height = 2 * image.naturalHeight;
-  const context = canvas.getContext("2d")!;
-  context.scale(2, 2);
-  context.drawImage(image, 0, 0);
-  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("png"))), "image/png"));
-}
-
 export function Take() {
   const now = result.value;
   const [said, tell] = useState("");
@@ -116,14 +95,12 @@ export function Take() {
         {now && <>
           <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
           <button type="button" disabled={stale.value} data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
-          <button type="button" disabled={stale.value} data-take="histories" onClick={() => save("histories.csv", historiesCsv(now), "text/csv")}>{say("take.histories")}</button>
+          <button type="button" disabled={stale.value} data-take="histories" onClick={() => { takeHistories().then((all) => save("histories.csv", historiesCsv(all), "text/csv")).catch((error: Error) => tell(error.message)); }}>{say("take.histories")}</button>
           <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
           <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
           <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
           <button type="button" disabled={stale.value} data-take="svg" onClick={() => save("buildings.svg", stageSvg(now), "image/svg+xml")}>{say("take.svg")}</button>
           <button type="button" disabled={stale.value} data-take="png" onClick={() => void png(stageSvg(now)).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
-          <button type="button" disabled={stale.value} data-take="history-svg" onClick={() => save("histories.svg", historiesSvg(now), "image/svg+xml")}>{say("take.history.svg")}</button>
-          <button type="button" disabled={stale.value} data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
         </>}
       </p>
       <Stale word="take.stale" />

@@ -1,6 +1,6 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
-import type { Answer, CaseError, CurvePoint, Request, Schema } from "./solver";
+import type { Answer, CaseError, CurvePoint, Draw, Drawn, Request, Schema } from "./solver";
 import { trueTitle } from "./title";
 
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
@@ -34,6 +34,11 @@ async function answer(request: Request): Promise<void> {
     const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
     return result.ok ? post({ id, kind: "text", text: result.text }) : refused(result);
   }
+  const drawn = (draw: Draw): Record<string, Drawn> => Object.fromEntries(draw.map(([kind, wanted]) => [kind, studio.draw(kind, request.language, wanted)]));
+  if (request.kind === "draw") {
+    const made = opened === request.text ? drawn(request.draw) : {};
+    return post({ id, kind: "drawn", drawn: made }, buffers(made));
+  }
   const started = performance.now();
   if (request.kind !== "curve" || opened !== request.text) {
     const result = JSON.parse(studio.open(request.text, "case.toml"));
@@ -58,15 +63,22 @@ async function answer(request: Request): Promise<void> {
     const gaps = overview.gaps.map((one: { name: string }) => one.name);
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
-    const histories = studio.histories();
-    return post({ id, kind: "result", overview, motion: studio.motion(request.language), histories,
-      milliseconds: performance.now() - started, fine: request.step === null }, buffers(histories));
+    const made = drawn(request.draw);
+    return post({ id, kind: "result", overview, motion: studio.motion(request.language), drawn: made,
+      milliseconds: performance.now() - started, fine: request.step === null }, buffers(made));
   }
   if (request.kind === "take") {
-    const solved = JSON.parse(studio.solve(request.what === "report" ? null : 0, null));
+    const isDrawn = request.what === "report" || request.what === "figure" || request.what === "histories";
+    const solved = JSON.parse(studio.solve(isDrawn ? null : 0, null));
     if (!solved.ok) return refused(solved);
+    if (request.what === "histories") {
+      const histories = studio.histories();
+      return post({ id, kind: "histories", histories, overview: JSON.parse(studio.overview(request.language)) }, buffers(histories));
+    }
+    const [kind, wanted] = request.draw?.[0] ?? [];
     const text = request.what === "summary" ? studio.summary() : request.what === "impacts" ? studio.impacts()
-      : request.what === "gaps" ? studio.gaps() : request.what === "modes" ? studio.modes() : studio.report(request.language);
+      : request.what === "gaps" ? studio.gaps() : request.what === "modes" ? studio.modes()
+      : kind && wanted ? studio.figureFile(kind, request.language, wanted) : studio.report(request.language);
     return post({ id, kind: "text", text });
   }
   // A curve over gap widths; in between, requests that come in are heard.

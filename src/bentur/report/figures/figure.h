@@ -113,8 +113,9 @@ struct PanelPlace {
 /// @return one for each panel, in their order. @throws InvalidParameter as figure_svg().
 [[nodiscard]] std::vector<PanelPlace> panel_places(const Figure& figure);
 
-/// The colours of figures as CSS, on paper and on a dark screen.
-[[nodiscard]] std::string figure_style();
+/// The colours of figures as CSS, on paper and on a dark screen. `by_attribute`: dark where the root element of the
+/// page has data-theme="dark", else where the system is.
+[[nodiscard]] std::string figure_style(bool by_attribute = false);
 
 /// What is needed to draw the figure in another style: gnuplot's script and the data it reads, NAME.dat. It writes
 /// NAME.svg, or NAME.pdf, NAME.png where the variable `format` says so. The same figure gives the same texts.

@@ -5,7 +5,7 @@
 
 namespace bentur {
 
-std::string figure_style() {
+std::string figure_style(bool by_attribute) {
   std::string light, dark, rules;
   const auto add = [&](const Colour& one) {
     light += fmt::format("--{}:{};", one.name, one.paper);
@@ -14,8 +14,9 @@ std::string figure_style() {
   };
   for (const Colour& one : colours) add(one);
   add(paper);
-  return fmt::format(".bentur{{{}}}{}@media screen and (prefers-color-scheme:dark){{.bentur{{{}}}}}", light, rules,
-                     dark);
+  const char* const when = by_attribute ? "screen" : "screen and (prefers-color-scheme:dark)";
+  const char* const where = by_attribute ? ":root[data-theme=dark] .bentur" : ".bentur";
+  return fmt::format(".bentur{{{}}}{}@media {}{{{}{{{}}}}}", light, rules, when, where, dark);
 }
 
 }  // namespace bentur

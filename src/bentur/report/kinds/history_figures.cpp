@@ -249,7 +249,8 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
   for (Panel& panel : figure.panels) {
     panel.curves = {force_curve(run, i, {*panel.x.from, *panel.x.to})};
     const std::vector<double>& forces = panel.curves.front().y;
-    if (*std::min_element(forces.begin(), forces.end()) >= 0) panel.y.from = 0;
+    const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
+    if (*least >= -round_off * *most) panel.y.from = 0;
   }
   figure.title = "Contact force, " + point_text(run, i, options);
   return figure;

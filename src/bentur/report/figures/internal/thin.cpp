@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <set>
 
+#include "bentur/report/figures/internal/ticks.h"
+
 namespace bentur {
 
 Points thinned(const std::vector<double>& x, const std::vector<double>& y, int columns) {
@@ -16,6 +18,12 @@ Points thinned(const std::vector<double>& x, const std::vector<double>& y, int c
   const auto column = [&](std::size_t i) {
     return std::min(columns - 1, static_cast<int>((x[i] - x.front()) / span * columns));
   };
+  // Of values that differ by round-off alone the first is taken, on every machine.
+  double least = INFINITY, most = -INFINITY;
+  for (const double one : y) {
+    if (std::isfinite(one)) least = std::min(least, one), most = std::max(most, one);
+  }
+  const double tiny = least < most ? round_off * (most - least) : 0;
   Points kept;
   for (std::size_t first = 0; first < count;) {
     std::size_t end = first;
@@ -27,8 +35,8 @@ Points thinned(const std::vector<double>& x, const std::vector<double>& y, int c
         if (end == first || !std::isnan(y[end - 1])) chosen.insert(end);
         continue;
       }
-      if (!(y[low] <= y[end])) low = end;
-      if (!(y[high] >= y[end])) high = end;
+      if (!(y[low] <= y[end] + tiny)) low = end;
+      if (!(y[high] >= y[end] - tiny)) high = end;
     }
     chosen.insert({low, high, end - 1});
     for (const std::size_t i : chosen) {

@@ -9,8 +9,8 @@ struct Points {
 };
 
 /// What of a curve can be seen at a resolution of `columns`: of the points in each column of equal width the first, the
-/// lowest, the highest and the last, in their order. No extremum is lost or moved. Curves of up to 4 · columns points,
-/// and those whose x does not ascend, come back as they are; NaN stays, once per column.
+/// lowest, the highest and the last, in their order. No extremum is lost or moved, but by round-off. Curves of up to 4
+/// · columns points, and those whose x does not ascend, come back as they are; NaN stays, once per column.
 [[nodiscard]] Points thinned(const std::vector<double>& x, const std::vector<double>& y, int columns);
 
 }  // namespace bentur

@@ -61,8 +61,10 @@ Ticks linear(const TickRequest& request) {
   }
   const double air = 0.04 * (high - low);  // between data and frame
   Ticks ticks;
-  ticks.from = request.from || low == 0 ? low : low - air;
-  ticks.to = request.to || high == 0 ? high : high + air;
+  const double tiny = round_off * (high - low);
+  const auto is_zero = [&](double end) { return std::abs(end) <= tiny; };
+  ticks.from = request.from ? low : is_zero(low) ? 0 : low - air;
+  ticks.to = request.to ? high : is_zero(high) ? 0 : high + air;
   const double step = round_step((ticks.to - ticks.from) / request.most);
   ticks.exponent = request.plain ? 0 : exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
   const double unit = std::pow(10.0, ticks.exponent);

@@ -18,6 +18,10 @@ struct Ticks {
   std::vector<double> minor;  ///< without a number
 };
 
+/// Beside the range of its data: nearer to zero than this an end is zero, so that the last digits of numbers that
+/// differ from machine to machine make no other axis.
+constexpr double round_off = 1e-9;
+
 /// An axis for data from `low` to `high`, at most about `most` numbers apart by 1, 2 or 5 times a power of ten. Ends
 /// that are not given leave the data some air, but zero is an end where data end there; a logarithmic axis ends on a
 /// number.

@@ -1,0 +1,99 @@
+// Which figures are to be drawn, and what came back: the solver draws them, each of the run that is shown.
+import { batch, effect, signal, untracked } from "@preact/signals";
+import { type Drawn, schema, type Wanted } from "./solver";
+import { curve, gap, live, result, solvedText, text } from "./state";
+import { language } from "./texts";
+
+export const drawn = signal<Record<string, Drawn>>({});
+/** The part of the time that histories show [s]; all of it where there is none. */
+export const span = signal<[number, number] | null>(null);
+/** The contact point that histories are of, by its number; the one that is hit hardest where there is none. */
+export const point = signal<number | null>(null);
+
+/** Width on the page of each kind that is in sight [px]. */
+const inSight = new Map<string, number>();
+/** Of the run that is shown; others are of one before it until they are in sight. */
+let fresh = new Set<string>();
+
+const LETTERS = 1.15; // larger than on paper
+const CENTIMETRE = 96 / 2.54; // [px]
+
+/** What a kind is drawn by; nothing where it cannot be. */
+export function wanted(kind: string, pixels: number): Wanted | null {
+  const width = Math.max(6, pixels / CENTIMETRE / LETTERS);
+  if (kind === "gap-curve") {
+    const all = curve.value;
+    if (all.length < 2) return null;
+    return { width, curve: { gap: gap.value, widths: all.map((one) => one.width), forces: all.map((one) => one.force), amplifications: all.map((one) => one.amplification) } };
+  }
+  const now = result.value;
+  const figure = now?.overview.figures.find((one) => one.kind === kind);
+  const [from, to] = (figure?.overTime && span.value) || [];
+  const place = point.value === null ? undefined : now?.overview.points[point.value];
+  return { width, from, to, gap: place?.gap, elevation: place?.elevation };
+}
+
+/** Every kind in sight, for a run to be drawn by at once. */
+export function wantedNow(): [string, Wanted][] {
+  const all: [string, Wanted][] = [];
+  for (const [kind, pixels] of inSight) {
+    const one = wanted(kind, pixels);
+    if (one) all.push([kind, one]);
+  }
+  return all;
+}
+
+let speaks = "";
+/** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language. */
+export function take(made: Record<string, Drawn>) {
+  fresh = new Set(Object.keys(made));
+  drawn.value = { ...(speaks === language.value ? drawn.value : {}), ...made };
+  speaks = language.value;
+}
+
+function draw(kinds: [string, Wanted][]) {
+  if (kinds.length === 0 || solvedText.value !== text.value) return; // a run that is under way brings its own
+  live.ask({ kind: "draw", text: text.value, language: language.value, draw: kinds }, (answer) => {
+    if (answer.kind !== "drawn") return;
+    for (const kind of Object.keys(answer.drawn)) fresh.add(kind);
+    drawn.value = { ...drawn.value, ...answer.drawn };
+  });
+}
+
+/** A figure has come into sight, so wide, or has gone out of it. */
+export function see(kind: string, pixels: number | null) {
+  const before = inSight.get(kind);
+  if (pixels === null) {
+    inSight.delete(kind);
+    return;
+  }
+  inSight.set(kind, pixels);
+  if (!fresh.has(kind) || (before !== undefined && Math.abs(before - pixels) > 1)) drawInSight();
+}
+
+let due = 0;
+/** Draws all that is in sight, once for all that is asked for in a moment. */
+function drawInSight() {
+  clearTimeout(due);
+  due = window.setTimeout(() => draw(wantedNow()), 0);
+}
+
+/** From now on what is chosen is drawn. */
+export function beginDrawing() {
+  const colours = new CSSStyleSheet();
+  document.adoptedStyleSheets.push(colours);
+  effect(() => colours.replaceSync(schema.value?.style ?? ""));
+  effect(() => {
+    void span.value;
+    void point.value;
+    void curve.value;
+    untracked(drawInSight);
+  });
+  let shown = ""; // another case has other times and points
+  effect(() => {
+    const now = result.value?.overview;
+    const key = now ? JSON.stringify([now.duration, now.points]) : "";
+    if (key !== shown) batch(() => { span.value = null; point.value = null; });
+    shown = key;
+  });
+}

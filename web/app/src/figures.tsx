@@ -1,0 +1,138 @@
+import { useSignalEffect } from "@preact/signals";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { drawn, point, see, span } from "./drawing";
+import { main } from "./motion";
+import { png, save } from "./save";
+import type { AxisPlace, Drawn, PanelPlace, Result } from "./solver";
+import { curve, curveDone, stale, takeFigure, time } from "./state";
+import { number, say } from "./texts";
+
+const ofAxis = (axis: AxisPlace, value: number) => (axis.logarithmic
+  ? Math.log(value / axis.from) / Math.log(axis.to / axis.from) : (value - axis.from) / (axis.to - axis.from));
+const onAxis = (axis: AxisPlace, part: number) => (axis.logarithmic
+  ? axis.from * (axis.to / axis.from) ** part : axis.from + part * (axis.to - axis.from));
+
+/** Where a curve is at x, between its points; nothing where x goes to and fro or lies beside it. */
+function valueAt(x: Float64Array, y: Float64Array, at: number): number | null {
+  let low = 0, high = x.length - 1;
+  if (high < 1 || !(at >= x[0] && at <= x[high])) return null;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= at) low = middle;
+    else high = middle;
+  }
+  const length = x[high] - x[low];
+  return length > 0 ? y[low] + ((at - x[low]) / length) * (y[high] - y[low]) : y[high];
+}
+
+interface Place { panel: PanelPlace; x: number; y: number; scale: number }
+
+/** The panel that is pointed at, and the values there. */
+function placeOf(event: PointerEvent | MouseEvent, shown: Drawn): Place | null {
+  const svg = (event.currentTarget as HTMLElement).querySelector("svg")!.getBoundingClientRect();
+  const scale = svg.width / ((shown.width / 2.54) * 96);
+  const [px, py] = [(event.clientX - svg.left) / scale, (event.clientY - svg.top) / scale];
+  const panel = shown.panels.find((one) => px >= one.left && px <= one.left + one.width && py >= one.top && py <= one.top + one.height);
+  if (!panel) return null;
+  return { panel, scale, x: onAxis(panel.x, (px - panel.left) / panel.width), y: onAxis(panel.y, 1 - (py - panel.top) / panel.height) };
+}
+
+/** The values under a place: of each history at its time, else of the nearest point. */
+function told({ panel, x, y }: Place, overTime: boolean, times: string): string {
+  const name = (label: string) => (label ? `${label}: ` : "");
+  if (overTime) {
+    const values = panel.curves.flatMap((one) => { const value = valueAt(one.x, one.y, x); return value === null ? [] : [`${name(one.label)}${number(value)}`]; });
+    return [`${times} ${number(x)}`, ...values].join(" · ");
+  }
+  let best = "", least = (12 / panel.width) ** 2; // nothing that is further than some pixels
+  for (const one of panel.curves) {
+    for (let i = 0; i < one.x.length; ++i) {
+      const [dx, dy] = [ofAxis(panel.x, one.x[i]) - ofAxis(panel.x, x), (ofAxis(panel.y, one.y[i]) - ofAxis(panel.y, y)) * (panel.height / panel.width)];
+      const size = dx * dx + dy * dy;
+      if (size < least) [least, best] = [size, `${name(one.label)}${number(one.x[i])}, ${number(one.y[i])}`];
+    }
+  }
+  return best;
+}
+
+/** One figure by the solver: values where one points, the time of the motion, and what is dragged over for a closer look. */
+function FigureView({ kind, caption, overTime }: { kind: string; caption: string; overTime: boolean }) {
+  const root = useRef<HTMLDivElement>(null), heads = useRef<(HTMLElement | null)[]>([]);
+  const [values, tell] = useState("");
+  const [drag, pull] = useState<{ from: Place; to: Place } | null>(null);
+  const made = drawn.value[kind], shown = made?.error === undefined ? made : undefined;
+  useEffect(() => {
+    let visible = false;
+    const look = () => see(kind, visible && root.current ? root.current.clientWidth : null);
+    const sight = new IntersectionObserver(([{ isIntersecting }]) => { visible = isIntersecting; look(); }, { rootMargin: "50%" });
+    const size = new ResizeObserver(look);
+    sight.observe(root.current!);
+    size.observe(root.current!);
+    return () => { sight.disconnect(); size.disconnect(); see(kind, null); };
+  }, [kind]);
+  const placeHeads = () => heads.current.forEach((head, i) => {
+    const panel = shown?.panels[i];
+    if (!head || !panel) return;
+    const part = ofAxis(panel.x, time.value);
+    head.hidden = !(part >= 0 && part <= 1);
+    head.style.left = `${(100 * (panel.left + part * panel.width)) / ((shown.width / 2.54) * 96)}%`;
+  });
+  useSignalEffect(() => { void time.value; placeHeads(); });
+  useEffect(placeHeads, [shown]);
+  const high = /viewBox="0 0 \S+ (\S+)"/.exec(shown?.svg ?? "")?.[1];
+  const percent = (value: number) => `${(100 * value) / Number(high)}%`;
+  const times = say("time");
+  const move = (event: PointerEvent) => {
+    const at = shown && placeOf(event, shown);
+    tell(at ? told(at, overTime, times) : "");
+    if (drag && at && at.panel === drag.from.panel) pull({ ...drag, to: at });
+  };
+  const lift = () => {
+    if (!drag) return;
+    const ends = [drag.from.x, drag.to.x].sort((a, b) => a - b) as [number, number];
+    const wide = (Math.abs(ofAxis(drag.from.panel.x, ends[1]) - ofAxis(drag.from.panel.x, ends[0]))) * drag.from.panel.width * drag.from.scale;
+    if (wide > 4) span.value = ends;
+    else { main?.pause(); main?.show(drag.from.x); }
+    pull(null);
+  };
+  const left = (at: Place) => `${(100 * (at.panel.left + ofAxis(at.panel.x, at.x) * at.panel.width)) / ((shown!.width / 2.54) * 96)}%`;
+  const file = (save_: (svg: string) => void) => { void takeFigure(kind).then(save_).catch(() => undefined); };
+  return (
+    <figure class={`drawn${(shown?.width ?? 0) > 15 ? " broad" : ""}`} data-figure={kind}>
+      <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(""); pull(null); }}
+        onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
+        onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : <p class="blank note" lang="en">{made?.error}</p>}
+        {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
+        {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
+      </div>
+      <figcaption>{caption} <output aria-live="off">{values}</output>
+        <span class="files">{(["svg", "png"] as const).map((format) => <button type="button" key={format} class="small" disabled={stale.value} data-file={`${kind}.${format}`} aria-label={`${caption}, ${format.toUpperCase()}`}
+          onClick={() => file((svg) => (format === "svg" ? save(`${kind}.svg`, svg, "image/svg+xml") : void png(svg).then((blob) => save(`${kind}.png`, blob, "image/png"))))}>{format.toUpperCase()}</button>)}</span>
+      </figcaption>
+    </figure>
+  );
+}
+
+/** Every figure that the run gives, as its report has them, and what other widths of the gap would give. */
+export function Figures({ now }: { now: Result }) {
+  const { points, gaps, units, figures } = now.overview;
+  return (
+    <section id="figures" data-curve={curve.value.length > 1 ? curveDone.value : 0}>
+      <h2>{say("figures")}</h2>
+      <p class="controls">
+        {points.length > 1 && <label>{say("history.point")} <select value={point.value ?? -1} onChange={(event) => { const to = Number(event.currentTarget.value); point.value = to < 0 ? null : to; }}>
+          <option value={-1} selected={point.value === null}>{say("history.hardest")}</option>
+          {points.map((one, i) => <option key={i} value={i} selected={i === point.value}>{gaps[one.gap].name}, {number(one.elevation)} {units.length}</option>)}
+        </select></label>}
+        {span.value && <button type="button" data-span onClick={() => { span.value = null; }}>{say("history.all")}</button>}
+        <span class="note">{say("history.hint")}</span>
+      </p>
+      <div class="sheets">
+        {figures.map((one) => <FigureView key={one.kind} {...one} />)}
+        {curve.value.length > 1 && <FigureView kind="gap-curve" overTime={false}
+          caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
+      </div>
+    </section>
+  );
+}
