@@ -1,6 +1,8 @@
 #include "bentur/model/run_results.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -10,7 +12,13 @@ FigureData figure_data(const RunResults& run) {
   FigureData data;
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
   if (const auto* motion = std::get_if<SampledMotion>(&run.problem.motion)) {
-    data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
+    double longest = 5;  // or of a building, with room to be seen
+    for (const Building& building : run.problem.buildings) {
+      if (!building.is_rigid() && building.first_omega() > 0) {
+        longest = std::max(longest, 2 * 2 * std::numbers::pi / building.first_omega());
+      }
+    }
+    data.spectrum_periods = logarithmic_periods(0.02, longest, 201);
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }
   return data;
@@ -23,6 +31,29 @@ Eigen::MatrixXd sway_shapes(const Building& building) {
   }
   return shapes;
 }
+
+ShownUnits shown_units(const Units& units, double largest_force) {
+  constexpr double most_newtons = 1e4;
+  ShownUnits shown{.units = units};
+  if (units.force == "N" && largest_force >= most_newtons) {
+    shown.units.force = "kN";
+    shown.force = newtons("N") / newtons("kN");
+  }
+  return shown;
+}
+
+ShownUnits shown_units(const Units& units, const Response& response) {
+  double largest = 0;
+  for (const PointSummary& point : response.points) {
+    largest = std::max({largest, point.peak_force, point.peak_tension});
+  }
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (const double shear : peaks.storey_shear) largest = std::fmax(largest, shear);
+  }
+  return shown_units(units, largest);
+}
+
+ShownUnits shown_units(const RunResults& run) { return shown_units(run.c.units, run.response); }
 
 bool some_building_yields(const Problem& problem, const Response& response) {
   return std::any_of(problem.buildings.begin(), problem.buildings.end(),

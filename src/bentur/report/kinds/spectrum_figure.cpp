@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -40,12 +41,18 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
     }
     return one;
   };
-  Figure figure{
-      .title = fmt::format("Response spectra of the ground motion, damping ratio {}", number_text(curves.damping)),
-      .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
-                 panel(with_unit("Sd", curves.length), curves.displacement)},
-      .width = options.width,
-      .shared_legend = true};
+  Figure figure{.title = fmt::format("Response spectra of the ground motion, damping ratio {}", number(curves.damping)),
+                .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
+                           panel(with_unit("Sd", curves.length), curves.displacement)},
+                .width = options.width,
+                .shared_legend = true};
+  const auto highest = std::max_element(curves.acceleration.begin(), curves.acceleration.end());
+  figure.finding = word(options, "largest Sa {} at {}", number(*highest) + " " + curves.acceleration_unit,
+                        seconds_text(curves.periods[highest - curves.acceleration.begin()]));
+  for (const SpectrumMark& mark : curves.marks) {
+    figure.finding += "; " + word(options, "T₁ of {}", mark.name) + " " + seconds_text(mark.period) + ": Sa " +
+                      number(value_at(curves, curves.acceleration, mark.period)) + " " + curves.acceleration_unit;
+  }
   figure.panels.front().curves.front().label = fmt::format("ζ = {:.3g} %", 100 * curves.damping);
   figure.panels.back().x.label = word(options, "Period T [s]");
   return figure;
@@ -66,7 +73,8 @@ Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) 
   curves.damping = run.figures.spectrum_damping;
   for (const Eigen::Index b : shown_buildings(run, options)) {
     const Building& building = run.problem.buildings[b];
-    if (const auto period = first_period(building))
+    const auto period = first_period(building);
+    if (period && *period >= curves.periods.front() && *period <= curves.periods.back())
       curves.marks.push_back({building.name, *period, static_cast<std::size_t>(b)});
   }
   if (!curves.marks.empty()) {  // what lies around the buildings' periods

@@ -72,6 +72,33 @@ TEST(IdaFigure, FractilesOfTheRecords) {
   EXPECT_THROW(static_cast<void>(make_figure(results, "ida")), NoFigure);  // which width?
 }
 
+/// Of the records the median and what lies between 16 and 84 %, in place of those of one of them.
+TEST(IdaFigure, OtherQuantitiesAreToldOverTheRecords) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure figure = make_figure(results, "peak-force", options);
+  const Curve& median = labelled(figure, "median of 3 records");
+  const Curve& band = labelled(figure, "16 to 84 %");
+  EXPECT_EQ(median.x, (std::vector<double>{0.5, 1, 1.5, 2}));
+  for (int level = 0; level < levels; ++level) {
+    const auto i = static_cast<std::size_t>(level);
+    EXPECT_EQ(median.y[i], force(1, level, 0));
+    EXPECT_NEAR(band.y[i], force(0, level, 0) + 0.32 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
+    EXPECT_NEAR(band.top[i], force(1, level, 0) + 0.68 * (force(2, level, 0) - force(1, level, 0)), 1e-12);
+  }
+  EXPECT_EQ(figure.finding,
+            "median of 3 records: largest 60 kN at Sa (1.2 s, 5 %) 2 g, smallest 0 kN at Sa (1.2 s, 5 "
+            "%) 0.5 g");
+  const Figure of_widths = make_figure(results, "peak-force");
+  EXPECT_EQ(of_widths.panels[0].title, "medians of 3 records");
+  EXPECT_EQ(labelled(of_widths, "gap 0.1 m").y, median.y);
+  options.against = "record";
+  options.at.emplace_back("intensity", "2");
+  EXPECT_EQ(make_figure(results, "peak-force", options).panels[0].x.names, (std::vector<std::string>{"a", "b", "c"}));
+}
+
 TEST(IdaFigure, FragilityOfEachWidth) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path()));

@@ -31,7 +31,7 @@ using html::Html;
 std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, bool sum) {
   if (sweep.results().find(quantity) == nullptr)
     return std::vector<double>(sweep.results().numbers("status").size(), 0.0);
-  const std::vector<double> all = sweep.results().numbers(quantity);
+  const std::vector<double>& all = sweep.all(quantity);
   const std::size_t owners = sweep.owners(quantity);
   std::vector<double> values;
   for (std::size_t run = 0; run < all.size() / owners; ++run) {
@@ -84,7 +84,7 @@ StudyOutcome outcome_of(const SweepData& sweep) {
     if (!widest || needed[run] > needed[*widest]) widest = run;
   }
   const auto placed = [&](std::size_t run, const std::vector<double>& values, const std::string& variable) {
-    return PlacedValue{values[run], unit_text(sweep.results().at(variable).units), where(sweep, run, values)};
+    return PlacedValue{values[run], sweep.unit(variable), where(sweep, run, values)};
   };
   if (hardest) outcome.hardest_force = placed(*hardest, forces, "peak_force");
   if (widest) outcome.gap_needed = placed(*widest, needed, "gap_needed");
@@ -302,9 +302,9 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   };
   table.add(say("column.impacts"), "", column(impacts));
   if (sweep.results().find("peak_force") != nullptr) {
-    table.add(say("sweep.peak_force"), unit_text(sweep.results().at("peak_force").units), column(forces));
+    table.add(say("sweep.peak_force"), sweep.unit("peak_force"), column(forces));
   }
-  table.add(say("sweep.gap_needed"), unit_text(sweep.results().at(need).units), column(needed));
+  table.add(say("sweep.gap_needed"), sweep.unit(need), column(needed));
   Html content = element("details", element("summary", say("sweep.every_run")) + table.markup());
   if (rows < status.size()) {
     content +=
