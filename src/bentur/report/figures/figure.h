@@ -57,7 +57,7 @@ struct HeatMap {
   std::string label;                     ///< of the scale, with its unit
   bool ratio = false;                    ///< colours diverge from 1, where nothing changes
   /// Ends of the scale; values beyond have the colour of the end. By default those of the data. The scale is
-  /// logarithmic where the highest 2 % of positive data would squash all others.
+  /// logarithmic where half of all positive data would be squashed into a tenth of it.
   std::optional<std::pair<double, double>> range = {};
 };
 

@@ -97,12 +97,14 @@ Curve within(const Curve& whole, const Window& window) {
   return part;
 }
 
+/// The starts of the contacts at a point; of those that are too near to one another to be told apart the first.
 Events contacts(const RunResults& run, Eigen::Index point, const Window& window, const FigureOptions& options) {
+  constexpr double apart = 0.01;  // of the window
   Events events{word(options, "contact"), {}};
   for (const Impact& impact : run.response.impacts) {
-    if (impact.point == point && impact.start >= window.from && impact.start <= window.to) {
-      events.x.push_back(impact.start);
-    }
+    if (impact.point != point || impact.start < window.from || impact.start > window.to) continue;
+    if (!events.x.empty() && impact.start - events.x.back() < apart * (window.to - window.from)) continue;
+    events.x.push_back(impact.start);
   }
   return events;
 }
@@ -154,6 +156,19 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
   force.x.push_back(std::max(window.to, force.x.back()));
   force.y.push_back(0);
   return force;
+}
+
+/// The peak of each impact, where there are so many that their courses would fill the frame.
+std::optional<Curve> force_peaks(const RunResults& run, Eigen::Index point, const Window& window) {
+  constexpr std::size_t most = 400;
+  Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
+  for (const Impact& impact : run.response.impacts) {
+    if (impact.point != point || !(impact.peak_force > 0)) continue;
+    if (impact.peak_force_time < window.from || impact.peak_force_time > window.to) continue;
+    peaks.x.push_back(impact.peak_force_time);
+    peaks.y.push_back(impact.peak_force);
+  }
+  return peaks.x.size() > most ? std::optional(std::move(peaks)) : std::nullopt;
 }
 
 /// What a figure of histories shows besides its curves.
@@ -210,7 +225,9 @@ Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Ind
   }
   if (two) {
     for (Panel& panel : figure.panels) {
-      for (Curve& curve : panel.curves) curve.width = 0.7;  // many vibrations side by side
+      // Many vibrations side by side; the more, the thinner.
+      const double vibrations = (asked.to - asked.from) / (near.to - near.from);
+      for (Curve& curve : panel.curves) curve.width = vibrations > 10 ? 0.35 : 0.7;
     }
     const bool hit = hardest_impact(run, point) != nullptr;
     add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);
@@ -306,7 +323,10 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
   Figure figure = histories(run, options, i, {Curve{}},
                             {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))});
   for (Panel& panel : figure.panels) {
-    panel.curves = {force_curve(run, i, {*panel.x.from, *panel.x.to})};
+    const Window shown{*panel.x.from, *panel.x.to};
+    const std::optional<Curve> peaks = force_peaks(run, i, shown);
+    panel.curves = {peaks ? *peaks : force_curve(run, i, shown)};
+    if (peaks) panel.curves.front().label = word(options, "peak of each impact");
     std::vector<double>& forces = panel.curves.front().y;
     forces = shown_values(run, std::move(forces), "F");
     if (*std::min_element(forces.begin(), forces.end()) >= 0) panel.y.from = 0;

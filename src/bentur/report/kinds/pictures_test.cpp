@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/drawn_run.h"
@@ -202,6 +203,49 @@ TEST(Pictures, ForcesOfFiveDigitsInNewtonsAreInKilonewtons) {
   for (const PointSummary& point : linked_run().response.points) most = std::max(most, point.peak_force);
   EXPECT_NEAR(peak, most / 1e3, 1e-6 * most);
   EXPECT_EQ(figure.panels.front().y.label, "Contact force F [kN]");
+}
+
+/// What the modes take from the spectrum of a case, at their own damping.
+TEST(Pictures, ADesignSpectrumHasTheBuildingsOrdinates) {
+  Diagnostics diagnostics;
+  const Case c = read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/gaps/design-spectrum.toml", diagnostics).value();
+  const Problem problem = make_still_problem(c);
+  const SpectralGaps spectral = spectral_gaps(problem, *c.excitation.spectrum, c.code, c.units);
+  const Figure figure = design_spectrum_figure(c, problem, spectral);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Curve& acceleration = figure.panels[0].curves.at(1 + b);
+    const Curve& displacement = figure.panels[1].curves.at(1 + b);
+    EXPECT_EQ(displacement.y.front(), spectral.modes[b].displacement(0));
+    EXPECT_EQ(acceleration.label, "T₁ of " + problem.buildings[b].name);
+    const double omega = problem.buildings[b].first_omega();
+    EXPECT_NEAR(acceleration.y.front() * 9.80665, omega * omega * displacement.y.front(), 1e-9);
+    EXPECT_GT(acceleration.x.back(), *figure.panels[0].x.from);
+    EXPECT_NE(figure.finding.find(acceleration.label), std::string::npos);
+  }
+}
+
+/// Thousands of impacts: the peak of each in place of courses that would fill the frame, and marks that stay apart.
+TEST(Pictures, ManyImpactsDoNotFillTheFrame) {
+  RunResults run = linked_run();
+  const std::vector<Impact> few = run.response.impacts;
+  const Impact hardest = few.at(run.figures.close_up->impact);
+  run.response.impacts.clear();
+  constexpr int many = 2400;
+  for (int i = 0; i < many; ++i) {
+    Impact one = hardest;
+    one.start = 5.0 * i / many;
+    one.end = one.peak_force_time = one.start + 1e-4;
+    run.response.impacts.push_back(one);
+  }
+  const Figure figure = make_figure(run, "force");
+  const Curve& peaks = figure.panels.front().curves.front();
+  EXPECT_EQ(peaks.line, Line::none);
+  EXPECT_EQ(peaks.x.size(), static_cast<std::size_t>(many));
+  const Figure displacements = make_figure(run, "displacement");
+  EXPECT_LE(displacements.panels.front().events.x.size(), 101U);
+  EXPECT_GE(displacements.panels.front().events.x.size(), 50U);
+  EXPECT_EQ(make_figure(linked_run(), "force").panels.front().curves.front().line, Line::solid);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr double label_room = 0.45;    // of an axis' label
 constexpr double edge = 0.3;           // free to the right of a frame
 constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 3;  // of a title, or of a label in a legend
+constexpr std::size_t most_lines = 4;  // of a title, or of a label in a legend
 
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.
@@ -70,8 +70,8 @@ Ticks scale_of(const HeatMap& map) {
   double low = map.range ? map.range->first : *least;
   double high = map.range ? map.range->second : *most;
   if (map.ratio) return ratio_scale(low, high);
-  constexpr double squashed = 0.4;
-  const bool some_squash_others = !map.range && low > 0 && percentile(values, 0.98) < squashed * high;
+  constexpr double squashed = 0.1;
+  const bool some_squash_others = !map.range && low > 0 && percentile(values, 0.5) < squashed * high;
   return make_ticks({.low = low, .high = high, .logarithmic = some_squash_others, .most = 6});
 }
 
