@@ -124,7 +124,8 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
     Curve record{.label = panel.curves.empty() ? word(options, "{} records", fmt::format("{}", places.size())) : "",
-                 .tone = Tone::pale};
+                 .tone = Tone::grey,
+                 .width = 0.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
       record.x.push_back(std::isfinite(value) ? value : NAN);
