@@ -8,17 +8,22 @@
 
 namespace bentur {
 
-FigureData figure_data(const RunResults& run) {
-  FigureData data;
+FigureData figure_data(const RunResults& run) { return figure_data(run, NoMotion{}, {}); }
+
+FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known) {
+  const auto* motion = std::get_if<SampledMotion>(&run.problem.motion);
+  const auto* other = std::get_if<SampledMotion>(&of_known);
+  const bool is_same = motion != nullptr && other != nullptr && *other == *motion;
+  FigureData data = is_same ? std::move(known) : FigureData{};
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
-  if (const auto* motion = std::get_if<SampledMotion>(&run.problem.motion)) {
-    double longest = 5;  // or of a building, with room to be seen
-    for (const Building& building : run.problem.buildings) {
-      if (!building.is_rigid() && building.first_omega() > 0) {
-        longest = std::max(longest, 2 * 2 * std::numbers::pi / building.first_omega());
-      }
-    }
-    data.spectrum_periods = logarithmic_periods(0.02, longest, 201);
+  if (motion == nullptr) return data;
+  double longest = 5;  // or of a building, with room to be seen [s]
+  for (const Building& building : run.problem.buildings) {
+    if (building.first_omega() > 0) longest = std::max(longest, 4 * std::numbers::pi / building.first_omega());
+  }
+  std::vector<double> periods = logarithmic_periods(0.02, longest, 201);
+  if (data.spectrum_periods != periods) {
+    data.spectrum_periods = std::move(periods);
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }
   return data;

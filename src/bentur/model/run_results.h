@@ -36,6 +36,8 @@ struct RunResults {
 
 /// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
 [[nodiscard]] FigureData figure_data(const RunResults& run);
+/// The same where `known` is that of a run before: of the same motion it has the spectrum already.
+[[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);
 
 /// The units in which people are told of a run. Of a case in newtons they are kN where its largest contact force or
 /// storey shear is 10⁴ N or more, so that all forces of the run read alike; files keep the units of the case.

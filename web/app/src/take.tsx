@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { FilePicker } from "./edit";
-import { toFragment } from "./link";
-import { historiesSvg, widthsOf } from "./results";
+import { linked, toFragment } from "./link";
+import { caseOf, historiesSvg, Stale } from "./results";
 import type { Result } from "./solver";
 import { ownRecord, result, stale, take, text } from "./state";
 import { say } from "./texts";
@@ -36,7 +36,7 @@ function historiesCsv(now: Result): string {
 /** What a picture by itself does not say: whose it is, when, how much magnified, and what flashes. */
 function caption({ overview }: Result): string[] {
   const shown = (part: string) => document.querySelector(`#motion [data-part="${part}"]`)?.textContent ?? "";
-  return [`${overview.title || "–"}, ${widthsOf(overview)}`, `${shown("clock")}, ${say("motion.magnify").toLowerCase()} ${shown("magnified")}`,
+  return [caseOf(overview), `${shown("clock")}, ${say("motion.magnify").toLowerCase()} ${shown("magnified")}`,
     ...shown("event").split("; ").filter((one) => one !== "")];
 }
 
@@ -98,8 +98,10 @@ export function Take() {
   const [said, tell] = useState("");
   const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch((error: Error) => tell(error.message)); };
   const link = () => {
-    void toFragment(text.value).then((fragment) => {
+    const given = text.value;
+    void toFragment(given).then((fragment) => {
       history.replaceState(null, "", fragment);
+      linked.value = given;
       tell(`${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`);
       return navigator.clipboard?.writeText(location.href);
     }).catch(() => undefined);
@@ -124,6 +126,7 @@ export function Take() {
           <button type="button" disabled={stale.value} data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
         </>}
       </p>
+      <Stale word="take.stale" />
       <p role="status">{said}</p>
       <p class="note">{say("take.note")}</p>
     </section>
