@@ -37,29 +37,6 @@ Eigen::MatrixXd sway_shapes(const Building& building) {
   return shapes;
 }
 
-ShownUnits shown_units(const Units& units, double largest_force) {
-  constexpr double most_newtons = 1e4;
-  ShownUnits shown{.units = units};
-  if (units.force == "N" && largest_force >= most_newtons) {
-    shown.units.force = "kN";
-    shown.force = newtons("N") / newtons("kN");
-  }
-  return shown;
-}
-
-ShownUnits shown_units(const Units& units, const Response& response) {
-  double largest = 0;
-  for (const PointSummary& point : response.points) {
-    largest = std::max({largest, point.peak_force, point.peak_tension});
-  }
-  for (const BuildingPeaks& peaks : response.buildings) {
-    for (const double shear : peaks.storey_shear) largest = std::fmax(largest, shear);
-  }
-  return shown_units(units, largest);
-}
-
-ShownUnits shown_units(const RunResults& run) { return shown_units(run.c.units, run.response); }
-
 bool some_building_yields(const Problem& problem, const Response& response) {
   return std::any_of(problem.buildings.begin(), problem.buildings.end(),
                      [](const Building& building) { return building.can_yield(); }) ||

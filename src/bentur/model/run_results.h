@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "bentur/model/case.h"
@@ -38,18 +37,6 @@ struct RunResults {
 [[nodiscard]] FigureData figure_data(const RunResults& run);
 /// The same where `known` is that of a run before: of the same motion it has the spectrum already.
 [[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);
-
-/// The units in which people are told of a run. Of a case in newtons they are kN where its largest contact force or
-/// storey shear is 10⁴ N or more, so that all forces of the run read alike; files keep the units of the case.
-struct ShownUnits {
-  Units units;
-  double force = 1;  ///< what forces are multiplied by
-  /// What a value of this form of units ("F L") is multiplied by.
-  [[nodiscard]] double factor(std::string_view form) const { return form.find('F') == form.npos ? 1.0 : force; }
-};
-[[nodiscard]] ShownUnits shown_units(const Units& units, double largest_force);
-[[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
-[[nodiscard]] ShownUnits shown_units(const RunResults& run);
 
 /// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
 [[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);

@@ -257,7 +257,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     fit(list, problem_.buildings.size());
     const std::string of = fmt::format(" of building \"{}\"", problem_.buildings[b].name);
     const auto name = [&](const char* quantity) { return fmt::format("{}{}_{}", group, quantity, b + 1); };
-    if (!file_.has(name("foundation_sway"), time.size > 0 && list[b].rows() > 0)) return;
+    if (!file_.has(name("foundation_sway"), time.size > 0 && b < list.size() && list[b].rows() > 0)) return;
     if constexpr (File::reads) list[b].resize(4, static_cast<Eigen::Index>(time.size));
     const auto row = [&](Eigen::Index r, const char* quantity, const std::string& units, const std::string& what) {
       Eigen::MatrixXd values = list[b].row(r);

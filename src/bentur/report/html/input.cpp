@@ -24,7 +24,7 @@ constexpr Eigen::Index most_modes = 8;
 
 std::string list_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + with_power(number(value));
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
   return text;
 }
 

@@ -97,15 +97,16 @@ Curve within(const Curve& whole, const Window& window) {
   return part;
 }
 
-/// The starts of the contacts at a point; of those that are too near to one another to be told apart the first.
+/// The starts of the contacts at a point; of very many those that can be told apart.
 Events contacts(const RunResults& run, Eigen::Index point, const Window& window, const FigureOptions& options) {
-  constexpr double apart = 0.01;  // of the window
-  Events events{word(options, "contact"), {}};
+  constexpr std::size_t most = 100;
+  std::vector<double> all, apart;
   for (const Impact& impact : run.response.impacts) {
     if (impact.point != point || impact.start < window.from || impact.start > window.to) continue;
-    if (!events.x.empty() && impact.start - events.x.back() < apart * (window.to - window.from)) continue;
-    events.x.push_back(impact.start);
+    all.push_back(impact.start);
+    if (apart.empty() || impact.start - apart.back() >= (window.to - window.from) / most) apart.push_back(all.back());
   }
+  Events events{word(options, "contact"), all.size() > most ? apart : all};
   return events;
 }
 

@@ -104,7 +104,7 @@ TEST(Pictures, TheLoopOfAnImpactIsClosed) {
   Curve whole = closing;
   whole.x.insert(whole.x.end(), parting.x.begin(), parting.x.end());
   whole.y.insert(whole.y.end(), parting.y.begin(), parting.y.end());
-  const double factor = shown_units(run).force;
+  const double factor = run.view().shown.force;
   EXPECT_NEAR(area_of(whole), factor * impact.energy_lost, 0.01 * factor * impact.energy_lost);
   EXPECT_NE(parting.label.find("speeds e = "), std::string::npos);
   EXPECT_NE(parting.label.find("% of the work lost"), std::string::npos);
@@ -156,7 +156,7 @@ TEST(Pictures, WithoutContactTheClosestApproachIsMarked) {
 /// The area of a link's loop is what it dissipates, but for what its spring still holds.
 TEST(Pictures, LoopsOfLinksHaveTheAreaThatIsDissipated) {
   const RunResults& run = linked_run();
-  const double factor = shown_units(run).force;
+  const double factor = run.view().shown.force;
   for (std::size_t i = 0; i < 2; ++i) {
     FigureOptions options;
     options.elevation = run.problem.links[i].elevation;
@@ -192,7 +192,7 @@ TEST(Pictures, LoopsOfBearingsAndSoil) {
 
 /// Newtons become kN where the largest force is 10⁴ N or more, other units stay.
 TEST(Pictures, ForcesOfFiveDigitsInNewtonsAreInKilonewtons) {
-  EXPECT_EQ(shown_units(linked_run()).units.force, "kN");
+  EXPECT_EQ(linked_run().view().shown.units.force, "kN");
   EXPECT_EQ(shown_units({.force = "N"}, 9999).units.force, "N");
   EXPECT_EQ(shown_units({.force = "N"}, 1e4).units.force, "kN");
   EXPECT_EQ(shown_units({.force = "kgf"}, 1e9).units.force, "kgf");

@@ -40,6 +40,9 @@ std::filesystem::path write_results(const std::filesystem::path& folder) {
   }
   file.add({"peak_force", {record, width, intensity, point}, "kN", "largest force", {}, forces});
   file.add({"impacts", {record, width, intensity, point}, "1", "impacts", {}, impacts});
+  const ResultDimension floor{"elevation_1", 1};
+  std::vector<double> drifts(forces.size(), 0.015);
+  file.add({"peak_drift_ratio_1", {record, width, intensity, floor}, "1", "largest drift", {}, drifts});
   file.add(
       {"status", {record, width, intensity}, "", "how the run ended", {}, std::vector<signed char>(forces.size())});
   file.finish();
@@ -99,6 +102,22 @@ TEST(IdaFigure, OtherQuantitiesAreToldOverTheRecords) {
   EXPECT_EQ(make_figure(results, "peak-force", options).panels[0].x.names, (std::vector<std::string>{"a", "b", "c"}));
 }
 
+/// What a pale tone draws cannot be seen as a line.
+TEST(IdaFigure, LinesAreDarkEnough) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.choose = true;
+  for (const FigureKind& kind : figure_kinds(results)) {
+    for (const Panel& panel : make_figure(results, kind.name, options).panels) {
+      for (const Curve& curve : panel.curves) {
+        const bool is_pale = curve.tone >= Tone::pale;
+        EXPECT_TRUE(!is_pale || !curve.top.empty()) << kind.name << ": " << curve.label;
+      }
+    }
+  }
+}
+
 TEST(IdaFigure, FragilityOfEachWidth) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path()));
@@ -140,6 +159,8 @@ TEST(IdaFigure, FragilityOfAnotherEvent) {
   options.event = "peak_force > 25";
   const Figure figure = make_figure(results, "fragility", options);
   EXPECT_EQ(figure.panels[0].y.label, "P(peak force > 25 kN) [–]");
+  options.event = "drift > 0.0125";
+  EXPECT_EQ(make_figure(results, "fragility", options).panels[0].y.label, "P(drift > 1.25 %) [–]");
   const Curve& observed = labelled(figure, "observed");
   for (int level = 0; level < levels; ++level) {
     double events = 0;

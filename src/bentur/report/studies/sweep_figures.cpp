@@ -182,19 +182,21 @@ class SweepDrawing {
     const double value = !records_.empty() ? fractile(quantity, 0.5)
                          : owner           ? factor() * sweep_.values(quantity, at_)[*owner]
                                            : factor() * sweep_.joined(quantity, at_, kind_.sum);
-    if (!std::isfinite(value)) return value;
-    const std::string unit = unit_of(quantity);
-    const auto said = [&] {
-      std::vector<std::string> places;
-      for (const std::size_t d : free_) {
-        if (sweep_.dimensions()[d].size > 1) places.push_back(sweep_.dimensions()[d].choice(at_[d]));
-      }
-      return Extreme{value, number(value) + (unit.empty() || unit == "–" ? "" : " " + unit),
-                     fmt::format("{}", fmt::join(places, ", "))};
-    };
-    if (!most_ || value > most_->value) most_ = said();
-    if (!least_ || value < least_->value) least_ = said();
+    std::vector<std::string> places;
+    for (const std::size_t d : free_) {
+      const SweepDimension& one = sweep_.dimensions()[d];
+      if (one.size > 1) places.push_back(one.choice(at_[d]));
+    }
+    take_into_account(value, quantity, fmt::format("{}", fmt::join(places, ", ")));
     return value;
+  }
+
+  void take_into_account(double value, const std::string& quantity, const std::string& place) {
+    if (!std::isfinite(value)) return;
+    const std::string unit = unit_of(quantity);
+    const Extreme found{value, number(value) + (unit.empty() || unit == "–" ? "" : " " + unit), place};
+    if (!most_ || value > most_->value) most_ = found;
+    if (!least_ || value < least_->value) least_ = found;
   }
 
   /// Fixes all but the two directions that vary most, in the middle of numbers and at the first of names.
@@ -449,9 +451,9 @@ class SweepDrawing {
     }
     Curve marks{.line = Line::none, .mark = Mark::circle};
     for (std::size_t i = 0; i < x->size; ++i) {
-      at_[0] = i;
       marks.x.push_back(x->place(i));
-      marks.y.push_back(told(quantity, std::nullopt));
+      marks.y.push_back(factor() * sweep_.joined(quantity, {i}, kind_.sum));
+      take_into_account(marks.y.back(), quantity, x->choice(i));
     }
     return {.x = {.label = x->label, .names = x->texts, .number = word(options_, "number")},
             .y = {.label = label(quantity)},

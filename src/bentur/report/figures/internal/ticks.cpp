@@ -7,7 +7,6 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/power_of_ten.h"
 
 namespace bentur {
 namespace {

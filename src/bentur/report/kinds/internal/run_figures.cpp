@@ -106,9 +106,13 @@ std::string filled_word(const FigureWords& say, std::string_view english, const 
   return text;
 }
 
-std::string shown_unit(const RunResults& run, std::string_view form) { return unit_text(form, shown_units(run).units); }
+std::string shown_unit(const RunResults& run, std::string_view form) {
+  return unit_text(form, shown_units(run.c.units, run.response).units);
+}
 
-double shown_factor(const RunResults& run, std::string_view form) { return shown_units(run).factor(form); }
+double shown_factor(const RunResults& run, std::string_view form) {
+  return shown_units(run.c.units, run.response).factor(form);
+}
 
 std::vector<double> shown_values(const RunResults& run, std::vector<double> values, std::string_view form) {
   const double factor = shown_factor(run, form);
