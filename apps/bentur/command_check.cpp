@@ -49,10 +49,11 @@ void run(const std::string& file, const Words& say) {
       text += building.name + ": moves with the ground\n";
       continue;
     }
-    text += fmt::format(
-        "{}: {}, {} of freedom, {}\n", building.name, count(building.model.elevations.size(), "floor", "floors"),
-        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
-        proportions_text(building, proportions(building, loaded.c.units, nullptr), loaded.c.units, say));
+    const Proportions found = proportions(building, loaded.c.units, nullptr);
+    text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
+                        count(building.model.elevations.size(), "floor", "floors"),
+                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+                        proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
     if (building.can_yield()) text += yielding_text(building, loaded.c.buildings[b]);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {

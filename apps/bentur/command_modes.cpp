@@ -57,9 +57,10 @@ std::string modes_text(const Building& building, const Units& units) {
   table.add("participation", "(" + units.force + "·s²/" + units.length + ")^½", participation);
   table.add("mass", "%", fraction);
   table.add("mass so far", "%", cumulative);
+  const Proportions found = proportions(building, units, nullptr);
   std::string text =
       fmt::format("{}: {}\n\n{}", building.name,
-                  proportions_text(building, proportions(building, units, nullptr), units, Words("en")), table.text());
+                  proportions_text(building, found, shown_units(units, found.weight), Words("en")), table.text());
   if (shown < properties.periods.size()) {
     text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
   }

@@ -194,7 +194,7 @@ std::string summary_text(const RunResults& run, const Words& say) {
     const auto& coefficient = found.base_shear_coefficient;
     text += "  " +
             say("cli.base_shear", {{"coefficient", coefficient ? number(*coefficient) : "–"},
-                                   {"proportions", proportions_text(building, found, run.c.units, say)}}) +
+                                   {"proportions", proportions_text(building, found, view.shown, say)}}) +
             "\n";
     if (const Eigen::VectorXd& foundation = run.response.buildings[b].foundation; foundation.size() == 2) {
       text +=
@@ -208,10 +208,10 @@ std::string summary_text(const RunResults& run, const Words& say) {
   text += "\n" + say("cli.storeys") + "\n\n" + story_text(problem, story, say, Told::remarks);
   if (run.response.energy) {
     text += "\n" +
-            say("cli.energy", {{"input", number(run.response.energy->peak_input)},
-                               {"force", run.c.units.force},
+            say("cli.energy", {{"input", number(view.shown.force * run.response.energy->peak_input)},
+                               {"force", view.shown.units.force},
                                {"length", run.c.units.length},
-                               {"residual", fmt::format("{:.1e}", run.response.energy->relative_residual())}}) +
+                               {"residual", number(run.response.energy->relative_residual())}}) +
             "\n";
   }
   const std::string all = number(problem.duration);

@@ -210,11 +210,12 @@ std::string story_text(const Problem& problem, const Story& story, const Words& 
   return text;
 }
 
-std::string proportions_text(const Building& building, const Proportions& found, const Units& units, const Words& say) {
+std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,
+                             const Words& say) {
   if (building.is_rigid()) return say("cli.moves");
   const auto& factor = building.model.stiffness_factor;
-  return say("cli.proportions", {{"weight", number(found.weight)},
-                                 {"force", units.force},
+  return say("cli.proportions", {{"weight", number(shown.force * found.weight)},
+                                 {"force", shown.units.force},
                                  {"period", number(2 * std::numbers::pi / building.first_omega())},
                                  {"per_storey", number(found.period_per_storey)},
                                  {"scaled", factor ? say("cli.scaled", {{"factor", number(*factor)}}) : ""}});

@@ -97,7 +97,7 @@ class StopOnSignal {
 [[nodiscard]] std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told);
 
 /// "743 kgf, first period 0.164 s, 0.05467 s per storey".
-[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const Units& units,
+[[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,
                                            const Words& say);
 
 /// Text as a terminal may get it: control characters but for line ends and tabs, which could do anything to it, are

@@ -106,8 +106,8 @@ TEST_F(NewQuantity, HasItsColumnInTables) {
     for (const Owner owner : {Owner::floor, Owner::point, Owner::impact, Owner::link}) {
       const std::vector<TableColumn> columns = table_columns(owner, results->view(), {{0, 0}}, language);
       EXPECT_EQ(columns.back().label, language == 0 ? "Made up" : "Buatan");
-      EXPECT_EQ(columns.back().unit, results->c.units.force + "·s");
-      EXPECT_EQ(columns.back().cells, std::vector<std::string>{"7"});
+      EXPECT_EQ(columns.back().unit, "kN·s") << "of a run in newtons with large forces";
+      EXPECT_EQ(columns.back().cells, std::vector<std::string>{"0.007"});
     }
   }
 }

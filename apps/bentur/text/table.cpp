@@ -57,7 +57,8 @@ std::string wrapped(const std::string& text) {
   return result;
 }
 
-std::string fitted(const std::string& text) {
+std::string fitted(const std::string& given) {
+  const std::string text = with_spaces(given);
   if (!asked_width()) return text;
   const std::size_t width = std::min(usual_width, line_width());
   std::string result;
@@ -100,20 +101,37 @@ std::array<std::string, 2> heading(const std::string& name, std::size_t below) {
 std::string Table::text() const {
   const std::size_t width = line_width();
   if (!asked_width()) return in_one(width);
+  if (least_width_needed() > width && columns_.size() > 1 && columns_.back().name.empty()) return with_marks_first();
   std::string text;
   Table part;
+  part.marked_ = marked_;
   for (const Column& column : columns_) {
     Table longer = part;
     longer.columns_.push_back(column);
     if (part.columns_.size() > 1 && longer.least_width_needed() > width) {
       text += part.in_one(width) + "\n";
       part.columns_ = {columns_.front()};  // which says what the rows are
+      part.marked_ = marked_;
       part.columns_.push_back(column);
     } else {
       part = std::move(longer);
     }
   }
   return text + part.in_one(width);
+}
+
+std::string Table::with_marks_first() const {
+  Table rest = *this;
+  const Column marks = std::move(rest.columns_.back());
+  rest.columns_.pop_back();
+  rest.marked_.clear();
+  std::string meaning;
+  for (const std::string& mark : marks.cells) {
+    rest.marked_.push_back(!mark.empty());
+    if (!mark.empty()) meaning = mark;
+  }
+  if (const std::size_t words = meaning.find(' '); words != std::string::npos) meaning.erase(0, words);
+  return rest.text() + "► " + std::string(meaning, meaning.find_first_not_of(' ')) + "\n";
 }
 
 std::size_t Table::least_width_needed() const {
@@ -172,7 +190,9 @@ std::string Table::in_one(std::size_t widest_line) const {
   text += '\n';
   const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
   for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t begin = text.size();
     line([&](std::size_t i) -> const std::string& { return columns_[i].cells.at(row); });
+    if (row < marked_.size() && marked_[row]) text.replace(begin, 1, "►");
   }
   return text;
 }

@@ -18,12 +18,13 @@ namespace bentur::cli {
 /// Words in lines of at most line_width() and 100 characters, those after the first indented by two.
 [[nodiscard]] std::string wrapped(const std::string& text);
 
-/// A text whose lines that go beyond asked_width() are wrapped().
-[[nodiscard]] std::string fitted(const std::string& text);
+/// A text with ordinary spaces, as a terminal is searched, whose lines that go beyond asked_width() are wrapped().
+[[nodiscard]] std::string fitted(const std::string& given);
 
 /// A table under a header of names, divided into two lines where the table would be wider than line_width(), and
 /// (where there are any) units, everything aligned to the right. Columns that go beyond asked_width() all the same
-/// stand in a second table below, behind the first column.
+/// stand in a second table below, behind the first column; a last one without a name, which marks rows, becomes a mark
+/// before them that is explained below.
 class Table {
  public:
   /// `unit` empty: none. `cells` from top to bottom; all columns of one length.
@@ -34,6 +35,7 @@ class Table {
   [[nodiscard]] std::string text() const;
 
  private:
+  [[nodiscard]] std::string with_marks_first() const;
   [[nodiscard]] std::size_t least_width_needed() const;
   [[nodiscard]] std::string in_one(std::size_t widest_line) const;
   struct Column {
@@ -41,6 +43,7 @@ class Table {
     std::vector<std::string> cells;
   };
   std::vector<Column> columns_;
+  std::vector<bool> marked_;  ///< rows with a mark before them; empty: none
 };
 
 /// A table of a story under its heading.

@@ -101,7 +101,9 @@ class Result:
         ``displacement``, ``velocity``, ``acceleration``, ``drift_ratio``, ``storey_shear``: a list with samples ×
         floors for each building; ``base_shear``: with samples. ``node_displacement``, and ``node_shear_below`` to
         ``node_moment_top``: a list with samples × places where floors strike columns for each building, None where
-        there are none, and left out where no building has any. With ``energy_audit`` also ``energy_input`` and so on.
+        there are none, and left out where no building has any; likewise ``foundation_sway`` to ``soil_moment`` of
+        buildings on soil. ``link_deformation``, ``link_force``: samples × links, left out without any. With
+        ``energy_audit`` also ``energy_input`` and so on.
 
         :raises ValueError: for a run with ``histories=False``.
         """
@@ -117,7 +119,8 @@ class Result:
         ``time`` [s]: instants, close together where much happens; two at one time where a force jumps. ``opening``,
         ``force``: instants × contact points. ``displacement``: a list with instants × floors for each building.
         ``drift_ratio``, ``storey_shear`` (of buildings that can yield) and ``node_displacement`` (of columns that are
-        struck): likewise, None for the others, and left out where no building has any. How close the lines follow: docs/result-files.md.
+        struck): likewise, None for the others, and left out where no building has any; of links and foundations as
+        ``histories``. How close the lines follow: docs/result-files.md.
 
         :raises ValueError: for a run with ``histories=False``, and where the motion is so fast that to follow it would
             take too many steps.

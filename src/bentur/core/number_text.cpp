@@ -13,13 +13,16 @@
 namespace bentur {
 namespace {
 
-/// Takes zeros off the end of a decimal fraction.
+constexpr const char* times = "\u00A0×\u00A0";  // between no-break spaces
+
+/// Takes zeros off the end of a decimal fraction, the one before a power of ten too.
 std::string without_zeros(std::string text) {
-  if (text.find('.') != std::string::npos && text.find('e') == std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
+  const std::size_t end = std::min(text.find(times), text.size());
+  const std::size_t point = text.find('.');
+  if (point >= end) return text;
+  const std::size_t last = text.find_last_not_of('0', end - 1);
+  const std::size_t kept = last == point ? point : last + 1;
+  return text.erase(kept, end - kept);
 }
 
 /// Decimals that leave four significant digits of `largest`; −1 where an exponent reads better.
@@ -31,11 +34,21 @@ int decimals_for(double largest) {
 
 std::string with_decimals(double value, int decimals) {
   if (std::isnan(value)) return "–";
-  return decimals < 0 && value != 0 ? fmt::format("{:.3e}", value)
-                                    : fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (decimals >= 0 || value == 0) return fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  const std::string text = fmt::format("{:.3e}", value);
+  const std::size_t at = text.find('e');
+  return text.substr(0, at) + times + power_of_ten(std::atoi(text.c_str() + at + 1));
 }
 
 }  // namespace
+
+std::string power_of_ten(int exponent) {
+  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) power += digits[digit - '0'];
+  return power;
+}
 
 std::string number(double value) { return without_zeros(with_decimals(value, decimals_for(std::abs(value)))); }
 

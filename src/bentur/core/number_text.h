@@ -9,8 +9,12 @@
 
 namespace bentur {
 
-/// A number for people: four significant digits, no exponent between 1e-4 and 1e7.
+/// A number for people, at every door alike: four significant digits without trailing zeros, whole numbers with all of
+/// theirs; below 10⁻⁴ and from 10⁷ on with a power of ten, "2.022 × 10¹¹", which no line break divides.
 [[nodiscard]] std::string number(double value);
+
+/// "10⁻⁵".
+[[nodiscard]] std::string power_of_ten(int exponent);
 
 /// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits.
 /// A value that does not exist (NaN) becomes a dash.

@@ -24,8 +24,11 @@ TEST(NumberText, FourSignificantDigitsWithoutTrailingZeros) {
 }
 
 TEST(NumberText, ExponentOnlyForTheVeryLargeAndTheVerySmall) {
-  EXPECT_EQ(number(1e-5), "1.000e-05");
-  EXPECT_EQ(number(2.5e7), "2.500e+07");
+  EXPECT_EQ(number(1e-5), "1\u00A0×\u00A010⁻⁵");
+  EXPECT_EQ(number(2.5e7), "2.5\u00A0×\u00A010⁷");
+  EXPECT_EQ(number(-2.0221e11), "-2.022\u00A0×\u00A010¹¹");
+  EXPECT_EQ(number(std::numeric_limits<double>::infinity()), "∞");
+  EXPECT_EQ(column({2e11, 2.0221e11}), (Cells{"2.000\u00A0×\u00A010¹¹", "2.022\u00A0×\u00A010¹¹"}));
   EXPECT_EQ(number(9999999), "9999999");
 }
 

@@ -218,8 +218,29 @@ Visitor(Functions...) -> Visitor<Functions...>;
 
 }  // namespace
 
+ShownUnits shown_units(const Units& units, double largest_force) {
+  constexpr double most_newtons = 1e4;
+  ShownUnits shown{.units = units};
+  if (units.force == "N" && largest_force >= most_newtons) {
+    shown.units.force = "kN";
+    shown.force = newtons("N") / newtons("kN");
+  }
+  return shown;
+}
+
+ShownUnits shown_units(const Units& units, const Response& response) {
+  double largest = 0;
+  for (const PointSummary& point : response.points) {
+    largest = std::max({largest, point.peak_force, point.peak_tension});
+  }
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (const double shear : peaks.storey_shear) largest = std::fmax(largest, shear);
+  }
+  return shown_units(units, largest);
+}
+
 RunView::RunView(const Problem& p, const Response& r, const Units& u)
-    : problem(p), response(r), units(u), restitutions(bentur::restitutions(p, r)) {}
+    : problem(p), response(r), units(u), shown(shown_units(u, r)), restitutions(bentur::restitutions(p, r)) {}
 
 const std::deque<Quantity>& quantities() { return list(); }
 
@@ -417,7 +438,8 @@ std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantit
     if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
     if (!is_told_at_any(*quantity, r, places)) continue;
     std::vector<double> values;
-    for (const QuantityPlace& at : places) values.push_back(quantity->shown_factor * value_of(*quantity, r, at));
+    const double factor = quantity->shown_factor * r.shown.factor(quantity->units);
+    for (const QuantityPlace& at : places) values.push_back(factor * value_of(*quantity, r, at));
     std::vector<std::string> cells = column(values);
     if (quantity->decimals) {
       for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -426,7 +448,7 @@ std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantit
     }
     const std::string_view unit = quantity->shown_unit;
     columns.push_back({std::string(quantity->label[language]),
-                       unit.empty() ? unit_text(quantity->units, r.units) : std::string(unit), std::move(cells)});
+                       unit.empty() ? unit_text(quantity->units, r.shown.units) : std::string(unit), std::move(cells)});
   }
   return columns;
 }

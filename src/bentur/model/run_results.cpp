@@ -1,6 +1,8 @@
 #include "bentur/model/run_results.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -14,8 +16,14 @@ FigureData figure_data(const RunResults& run, const GroundMotion& of_known, Figu
   const bool is_same = motion != nullptr && other != nullptr && *other == *motion;
   FigureData data = is_same ? std::move(known) : FigureData{};
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
-  if (motion != nullptr && data.spectrum.empty()) {
-    data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
+  if (motion == nullptr) return data;
+  double longest = 5;  // or of a building, with room to be seen [s]
+  for (const Building& building : run.problem.buildings) {
+    if (building.first_omega() > 0) longest = std::max(longest, 4 * std::numbers::pi / building.first_omega());
+  }
+  std::vector<double> periods = logarithmic_periods(0.02, longest, 201);
+  if (data.spectrum_periods != periods) {
+    data.spectrum_periods = std::move(periods);
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }
   return data;

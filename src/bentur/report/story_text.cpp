@@ -16,9 +16,8 @@ using Filled = std::vector<std::pair<std::string, std::string>>;
 
 std::string value_text(const StoryValue& value, const Words& say) {
   if (const auto* real = std::get_if<double>(&value.value)) {
-    // A ratio has three digits, as prose has them.
-    if (value.unit.empty()) return html::rounded(*real);
-    return html::with_power(number(*real)) + "\u00A0" + value.unit;
+    if (value.unit.empty()) return number(*real);
+    return number(*real) + "\u00A0" + value.unit;
   }
   if (const auto* count = std::get_if<long>(&value.value)) {
     const std::string key = "story.count." + value.name;

@@ -119,8 +119,12 @@ struct Histories {
   /// Per building, nodes in struck columns × samples [length], and StructuralModel::column_forces, 6 · nodes × samples
   /// [force, force·length]; no rows where it has none.
   std::vector<Eigen::MatrixXd> node_displacement, column_forces;
-  Eigen::MatrixXd opening;  ///< points × samples [length]
-  Eigen::MatrixXd force;    ///< points × samples [force]
+  /// Per building on soil its foundation's sway [length] and rocking [rad], and the force and moment that the springs
+  /// and dashpots below take [force], [force·length], 4 × samples; no rows where there is none.
+  std::vector<Eigen::MatrixXd> foundation;
+  Eigen::MatrixXd opening;                       ///< points × samples [length]
+  Eigen::MatrixXd force;                         ///< points × samples [force]
+  Eigen::MatrixXd link_deformation, link_force;  ///< links × samples, δ [length] and F [force] of Link
 };
 
 /// Where all energy is [force·length], over the sample times of Histories. Motion is relative to each building's base:
@@ -175,8 +179,9 @@ struct Response {
   Histories histories;                  ///< empty unless asked for
   /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
   /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of
-  /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too. Empty unless
-  /// asked for, and where the motion is so fast that this would take too many steps.
+  /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too, of links and
+  /// foundations all that Histories have. Empty unless asked for, and where the motion is so fast that this would take
+  /// too many steps.
   Histories course = {};
   std::optional<EnergyAudit> energy;            ///< when asked for
   std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)

@@ -11,6 +11,12 @@
 
 namespace bentur {
 
+/// A spring and a dashpot beside it.
+struct Impedance {
+  double stiffness = 0;  ///< [force/length], of rocking [force·length]; > 0
+  double damping = 0;    ///< [force·s/length], [force·length·s]; ≥ 0
+};
+
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:
 /// docs/theory/structure.md). Degrees of freedom: one sway per floor first (bottom to top), then any joint rotations
 /// that were kept. p(t) = −load · a_g(t); load = Tᵀ(M r + m_g) (docs/theory/structure.md, Load and Condensation).
@@ -41,6 +47,7 @@ struct StructuralModel {
   RigidBody rigid_body = {};  ///< `rocking` empty: M r and M h of the floors are all there is
   bool has_slab = false;      ///< the first floor is a slab on bearings: it has no storey height, its drift is a length
   bool has_soil = false;      ///< the last two dofs are sway and rocking of the foundation
+  Impedance soil_sway = {}, soil_rocking = {};  ///< what is under it then
   /// The forces at the ends of both pieces of a column that has a node between floors, as rows over the dofs, six a
   /// node: shears below and above [force/length], moments at the bottom, at the node from below and from above, at the
   /// top [force]. Nodes sway as the dofs after the floors'.

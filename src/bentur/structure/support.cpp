@@ -191,6 +191,8 @@ void put_on_soil(const Soil& soil, Structure& structure) {
   model.load = to.transpose() * load;
   carry_rows(above, model);
   model.has_soil = true;
+  model.soil_sway = soil.sway;
+  model.soil_rocking = soil.rocking;
 }
 
 }  // namespace

@@ -27,10 +27,6 @@ struct Isolation {
 
 /// Sway and rocking of a foundation on springs and dashpots (L-3).
 struct Soil {
-  struct Impedance {
-    double stiffness = 0;  ///< [force/length], of rocking [force·length]; > 0
-    double damping = 0;    ///< [force·s/length], [force·length·s]; ≥ 0
-  };
   Impedance sway, rocking;
   double mass = 0;     ///< of the foundation [mass] > 0
   double inertia = 0;  ///< of the foundation [mass·length²] > 0

@@ -7,7 +7,7 @@
 namespace bentur {
 namespace {
 
-Soil::Impedance read_impedance(const TableView& view, const std::string& key) {
+Impedance read_impedance(const TableView& view, const std::string& key) {
   if (!view.has(key)) view.error_missing(key);
   const auto table = view.table(key);
   if (!table) return {};

@@ -126,6 +126,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     contact_points();
     fit(response_.links, links.size);
     quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
+    stretched("", time_, histories_.link_deformation, histories_.link_force);
     impacts();
     close_up();
     spectrum();
@@ -198,6 +199,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     quantities(Owner::building, {}, {{item, 0}}, number, " of " + owner);
     nodes(b, number, owner);
     modes(building, floors, number, owner);
+    foundation("", time_, histories_.foundation, b);
   }
 
   /// Places in columns of a building that floors strike.
@@ -247,6 +249,33 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       building.model.has_slab = building.model.storey_heights.front() == 0;
       building.model.has_soil = file_.has("peak_sway" + number, false);
     }
+  }
+
+  /// Of a building on soil; `group`: that of the exact course.
+  template <class List>
+  void foundation(const std::string& group, const ResultDimension& time, List& list, std::size_t b) {
+    fit(list, problem_.buildings.size());
+    const std::string of = fmt::format(" of building \"{}\"", problem_.buildings[b].name);
+    const auto name = [&](const char* quantity) { return fmt::format("{}{}_{}", group, quantity, b + 1); };
+    if (!file_.has(name("foundation_sway"), time.size > 0 && b < list.size() && list[b].rows() > 0)) return;
+    if constexpr (File::reads) list[b].resize(4, static_cast<Eigen::Index>(time.size));
+    const auto row = [&](Eigen::Index r, const char* quantity, const std::string& units, const std::string& what) {
+      Eigen::MatrixXd values = list[b].row(r);
+      made({name(quantity), {time}, units, what + of}, values);
+      if constexpr (File::reads) list[b].row(r) = values.transpose();
+    };
+    row(0, "foundation_sway", length_, "sway of the foundation relative to the free field");
+    row(1, "foundation_rocking", "rad", "rotation of the foundation");
+    row(2, "soil_force", force_, "horizontal force of the springs and dashpots under the foundation");
+    row(3, "soil_moment", moment_, "moment of the springs and dashpots under the foundation");
+  }
+
+  /// Of the links; `group`: that of the exact course.
+  template <class Table>
+  void stretched(const std::string& group, const ResultDimension& time, Table& deformation, Table& force) {
+    if (!file_.has(group + "link_force", time.size > 0 && force.rows() > 0)) return;
+    pass({group + "link_deformation", {time, links}, length_, "approach of the floors that links join"}, deformation);
+    pass({group + "link_force", {time, links}, force_, "force of links, pushing apart"}, force);
   }
 
   void contact_points() {
@@ -380,6 +409,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       curves("storey_shear", course.storey_shear, floors, force_, "shear of the storeys");
       curves("node_displacement", course.node_displacement, nodes, length_,
              "displacement of struck columns where they are struck, relative to the own base");
+      foundation("exact/", time, course.foundation, b);
       if constexpr (File::reads) {
         if (nodes.size == 0) course.node_displacement[b].resize(0, std::ssize(course.time));
       }
@@ -387,6 +417,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     pass({"exact/opening", {time, points}, length_, "opening of the contact points, negative in contact"},
          course.opening);
     pass({"exact/force", {time, points}, force_, "contact force"}, course.force);
+    stretched("exact/", time, course.link_deformation, course.link_force);
   }
 
   Run& run_;

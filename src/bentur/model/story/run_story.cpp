@@ -84,9 +84,11 @@ void tell_columns(const RunResults& run, Index gap, std::vector<Statement>& stat
     const ContactPoint& point = run.problem.points[worst];
     const ColumnPeaks& column = *run.response.points[worst].column;
     const Index building = struck_column(run.problem, point)->building;
-    const std::string unit = shear ? run.c.units.force : run.c.units.force + "·" + run.c.units.length;
-    const double demand = shear ? column.shear : column.moment;
-    const double alone = shear ? column.shear_no_contact : column.moment_no_contact;
+    const char* const form = shear ? "F" : "F L";
+    const std::string unit = unit_text(form, view.shown.units);
+    const double factor = view.shown.factor(form);
+    const double demand = factor * (shear ? column.shear : column.moment);
+    const double alone = factor * (shear ? column.shear_no_contact : column.moment_no_contact);
     const double capacity = demand / most;
     statements.push_back({.kind = shear ? "column_shear" : "column_moment",
                           .severity = Severity::danger,
@@ -158,9 +160,10 @@ void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<St
   statement.values.push_back(value_in("level", *statement.level, length));
   const Impact* const hardest = hardest_impact(run.response, *found.hardest);
   const PointSummary& point = run.response.points[*found.hardest];
+  const ShownUnits shown = shown_units(run.c.units, run.response);
   if (point.peak_force > 0) {
     statement.kind = "pounding";
-    statement.values.push_back(value_in("force", point.peak_force, run.c.units.force));
+    statement.values.push_back(value_in("force", shown.force * point.peak_force, shown.units.force));
     statement.values.push_back(value_in("time", point.peak_force_time.value_or(0), "s"));
     if (hardest != nullptr) {
       statement.values.push_back(value_in("contact", 1e3 * (hardest->end - hardest->start), "ms"));
@@ -272,7 +275,8 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
   const std::string& length = run.c.units.length;
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, lacking{"column.short_by", length};
-  StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", run.c.units.force};
+  const ShownUnits shown = shown_units(run.c.units, run.response);
+  StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
   StoryTable table{.kind = "row"};
   const auto lacks = [](const GapOutcome& one) { return one.governing.gap_needed - one.governing.width; };
   const GapOutcome* worst = &all.front();
@@ -289,7 +293,7 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
     lacking.numbers.push_back(is_short ? lacks(one) : std::numeric_limits<double>::quiet_NaN());
     impacts.texts.push_back(std::to_string(one.impacts));
     const double force = one.hardest ? run.response.points[*one.hardest].peak_force : 0;
-    hardest.numbers.push_back(force > 0 ? force : std::numeric_limits<double>::quiet_NaN());
+    hardest.numbers.push_back(force > 0 ? shown.force * force : std::numeric_limits<double>::quiet_NaN());
   }
   table.columns = {name, verdict, given, needed, lacking, impacts, hardest};
   told.tables.push_back(std::move(table));

@@ -56,8 +56,8 @@ struct HeatMap {
   std::vector<double> values;            ///< i fastest; NaN: nothing there
   std::string label;                     ///< of the scale, with its unit
   bool ratio = false;                    ///< colours diverge from 1, where nothing changes
-  /// Ends of the scale; values beyond have the colour of the end. By default those of the data, without the highest 2 %
-  /// where these would squash all others.
+  /// Ends of the scale; values beyond have the colour of the end. By default those of the data. The scale is
+  /// logarithmic where half of all positive data would be squashed into a tenth of it.
   std::optional<std::pair<double, double>> range = {};
 };
 

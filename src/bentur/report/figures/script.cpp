@@ -222,7 +222,11 @@ class Writer {
       const double row[] = {(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[0], x[1], y[0], y[1], map.values[i]};
       for (std::size_t c = 0; c < 7; ++c) columns[c].push_back(row[c]);
     }
-    const Ticks& scale = placed.scale;
+    Ticks scale = placed.scale;
+    if (map.ratio) {  // 1 in the middle of the colours
+      scale.to = std::max(scale.to, 1 / scale.from);
+      scale.from = 1 / scale.to;
+    }
     constexpr const char* one_way =
         "0 '#ffffe0', 1 '#c7e9b4', 2 '#7fcdbb', 3 '#41b6c4', 4 '#1d91c0', 5 '#225ea8', 6 '#081d58'";
     constexpr const char* both_ways = "0 '#1f4f8a', 1 '#6f9ccb', 2 '#f5f5f5', 3 '#dd9558', 4 '#94430a'";

@@ -315,7 +315,7 @@ class Drawing {
     std::array<std::string, shades + 1> of_shade;
     for (std::size_t i = 0; i < cells.values.size(); ++i) {
       if (!std::isfinite(cells.values[i]) || (cells.ratio && cells.values[i] <= 0)) continue;
-      const double part = std::clamp(along(placed.scale, cells.values[i]), 0.0, 1.0);
+      const double part = colour_at(cells, placed.scale, std::clamp(along(placed.scale, cells.values[i]), 0.0, 1.0));
       const double *across = &cells.x_edges[i % nx], *up = &cells.y_edges[i / nx];
       of_shade[static_cast<std::size_t>(std::lround(part * shades))] +=
           fmt::format("M{} {}H{}V{}H{}Z", length(frame.x(across[0])), length(frame.y(up[0])),
@@ -337,7 +337,7 @@ class Drawing {
       out_ += fmt::format("<path d=\"M{} {}h{}V{}h-{}Z\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n", length(left),
                           length(frame.top + frame.height - s * step), length(width),
                           length(frame.top + frame.height - (s + 1) * step), length(width),
-                          shade(static_cast<double>(s) / shades, cells.ratio));
+                          shade(colour_at(cells, placed.scale, static_cast<double>(s) / shades), cells.ratio));
     }
     std::string ticks = fmt::format("M{} {}h{}v{}h-{}Z", length(left), length(frame.top), length(width),
                                     length(frame.height), length(width));

@@ -26,14 +26,13 @@ Html lead(const Report& report, const std::vector<Eigen::Index>& points) {
   const Eigen::Index i = worst_of(report, points);
   const ColumnPeaks column = report.response.points[i].column.value_or(ColumnPeaks{});
   const StruckColumn struck = struck_column(report.problem, report.problem.points[i]).value();
-  const std::string moment_unit = report.c.units.force + "·" + report.c.units.length;
   std::string text =
       say("columns.worst", {{"building", report.problem.buildings[struck.building].name},
                             {"elevation", quantity(report.problem.points[i].elevation, report.c.units.length)},
-                            {"shear", quantity(column.shear, report.c.units.force)},
-                            {"shear_without", quantity(column.shear_no_contact, report.c.units.force)},
-                            {"moment", quantity(column.moment, moment_unit)},
-                            {"moment_without", quantity(column.moment_no_contact, moment_unit)}});
+                            {"shear", force_text(report, column.shear, "F")},
+                            {"shear_without", force_text(report, column.shear_no_contact, "F")},
+                            {"moment", force_text(report, column.moment, "F L")},
+                            {"moment_without", force_text(report, column.moment_no_contact, "F L")}});
   const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), report.run, {i, 0});
   if (!std::isnan(ratio)) {
     text += " " + say(ratio > 1 ? "columns.fails" : "columns.holds", {{"ratio", fmt::format("{:.2f}", ratio)}});

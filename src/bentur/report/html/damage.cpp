@@ -103,9 +103,9 @@ Html lead(const Report& report) {
       "p", Html::text(say("damage.worst",
                           {{"building", report.problem.buildings[worst_building].name},
                            {"storey", name_of(report, worst_building, worst)},
-                           {"with", rounded(most)},
-                           {"without", worst < without.size() ? rounded(without(worst)) : "–"},
-                           {"residual", rounded(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
+                           {"with", number(most)},
+                           {"without", worst < without.size() ? number(without(worst)) : "–"},
+                           {"residual", number(percent * std::abs(peaks.yielding.residual_drift_ratio(worst)))}})));
   return content;
 }
 

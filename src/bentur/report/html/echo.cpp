@@ -76,7 +76,7 @@ class Echo {
     switch (value.kind) {
       case Kind::integer:
       case Kind::real:
-        return std::isinf(value.real) ? "∞" : with_power(number(value.real));
+        return std::isinf(value.real) ? "∞" : number(value.real);
       case Kind::boolean:
         return say_(value.boolean ? "word.yes" : "word.no");
       case Kind::text:

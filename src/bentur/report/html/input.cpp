@@ -24,7 +24,7 @@ constexpr Eigen::Index most_modes = 8;
 
 std::string list_text(const std::vector<double>& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + with_power(number(value));
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
   return text;
 }
 
@@ -108,7 +108,7 @@ Derived of_building(const Report& report, const TomlValue& given, Eigen::Index b
   Derived derived{building.name};
   if (spec.soil && spec.soil->half_space) {
     const Soil soil = soil_of(*spec.soil);
-    const auto add = [&](const char* motion, const KeyTable& keys, const Soil::Impedance& impedance) {
+    const auto add = [&](const char* motion, const KeyTable& keys, const Impedance& impedance) {
       derived.rows.emplace_back(label_text(soil_keys().at(motion).label, say),
                                 quantity(impedance.stiffness, unit_of(keys.at("stiffness"), report.c)) + ", " +
                                     quantity(impedance.damping, unit_of(keys.at("damping"), report.c)));

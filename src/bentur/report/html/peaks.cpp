@@ -12,17 +12,12 @@
 
 namespace bentur::html {
 
-std::string quantity(double value, const std::string& unit) { return with_power(number(value)) + "\u00A0" + unit; }
+std::string quantity(double value, const std::string& unit) { return number(value) + "\u00A0" + unit; }
 
-std::string rounded(double value) {
-  if (value == 0 || !std::isfinite(value)) return number(value);
-  constexpr double long_number = 1e5;  // its last digits would be zeros
-  if (std::abs(value) >= long_number) return with_power(fmt::format("{:.2e}", value));
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
-  return with_power(number(std::round(value / unit) * unit));
+std::string force_text(const Report& report, double value, std::string_view form) {
+  const ShownUnits& shown = report.run.shown;
+  return quantity(value * shown.factor(form), unit_text(form, shown.units));
 }
-
-std::string prose(double value, const std::string& unit) { return rounded(value) + "\u00A0" + unit; }
 
 bool numbers_buildings(const Report& report) { return report.problem.buildings.size() > 2; }
 
@@ -52,10 +47,7 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
 }
 
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
-  for (TableColumn& column : columns) {
-    for (std::string& cell : column.cells) cell = with_power(cell);
-    table.add(column.label, column.unit, std::move(column.cells));
-  }
+  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
 }
 
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {
@@ -94,8 +86,8 @@ Html floors_table(const Report& report, Eigen::Index b, const char* lead, std::v
 Html foundation_text(const Report& report, Eigen::Index b) {
   const Eigen::VectorXd& peaks = report.response.buildings[b].foundation;
   if (peaks.size() < 2) return {};
-  return element("p", Html::text(report.say("peaks.foundation", {{"sway", prose(peaks(0), report.c.units.length)},
-                                                                 {"rocking", prose(peaks(1), "rad")}})));
+  return element("p", Html::text(report.say("peaks.foundation", {{"sway", quantity(peaks(0), report.c.units.length)},
+                                                                 {"rocking", quantity(peaks(1), "rad")}})));
 }
 
 /// Of one [[link]] table, from the top down.
@@ -147,10 +139,10 @@ Html proportions_text(const Report& report, Eigen::Index b) {
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const double period = 2 * std::numbers::pi / building.first_omega();
   return element("p",
-                 Html::text(report.say("peaks.proportions", {{"weight", prose(found.weight, report.c.units.force)},
-                                                             {"coefficient", rounded(*found.base_shear_coefficient)},
-                                                             {"period", prose(period, "s")},
-                                                             {"per_storey", prose(found.period_per_storey, "s")}})));
+                 Html::text(report.say("peaks.proportions", {{"weight", force_text(report, found.weight, "F")},
+                                                             {"coefficient", number(*found.base_shear_coefficient)},
+                                                             {"period", quantity(period, "s")},
+                                                             {"per_storey", quantity(found.period_per_storey, "s")}})));
 }
 
 }  // namespace
@@ -186,10 +178,8 @@ PageSection peaks_section(const Report& report) {
   }
   if (report.response.energy) {
     const EnergyAudit& energy = *report.response.energy;
-    content += element(
-        "p", Html::text(say("peaks.energy",
-                            {{"input", prose(energy.peak_input, report.c.units.force + "·" + report.c.units.length)},
-                             {"residual", with_power(fmt::format("{:.1e}", energy.relative_residual()))}})));
+    content += element("p", Html::text(say("peaks.energy", {{"input", force_text(report, energy.peak_input, "F L")},
+                                                            {"residual", number(energy.relative_residual())}})));
   }
   return {"peaks", say("heading.peaks"), content};
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
 
@@ -53,7 +54,7 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
     HtmlTable modes;
     modes.add(say("spectral.period"), "s", periods);
     modes.add(say("spectral.damping"), "", ratios);
-    modes.add("S_d", length, displacements);
+    modes.add("Sd", length, displacements);
     modes.add(say("spectral.mass"), "%", fractions);
     content += element("h3", building.name) + peaks.markup() + modes.markup();
   }
@@ -69,11 +70,18 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   const Report report{{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {},
                       spectral.levels};
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
+  const std::vector<html::PageFigure> figures = html::page_figures(
+      {{"spectrum", "the spectrum"}},
+      [&](const std::string&, const FigureOptions& drawn) {
+        return design_spectrum_figure(c, problem, spectral, drawn);
+      },
+      "figure.design.", options.language);
   const html::PageBody body{
       .header =
           element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
-                   spectral_peaks_section(report, spectral), html::input_section(report)}};
+                   html::figures_section(say, figures), spectral_peaks_section(report, spectral),
+                   html::input_section(report)}};
   return html::page(say, title, body, false);
 }
 

@@ -54,7 +54,7 @@ Html gap_bars(const Report& report, Eigen::Index gap) {
     const Html drawn = element(
         "span", Html(), fmt::format("class=\"bar {}\" style=\"width:{:.1f}%\"", bar.style, 100 * bar.value / largest));
     rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
-                              element("td", prose(bar.value, report.c.units.length)));
+                              element("td", quantity(bar.value, report.c.units.length)));
   }
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
@@ -67,7 +67,6 @@ Html table_of(const SaidTable& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const TableColumn& column = table.columns[i];
     std::vector<std::string> cells = column.cells;
-    for (std::string& cell : cells) cell = with_power(cell);
     shown.add(column.label, column.unit, std::move(cells), table.are_numbers[i]);
   }
   return shown.markup();

@@ -6,28 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/case/case_toml.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "tests/support/column_case.h"
+#include "tests/support/drawn_run.h"
 #include "tests/support/kinds_case.h"
 
 namespace bentur {
 namespace {
-
-RunResults drawn_run(const std::string& text) {
-  Diagnostics diagnostics;
-  auto c = read_case_text(text, std::string(BENTUR_SOURCE_DIR) + "/examples/case.toml", diagnostics);
-  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
-  Problem problem = make_problem(*c);
-  SolveOptions options;
-  options.output_step = 0.01;
-  options.course = true;
-  Response response = solve(problem, c->analysis.solver, options);
-  RunResults results = run_results(std::move(*c), std::move(problem), std::move(response));
-  results.figures = figure_data(results);
-  return results;
-}
 
 std::vector<std::string> texts_of(const Figure& figure) {
   std::vector<std::string> texts;
@@ -41,26 +27,6 @@ std::vector<std::string> texts_of(const Figure& figure) {
   return texts;
 }
 
-/// Two sticks in mm, the roof of the lower one at a level of five digits.
-std::string in_mm(double width, double storey) {
-  const std::string heights = fmt::format("storey_heights = [4000, {0}, {0}, {0}]", storey);
-  return fmt::format(R"(
-units = {{ length = "mm", force = "N" }}
-gap = [{{ between = ["A", "B"], width = {}, contact = {{ law = "linear", stiffness = 4e5 }} }}]
-excitation = {{ kind = "harmonic", period = 0.7, displacement_amplitude = 50.0 }}
-analysis = {{ duration = 5.0 }}
-[[building]]
-name = "A"
-damping = 0.05
-stick = {{ {heights}, masses = [100, 100, 100, 90], stiffnesses = [9e4, 8e4, 8e4, 7e4] }}
-[[building]]
-name = "B"
-damping = 0.05
-stick = {{ {heights}, masses = [80, 80, 70, 60], stiffnesses = [1.5e5, 1.4e5, 1.3e5, 1.2e5] }}
-)",
-                     width, fmt::arg("heights", heights));
-}
-
 /// Every text that a figure shows is a word of the catalogue, the name of a building, or symbols and numbers.
 TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
   std::set<std::string> known;
@@ -68,9 +34,9 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
     if (key.starts_with("figure.text.")) known.insert(text.at("en"));
   }
   const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ)[^a-zA-Z]*( s|%| \[.*\])?)");
-  for (const std::string& text :
-       {std::string(test::struck_columns), std::string(test::every_kind), in_mm(5000, 3500)}) {
-    const RunResults results = drawn_run(text);
+  for (const std::string& text : {std::string(test::struck_columns), std::string(test::every_kind),
+                                  std::string(test::linked), test::sticks_in_mm(5000, 3500)}) {
+    const RunResults results = test::drawn_run(text);
     std::set<std::string> names;
     for (const Building& building : results.problem.buildings) names.insert(building.name);
     FigureOptions options;
@@ -79,7 +45,10 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
       return "§" + std::string(english);
     };
     for (const FigureKind& kind : figure_kinds(results)) {
-      for (const std::string& shown : texts_of(make_figure(results, kind.name, options))) {
+      const Figure figure = make_figure(results, kind.name, options);
+      EXPECT_NE(figure.finding.find("§"), std::string::npos) << kind.name << " tells nothing";
+      EXPECT_EQ(figure.finding.find("{}"), std::string::npos) << kind.name << ": " << figure.finding;
+      for (const std::string& shown : texts_of(figure)) {
         const bool is_word = shown.find("§") != std::string::npos;
         EXPECT_TRUE(is_word || names.contains(shown) || std::regex_match(shown, symbols)) << kind.name << ": " << shown;
       }
@@ -90,7 +59,7 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
 /// A tower of 154 m as well: the numbers along the height are levels, of which no power of ten goes into the unit.
 TEST(FigureWords, LevelsAreNeverInPowersOfTen) {
   for (const double storey : {3500.0, 50000.0}) {
-    const RunResults results = drawn_run(in_mm(25, storey));
+    const RunResults results = test::drawn_run(test::sticks_in_mm(25, storey));
     ASSERT_FALSE(results.response.impacts.empty());
     bool told = false;
     for (const FigureKind& kind : figure_kinds(results)) {
@@ -109,7 +78,7 @@ TEST(FigureWords, LevelsAreNeverInPowersOfTen) {
   FigureOptions elsewhere;
   elsewhere.elevation = 12345;
   try {
-    (void)make_figure(drawn_run(in_mm(25, 3500)), "opening", elsewhere);
+    (void)make_figure(test::drawn_run(test::sticks_in_mm(25, 3500)), "opening", elsewhere);
     FAIL();
   } catch (const NoFigure& refused) {
     EXPECT_EQ(std::string(refused.what()), "no contact point at level 12345 mm: there are 4000, 7500, 11000, 14500");
@@ -125,11 +94,12 @@ TEST(FigureWords, AnEnvelopeWithoutImpactSaysWhatItIs) {
     }
     return found;
   };
-  const RunResults apart = drawn_run(in_mm(5000, 3500));
+  const RunResults apart = test::drawn_run(test::sticks_in_mm(5000, 3500));
   ASSERT_TRUE(apart.response.impacts.empty());
   EXPECT_EQ(labels(apart), std::set<std::string>{"largest displacement"});
   EXPECT_EQ(make_figure(apart, "envelope").title.find("contact"), std::string::npos);
-  EXPECT_EQ(labels(drawn_run(in_mm(25, 3500))), (std::set<std::string>{"with contact", "without contact"}));
+  EXPECT_EQ(labels(test::drawn_run(test::sticks_in_mm(25, 3500))),
+            (std::set<std::string>{"with contact", "without contact"}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -19,7 +20,11 @@ Figure gap_curve_figure(const GapCurve& curve, const FigureOptions& options) {
         {.at = curve.given, .vertical = true, .label = word(options, "gap as it is"), .line = Line::dashed});
     return one;
   };
-  Panel force = panel(with_unit(word(options, "Peak contact force F"), curve.force_unit), curve.forces);
+  const auto hardest = std::max_element(curve.forces.begin(), curve.forces.end());
+  const ShownUnits shown = shown_units({.force = curve.force_unit}, hardest == curve.forces.end() ? 0 : *hardest);
+  std::vector<double> forces = curve.forces;
+  for (double& one : forces) one *= shown.force;
+  Panel force = panel(with_unit(word(options, "Peak contact force F"), shown.units.force), forces);
   force.title = curve.name;
   force.x.numbers = false;
   Panel amplification = panel(word(options, "Largest amplification"), curve.amplifications);
@@ -30,15 +35,14 @@ Figure gap_curve_figure(const GapCurve& curve, const FigureOptions& options) {
   double most = curve.needed ? std::max(curve.given, *curve.needed) : curve.given;
   for (const double width : curve.widths) most = std::max(most, width);
   for (Panel* one : {&force, &amplification}) one->x.from = 0, one->x.to = most, one->height = 3;
-  const auto hardest = std::max_element(curve.forces.begin(), curve.forces.end());
   Figure figure{.title = "Peak force and largest amplification against the gap",
                 .panels = {force, amplification},
                 .width = options.width,
                 .shared_legend = true};
   if (hardest != curve.forces.end() && *hardest > 0) {
     const double width = curve.widths[static_cast<std::size_t>(hardest - curve.forces.begin())];
-    figure.finding = fmt::format("{} {} {}, {}", word(options, "Peak contact force F"), number_text(*hardest),
-                                 curve.force_unit, word(options, "gap {}", number_text(width) + " " + curve.length));
+    figure.finding = fmt::format("{} {} {}, {}", word(options, "Peak contact force F"), number(shown.force * *hardest),
+                                 shown.units.force, word(options, "gap {}", number(width) + " " + curve.length));
   }
   return figure;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -33,7 +34,20 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
 double frame_height(const RunResults& run) {
   std::size_t floors = 0;
   for (const Building& building : run.problem.buildings) floors = std::max(floors, building.model.elevations.size());
-  return floors > 8 ? 7.5 : 5;
+  return floors > 8 ? 7.5 : floors > 1 ? 5 : 2;
+}
+
+/// Ends an axis from 0 on a number that is easily halved, with numbers there and half way.
+void end_round(Axis& axis, double largest) {
+  if (!(largest > 0)) largest = 1;
+  const double power = std::pow(10.0, std::floor(std::log10(largest)));
+  for (const double digits : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0}) {
+    if (digits * power < 1.02 * largest) continue;
+    axis.from = 0;
+    axis.to = digits * power;
+    axis.places = {0, *axis.to / 2, *axis.to};
+    return;
+  }
 }
 
 /// Those of the buildings shown that do not move with the ground.
@@ -76,6 +90,61 @@ Curve over_height(const Building& building, const Eigen::VectorXd& values, Curve
   return curve;
 }
 
+/// A curve through those floors that have a value.
+Curve at_floors(const Building& building, const std::vector<double>& values) {
+  Curve curve{.label = building.name};
+  for (std::size_t floor = 0; floor < values.size(); ++floor) {
+    if (std::isnan(values[floor])) continue;
+    curve.x.push_back(values[floor]);
+    curve.y.push_back(building.model.elevations[floor]);
+  }
+  return curve;
+}
+
+/// The same of storeys, each one value from the floor below it to its own: steps.
+Curve over_storeys(const Building& building, const std::vector<double>& values) {
+  Curve curve{.label = building.name};
+  double below = base_of(building);
+  for (std::size_t storey = 0; storey < values.size(); ++storey) {
+    const double above = building.model.elevations[storey];
+    for (const double level : {below, above}) {
+      if (std::isnan(values[storey])) continue;
+      curve.x.push_back(values[storey]);
+      curve.y.push_back(level);
+    }
+    below = above;
+  }
+  return curve;
+}
+
+/// A quantity of the floors of a building, the lowest first.
+std::vector<double> of_floors(const RunResults& run, const Quantity& quantity, Eigen::Index building) {
+  const RunView view = run.view();
+  std::vector<double> values(run.problem.buildings[building].model.elevations.size(), NAN);
+  for (const QuantityPlace& at : floors_of(run.problem, building)) values[at.floor] = value_of(quantity, view, at);
+  return values;
+}
+
+/// The largest of values told of floors, and where.
+struct Largest {
+  double value = NAN;
+  Eigen::Index building = 0;
+  double level = 0;
+
+  void take(const RunResults& run, Eigen::Index of, const std::vector<double>& values) {
+    for (std::size_t floor = 0; floor < values.size(); ++floor) {
+      if (std::isnan(values[floor]) || values[floor] <= value) continue;
+      value = values[floor];
+      building = of;
+      level = run.problem.buildings[of].model.elevations[floor];
+    }
+  }
+  /// "Model 1, level 300 cm".
+  [[nodiscard]] std::string place(const RunResults& run, const FigureOptions& options) const {
+    return run.problem.buildings[building].name + ", " + word(options, "level {}", shown_value(run, level, "L"));
+  }
+};
+
 }  // namespace
 
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
@@ -86,15 +155,18 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   if (has_impacts) figure.title += ", with and without contact";
   figure.shared_legend = true;
   double largest = 0;
+  Largest most;
   for (const Eigen::Index b : shown) {
     const BuildingPeaks& peaks = run.response.buildings[b];
     largest = std::max({largest, peaks.displacement.maxCoeff(), peaks.displacement_no_contact.maxCoeff()});
+    most.take(run, b, {peaks.displacement.begin(), peaks.displacement.end()});
   }
+  figure.finding = word(options, "largest {}: {}", shown_value(run, most.value, "L"), most.place(run, options));
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x = {.label = with_unit(word(options, "max |x|"), run.c.units.length), .from = 0, .to = 1.05 * largest};
-    if (!(largest > 0)) panel.x.to = 1;
+    panel.x.label = with_unit(word(options, "max |x|"), run.c.units.length);
+    end_round(panel.x, largest);
     const Curve with{.label = word(options, has_impacts ? "with contact" : "largest displacement"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
                         .tone = Tone::orange,
@@ -110,56 +182,58 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
-  const RunView view = run.view();
   Panel panel{.x = {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}},
               .y = elevation_axis(run, options),
               .height = frame_height(run),
               .rules = {{.at = 1, .vertical = true}}};
-  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
-  for (std::size_t b = 0; b < shown.size(); ++b) {
-    const Building& building = run.problem.buildings[shown[b]];
-    Curve curve{.label = building.name};
-    for (const QuantityPlace& at : floors_of(run.problem, shown[b])) {
-      const double value = value_of(amplification, view, at);
-      if (std::isnan(value)) continue;
-      curve.x.push_back(value);
-      curve.y.push_back(building.model.elevations[at.floor]);
-    }
-    tell_apart(curve, static_cast<std::size_t>(shown[b]));
+  Largest most;
+  for (const Eigen::Index b : shown_buildings(run, options)) {
+    const Building& building = run.problem.buildings[b];
+    const std::vector<double> values = of_floors(run, amplification, b);
+    most.take(run, b, values);
+    Curve curve = at_floors(building, values);
+    tell_apart(curve, static_cast<std::size_t>(b));
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
-  return {.title = "Largest displacement with contact over that without", .panels = {panel}, .width = options.width};
+  return {.title = "Largest displacement with contact over that without",
+          .finding = word(options, "largest {}: {}", number(most.value), most.place(run, options)),
+          .panels = {panel},
+          .width = options.width};
 }
 
 Figure forces_figure(const RunResults& run, const FigureOptions& options) {
-  const RunView view = run.view();
   Figure figure{.title = "Floor acceleration and storey shear with contact over those without",
                 .columns = 2,
                 .width = options.width,
                 .shared_legend = true};
-  const std::pair<const char*, const char*> ratios[] = {{"acceleration_ratio", "Floor acceleration, ratio [–]"},
-                                                        {"storey_shear_ratio", "Storey shear, ratio [–]"}};
+  struct Ratio {
+    const char *key, *label, *finding;
+    bool of_storeys = false;
+  };
+  const Ratio ratios[] = {
+      {"acceleration_ratio", "Floor acceleration, ratio [–]", "floor acceleration up to {} times: {}"},
+      {"storey_shear_ratio", "Storey shear, ratio [–]", "storey shear up to {} times: {}", true}};
   const std::vector<Eigen::Index> shown = moving(run, options);
-  for (const auto& [key, label] : ratios) {
+  for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     Panel panel{.x = {.label = word(options, label), .least = {{0.95, 1.05}}},
                 .y = elevation_axis(run, options),
                 .height = frame_height(run),
                 .rules = {{.at = 1, .vertical = true}}};
-    for (std::size_t b = 0; b < shown.size(); ++b) {
-      const Building& building = run.problem.buildings[shown[b]];
-      Curve curve{.label = building.name};
-      for (const QuantityPlace& at : floors_of(run.problem, shown[b])) {
-        const double value = value_of(quantity, view, at);
-        if (std::isnan(value)) continue;
-        curve.x.push_back(value);
-        curve.y.push_back(building.model.elevations[at.floor]);
-      }
-      tell_apart(curve, static_cast<std::size_t>(shown[b]));
+    Largest most;
+    for (const Eigen::Index b : shown) {
+      const Building& building = run.problem.buildings[b];
+      const std::vector<double> values = of_floors(run, quantity, b);
+      most.take(run, b, values);
+      Curve curve = of_storeys ? over_storeys(building, values) : at_floors(building, values);
+      tell_apart(curve, static_cast<std::size_t>(b));
+      if (of_storeys) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;
+    figure.finding +=
+        (figure.finding.empty() ? "" : "; ") + word(options, finding, number(most.value), most.place(run, options));
     if (!figure.panels.empty()) leave_to_neighbour(panel.y);
     figure.panels.push_back(std::move(panel));
   }
@@ -171,6 +245,11 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown, 2.7);
   figure.title = "Mode shapes, largest sway 1";
+  for (const Eigen::Index b : shown) {
+    const Building& building = run.problem.buildings[b];
+    figure.finding += (figure.finding.empty() ? "" : "; ") + word(options, "T₁ of {}", building.name) + " " +
+                      seconds_text(*first_period(building));
+  }
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
@@ -34,14 +35,34 @@ Window window(const RunResults& run, const FigureOptions& options) {
   if (!(asked.from < asked.to) || asked.from > run.response.histories.time.back() ||
       asked.to < run.response.histories.time.front()) {
     throw NoFigure(fmt::format("the histories run from {} s to {} s, and --from must lie before --to",
-                               number_text(run.response.histories.time.front()),
-                               number_text(run.response.histories.time.back())));
+                               number(run.response.histories.time.front()),
+                               number(run.response.histories.time.back())));
   }
   // Ten digits are left to tell two numbers of the axis apart.
   if (!(asked.to - asked.from > 1e-6 * std::max(std::abs(asked.from), std::abs(asked.to)))) {
     throw NoFigure("--from and --to lie too near to one another for an axis");
   }
   return {std::max(asked.from, begin), std::min(asked.to, end)};
+}
+
+struct Moment {
+  double time = 0, value = 0;
+};
+
+/// Where the faces of a point come nearest to one another; negative where they press.
+Moment closest_approach(const RunResults& run, Eigen::Index point) {
+  Eigen::Index closest = 0;
+  const double opening = course_of(run).opening.row(point).minCoeff(&closest);
+  return {course_of(run).time[closest], opening};
+}
+
+/// The value of a curve that is largest in size.
+Moment largest_of(const Curve& curve) {
+  Moment most;
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    if (i == 0 || std::abs(curve.y[i]) > std::abs(most.value)) most = {curve.x[i], curve.y[i]};
+  }
+  return most;
 }
 
 /// Some vibrations around the hardest impact of the point, or the moment it is nearest to one.
@@ -53,9 +74,7 @@ Window around_the_hardest(const RunResults& run, Eigen::Index point) {
   if (const Impact* impact = hardest_impact(run, point)) {
     centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
   } else {
-    Eigen::Index closest = 0;
-    course_of(run).opening.row(point).minCoeff(&closest);
-    centre = course_of(run).time[closest];
+    centre = closest_approach(run, point).time;
   }
   // Ends on tenths of its length, so that the axis has round numbers.
   const double length = 8 * unit;
@@ -78,13 +97,16 @@ Curve within(const Curve& whole, const Window& window) {
   return part;
 }
 
+/// The starts of the contacts at a point; of very many those that can be told apart.
 Events contacts(const RunResults& run, Eigen::Index point, const Window& window, const FigureOptions& options) {
-  Events events{word(options, "contact"), {}};
+  constexpr std::size_t most = 100;
+  std::vector<double> all, apart;
   for (const Impact& impact : run.response.impacts) {
-    if (impact.point == point && impact.start >= window.from && impact.start <= window.to) {
-      events.x.push_back(impact.start);
-    }
+    if (impact.point != point || impact.start < window.from || impact.start > window.to) continue;
+    all.push_back(impact.start);
+    if (apart.empty() || impact.start - apart.back() >= (window.to - window.from) / most) apart.push_back(all.back());
   }
+  Events events{word(options, "contact"), all.size() > most ? apart : all};
   return events;
 }
 
@@ -135,6 +157,19 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
   force.x.push_back(std::max(window.to, force.x.back()));
   force.y.push_back(0);
   return force;
+}
+
+/// The peak of each impact, where there are so many that their courses would fill the frame.
+std::optional<Curve> force_peaks(const RunResults& run, Eigen::Index point, const Window& window) {
+  constexpr std::size_t most = 400;
+  Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
+  for (const Impact& impact : run.response.impacts) {
+    if (impact.point != point || !(impact.peak_force > 0)) continue;
+    if (impact.peak_force_time < window.from || impact.peak_force_time > window.to) continue;
+    peaks.x.push_back(impact.peak_force_time);
+    peaks.y.push_back(impact.peak_force);
+  }
+  return peaks.x.size() > most ? std::optional(std::move(peaks)) : std::nullopt;
 }
 
 /// What a figure of histories shows besides its curves.
@@ -191,13 +226,22 @@ Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Ind
   }
   if (two) {
     for (Panel& panel : figure.panels) {
-      for (Curve& curve : panel.curves) curve.width = 0.7;  // many vibrations side by side
+      // Many vibrations side by side; the more, the thinner.
+      const double vibrations = (asked.to - asked.from) / (near.to - near.from);
+      for (Curve& curve : panel.curves) curve.width = vibrations > 10 ? 0.35 : 0.7;
     }
     const bool hit = hardest_impact(run, point) != nullptr;
     add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);
   }
   figure.panels.back().x.label = word(options, "Time t [s]");
   return figure;
+}
+
+/// "closest approach 0.012 m at 3.57 s, 0.05 m at rest".
+std::string closest_text(const RunResults& run, const Moment& closest, Eigen::Index point,
+                         const FigureOptions& options) {
+  return word(options, "closest approach: {} apart at {}, {} at rest", shown_value(run, closest.value, "L"),
+              seconds_text(closest.time), shown_value(run, run.problem.points[point].width, "L"));
 }
 
 }  // namespace
@@ -213,12 +257,27 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   };
   const std::vector<Building>& buildings = run.problem.buildings;
   const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.left + 1].is_rigid();
-  Figure figure =
-      histories(run, options, i, {curve(point.left, point.left_floor), curve(point.left + 1, point.right_floor)},
-                {.label = with_unit(word(options, "Displacement x"), run.c.units.length),
-                 .label_of_parts = of_two_that_move ? with_unit("x", run.c.units.length) : "",
-                 .mark_contacts = true});
+  const std::vector<Curve> curves = {curve(point.left, point.left_floor), curve(point.left + 1, point.right_floor)};
+  HistoryPanels with{.label = with_unit(word(options, "Displacement x"), run.c.units.length),
+                     .label_of_parts = of_two_that_move ? with_unit("x", run.c.units.length) : "",
+                     .mark_contacts = true};
+  std::string finding;
+  for (const Curve& one : curves) {
+    const Moment most = largest_of(one);
+    if (most.value == 0) continue;
+    finding +=
+        (finding.empty() ? "" : "; ") + word(options, "{} moves by up to {}, at {}", one.label,
+                                             shown_value(run, std::abs(most.value), "L"), seconds_text(most.time));
+  }
+  if (hardest_impact(run, i) == nullptr) {
+    const Moment closest = closest_approach(run, i);
+    with.rules.push_back(
+        {.at = closest.time, .vertical = true, .label = word(options, "closest"), .line = Line::dotted});
+    finding += "; " + closest_text(run, closest, i, options);
+  }
+  Figure figure = histories(run, options, i, curves, with);
   figure.title = "Displacements relative to the bases, " + point_text(run, i, options);
+  figure.finding = finding;
   return figure;
 }
 
@@ -236,6 +295,24 @@ Figure opening_figure(const RunResults& run, const FigureOptions& options) {
   const double room = 0.05 * displacement_scale(run.problem, run.response, run.problem.points[i].left);
   for (Panel& panel : figure.panels) panel.y.least = {-room, room};
   figure.title = "Opening of the gap, " + point_text(run, i, options);
+  const PointSummary& point = run.response.points[i];
+  if (const Impact* hardest = hardest_impact(run, i)) {
+    figure.finding =
+        word(options, "impacts: {}; the hardest from {} on, penetration up to {}", std::to_string(point.impacts),
+             seconds_text(hardest->start), shown_value(run, point.peak_penetration, "L"));
+    return figure;
+  }
+  const Moment closest = closest_approach(run, i);
+  figure.finding = closest_text(run, closest, i, options);
+  for (Panel& panel : figure.panels) {
+    if (closest.time < *panel.x.from || closest.time > *panel.x.to) continue;
+    panel.curves.push_back({.label = word(options, "closest"),
+                            .x = {closest.time},
+                            .y = {closest.value},
+                            .tone = Tone::orange,
+                            .line = Line::none,
+                            .mark = Mark::circle});
+  }
   return figure;
 }
 
@@ -244,30 +321,44 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
   if (const Impact* hardest = hardest_impact(run, i); hardest == nullptr || !(hardest->peak_force > 0)) {
     throw NoFigure("no contact force at " + point_text(run, i, options));
   }
-  Figure figure =
-      histories(run, options, i, {Curve{}}, {.label = with_unit(word(options, "Contact force F"), run.c.units.force)});
+  Figure figure = histories(run, options, i, {Curve{}},
+                            {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))});
   for (Panel& panel : figure.panels) {
-    panel.curves = {force_curve(run, i, {*panel.x.from, *panel.x.to})};
-    const std::vector<double>& forces = panel.curves.front().y;
+    const Window shown{*panel.x.from, *panel.x.to};
+    const std::optional<Curve> peaks = force_peaks(run, i, shown);
+    panel.curves = {peaks ? *peaks : force_curve(run, i, shown)};
+    if (peaks) panel.curves.front().label = word(options, "peak of each impact");
+    std::vector<double>& forces = panel.curves.front().y;
+    forces = shown_values(run, std::move(forces), "F");
     const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
     if (*least >= -round_off * *most) panel.y.from = 0;
   }
   figure.title = "Contact force, " + point_text(run, i, options);
+  const PointSummary& point = run.response.points[i];
+  figure.finding = word(options, "peak {} at {}", shown_value(run, point.peak_force, "F"),
+                        seconds_text(point.peak_force_time.value_or(0)));
   return figure;
 }
 
 namespace {
 
-/// Rows of StructuralModel::column_forces of the column that is struck at a point, over time.
-Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen::Index point, const std::string& label,
-                     const std::vector<std::pair<Eigen::Index, Curve>>& rows, double largest, double capacity) {
+/// What is drawn of a struck column: rows of StructuralModel::column_forces over time, in a panel each.
+struct ColumnCurves {
+  std::string label;      ///< of the axis, without unit
+  std::string symbol;     ///< the same in short
+  const char* form = "";  ///< of the unit
+  std::vector<std::pair<Eigen::Index, Curve>> rows;
+  double largest = 0, capacity = 0;  ///< capacity 0: not given
+};
+
+Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen::Index point, const ColumnCurves& of) {
   const StruckColumn struck = struck_column(run.problem, run.problem.points[point]).value();
   const Eigen::MatrixXd& forces = run.response.histories.column_forces.at(struck.building);
   std::vector<Curve> curves;
-  for (const auto& [row, style] : rows) {
+  for (const auto& [row, style] : of.rows) {
     curves.push_back(style);
     curves.back().x = run.response.histories.time;
-    curves.back().y = row_of(forces, 6 * struck.node + row);
+    curves.back().y = shown_values(run, row_of(forces, 6 * struck.node + row), of.form);
     // What acts on the foot of a piece has the other sign than on its head: drawn is the same sign for the same
     // bending.
     if (row == 1 || row == 2 || row == 4) {
@@ -275,17 +366,30 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
     }
   }
   // Impacts are shorter than samples: the largest is told as it was.
+  const double factor = shown_factor(run, of.form);
   std::vector<RuleLine> rules;
   for (const double sign : {1.0, -1.0}) {
-    rules.push_back({.at = sign * largest, .label = sign > 0 ? word(options, "largest") : "", .line = Line::dotted});
-    if (capacity > 0) {
-      rules.push_back(
-          {.at = sign * capacity, .label = sign > 0 ? word(options, "capacity") : "", .line = Line::dashed});
+    rules.push_back(
+        {.at = sign * factor * of.largest, .label = sign > 0 ? word(options, "largest") : "", .line = Line::dotted});
+    if (of.capacity > 0) {
+      rules.push_back({.at = sign * factor * of.capacity,
+                       .label = sign > 0 ? word(options, "capacity") : "",
+                       .line = Line::dashed});
     }
   }
-  Figure figure = histories(run, options, point, curves, {.label = label, .rules = rules, .mark_contacts = true});
+  const std::string unit = shown_unit(run, of.form);
+  Figure figure = histories(run, options, point, curves,
+                            {.label = with_unit(of.label, unit),
+                             .label_of_parts = with_unit(of.symbol, unit),
+                             .rules = rules,
+                             .mark_contacts = true});
+  figure.finding = word(options, "largest {}", shown_value(run, of.largest, of.form));
+  if (of.capacity > 0) {
+    figure.finding += "; " + word(options, "capacity {}, demand over capacity {}",
+                                  shown_value(run, of.capacity, of.form), number(of.largest / of.capacity));
+  }
   figure.title = fmt::format("Column of {} struck at level {} {}", run.problem.buildings[struck.building].name,
-                             number_text(run.problem.points[point].elevation), run.c.units.length);
+                             number(run.problem.points[point].elevation), run.c.units.length);
   return figure;
 }
 
@@ -294,18 +398,26 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
 Figure column_shear_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
   return column_figure(
-      run, options, i, with_unit(word(options, "Shear V"), run.c.units.force),
-      {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::orange}}},
-      run.response.points[i].column->shear, run.problem.points[i].column_shear_capacity);
+      run, options, i,
+      {.label = word(options, "Shear V"),
+       .symbol = "V",
+       .form = "F",
+       .rows = {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::orange}}},
+       .largest = run.response.points[i].column->shear,
+       .capacity = run.problem.points[i].column_shear_capacity});
 }
 
 Figure column_moment_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(run, options, i, with_unit(word(options, "Moment M"), unit_text("F L", run.c.units)),
-                       {{2, {.label = word(options, "bottom"), .tone = Tone::blue, .line = Line::dashed}},
-                        {3, {.label = word(options, "where struck")}},
-                        {5, {.label = word(options, "top"), .tone = Tone::orange}}},
-                       run.response.points[i].column->moment, run.problem.points[i].column_moment_capacity);
+  return column_figure(run, options, i,
+                       {.label = word(options, "Moment M"),
+                        .symbol = "M",
+                        .form = "F L",
+                        .rows = {{2, {.label = word(options, "bottom"), .tone = Tone::blue, .line = Line::dashed}},
+                                 {3, {.label = word(options, "where struck")}},
+                                 {5, {.label = word(options, "top"), .tone = Tone::orange}}},
+                        .largest = run.response.points[i].column->moment,
+                        .capacity = run.problem.points[i].column_moment_capacity});
 }
 
 Figure energy_figure(const RunResults& run, const FigureOptions& options) {
@@ -316,12 +428,12 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
   const Window asked = window(run, options);
   const auto part = [&](const Eigen::VectorXd& sum, Curve curve) {
     curve.x = run.response.histories.time;
-    curve.y.assign(sum.begin(), sum.end());
+    curve.y = shown_values(run, {sum.begin(), sum.end()}, "F L");
     return within(curve, asked);
   };
   Panel panel{
       .x = {.label = word(options, "Time t [s]"), .from = asked.from, .to = asked.to},
-      .y = {.label = with_unit(word(options, "Energy E"), unit_text("F L", run.c.units))},
+      .y = {.label = with_unit(word(options, "Energy E"), shown_unit(run, "F L"))},
       .height = 5,
       .curves = {
           part(energy.input, {.label = word(options, "input"), .width = 1.2}),
@@ -334,7 +446,14 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
     panel.curves.push_back(
         part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::orange, .line = Line::dashed}));
   }
-  return {.title = "Where the energy is, of all buildings together", .panels = {panel}, .width = options.width};
+  const auto at_end = [&](const Eigen::VectorXd& sum) {
+    return shown_value(run, sum.size() > 0 ? sum(sum.size() - 1) : 0, "F L");
+  };
+  return {.title = "Where the energy is, of all buildings together",
+          .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
+                          at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)),
+          .panels = {panel},
+          .width = options.width};
 }
 
 }  // namespace bentur

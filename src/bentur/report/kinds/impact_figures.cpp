@@ -3,23 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 namespace {
 
-/// One impact in close-up.
+/// One impact in close-up; where the force jumps there are two instants at one time. What was pressed may still come
+/// back when the contact has ended.
 struct Course {
   Eigen::Index point = 0;
-  double start = 0;                             ///< of the impact [s]
-  std::vector<double> time, shortening, force;  ///< since the start [ms], δ [length], F [force]
-  double length = 0;                            ///< of the impact [ms]
+  double start = 0;                                   ///< of the impact [s]
+  double length = 0;                                  ///< of the impact [ms]
+  std::size_t end = 0;                                ///< number of instants up to its end
+  std::vector<double> time{}, shortening{}, force{};  ///< since the start [ms], δ [length], F [force] as shown
 
-  [[nodiscard]] bool is_in_contact(std::size_t i) const {
-    return time[i] >= -1e-9 * length && time[i] <= (1 + 1e-9) * length;
+  void add(double at, double depth, double pressed) {
+    time.push_back(at);
+    shortening.push_back(depth);
+    force.push_back(pressed);
   }
 };
+
+/// The force at an end of an impact from two samples near it, the nearer one first.
+double force_at_end(double end, double t0, double f0, double t1, double f1) {
+  const double force = f0 + (end - t0) / (t1 - t0) * (f1 - f0);
+  return force * f0 > 0 ? force : 0;
+}
 
 Course read_course(const RunResults& run) {
   if (!run.figures.close_up) {
@@ -29,13 +40,30 @@ Course read_course(const RunResults& run) {
   }
   const CloseUp& near = *run.figures.close_up;
   const Impact& impact = run.response.impacts.at(near.impact);
-  Course course;
-  course.point = impact.point;
-  course.start = impact.start;
-  course.length = 1e3 * (impact.end - impact.start);
-  course.force = near.force;
-  for (const double t : near.time) course.time.push_back(1e3 * (t - impact.start));
-  for (const double g : near.opening) course.shortening.push_back(std::max(0.0, -g));
+  Course course{.point = impact.point, .start = impact.start, .length = 1e3 * (impact.end - impact.start)};
+  const std::vector<double> force = shown_values(run, near.force, "F");
+  const auto first = std::upper_bound(near.time.begin(), near.time.end(), impact.start) - near.time.begin();
+  const auto last = std::lower_bound(near.time.begin(), near.time.end(), impact.end) - near.time.begin();
+  const auto at_end = [&](double end, std::ptrdiff_t i, std::ptrdiff_t next) {
+    return last - first < 2 ? 0.0 : force_at_end(end, near.time[i], force[i], near.time[next], force[next]);
+  };
+  course.add(0, 0, 0);
+  course.add(0, 0, at_end(impact.start, first, first + 1));
+  const auto depth = [&](std::ptrdiff_t i) { return std::max(0.0, -near.opening[i]); };
+  for (std::ptrdiff_t i = first; i < last; ++i) course.add(1e3 * (near.time[i] - impact.start), depth(i), force[i]);
+  course.end = course.time.size();
+  if (impact.open_ended) return course;
+  double left = 0;  // of the penetration
+  if (last > first && last < std::ssize(near.time)) {
+    const double part = (impact.end - near.time[last - 1]) / (near.time[last] - near.time[last - 1]);
+    left = depth(last - 1) + part * (depth(last) - depth(last - 1));
+  }
+  course.add(course.length, left, at_end(impact.end, last - 1, last - 2));
+  course.add(course.length, left, 0);
+  course.end = course.time.size();
+  for (std::ptrdiff_t i = last; i < std::ssize(near.time); ++i) {
+    course.add(1e3 * (near.time[i] - impact.start), depth(i), 0);
+  }
   return course;
 }
 
@@ -43,8 +71,7 @@ Course read_course(const RunResults& run) {
 double loss_in(const Course& course) {
   double taken = 0;
   double lost = 0;
-  for (std::size_t i = 1; i < course.time.size(); ++i) {
-    if (!course.is_in_contact(i) || !course.is_in_contact(i - 1)) continue;
+  for (std::size_t i = 1; i < course.end; ++i) {
     const double work = (course.shortening[i] - course.shortening[i - 1]) * (course.force[i] + course.force[i - 1]) / 2;
     taken += std::max(work, 0.0);
     lost += work;
@@ -65,45 +92,64 @@ bool is_lossless(const RunResults& run) {
 
 Figure impact_figure(const RunResults& run, const FigureOptions& options) {
   const Course course = read_course(run);
+  constexpr double around = 0.08;  // of the impact, before it and after it
   const auto panel = [&](const std::string& label, const std::vector<double>& values) {
-    return Panel{.x = {.from = course.time.front(), .to = course.time.back()},
-                 .y = {.label = label},
-                 .height = 3,
-                 .curves = {{.x = course.time, .y = values}}};
+    Panel one{.x = {.from = -around * course.length, .to = (1 + around) * course.length},
+              .y = {.label = label},
+              .height = 3,
+              .curves = {{.x = {*one.x.from}, .y = {0}, .complete = true}}};
+    Curve& curve = one.curves.front();
+    curve.x.insert(curve.x.end(), course.time.begin(), course.time.end());
+    curve.y.insert(curve.y.end(), values.begin(), values.end());
+    return one;
   };
   Panel depth = panel(with_unit(word(options, "Penetration δ"), run.c.units.length), course.shortening);
   depth.title = point_text(run, course.point, options);
-  Panel force = panel(with_unit(word(options, "Contact force F"), run.c.units.force), course.force);
+  Panel force = panel(with_unit(word(options, "Contact force F"), shown_unit(run, "F")), course.force);
   force.x.label = word(options, "Time since the contact began at {} s [ms]", fmt::format("{:.4f}", course.start));
-  return {.title = title(run, course, options), .panels = {depth, force}, .width = options.width};
+  const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
+  return {.title = title(run, course, options),
+          .finding = word(options, "lasts {}, force up to {}, penetration up to {}", number(course.length) + " ms",
+                          shown_value(run, impact.peak_force, "F"), shown_value(run, impact.peak_penetration, "L")),
+          .panels = {depth, force},
+          .width = options.width};
 }
 
 Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   const Course course = read_course(run);
-  const auto deepest = static_cast<std::size_t>(std::max_element(course.shortening.begin(), course.shortening.end()) -
-                                                course.shortening.begin());
+  const auto end = course.shortening.begin() + static_cast<std::ptrdiff_t>(course.end);
+  const auto deepest =
+      static_cast<std::size_t>(std::max_element(course.shortening.begin(), end) - course.shortening.begin());
   const auto part = [&](std::size_t first, std::size_t last, Curve curve) {
-    for (std::size_t i = first; i <= last; ++i) {
-      if (!course.is_in_contact(i)) continue;
-      curve.x.push_back(course.shortening[i]);
-      curve.y.push_back(course.force[i]);
-    }
+    const auto from = static_cast<std::ptrdiff_t>(first), to = static_cast<std::ptrdiff_t>(last);
+    curve.x.assign(course.shortening.begin() + from, course.shortening.begin() + to);
+    curve.y.assign(course.force.begin() + from, course.force.begin() + to);
+    curve.complete = true;
     return curve;
   };
-  const std::optional<double> restitution = run.response.impacts.at(run.figures.close_up->impact).restitution();
-  const std::string obtained = restitution ? fmt::format("e = {:.3f}, ", *restitution) : "";
-  const std::string lost = word(options, "{} % lost", number_text(std::round(1e3 * loss_in(course)) / 10));
+  const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
+  const std::optional<double> restitution = impact.restitution();
+  std::string obtained = word(options, "{} % of the work lost", number(std::round(1e3 * loss_in(course)) / 10));
+  if (restitution) obtained = word(options, "speeds e = {}", fmt::format("{:.3f}", *restitution)) + ", " + obtained;
+  Curve closing = part(0, deepest + 1, {.label = word(options, "closing")});
+  Curve parting = part(
+      deepest, course.end,
+      {.label = word(options, "parting") + ": " + obtained, .tone = Tone::orange, .line = Line::dashed, .width = 1.3});
+  if (!impact.open_ended) {  // what is left comes back without force
+    parting.x.push_back(0);
+    parting.y.push_back(0);
+  }
   const Panel panel{.title = point_text(run, course.point, options),
                     .x = {.label = with_unit(word(options, "Penetration δ"), run.c.units.length), .from = 0},
-                    .y = {.label = with_unit(word(options, "Contact force F"), run.c.units.force)},
+                    .y = {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))},
                     .height = 5,
-                    .curves = {part(0, deepest, {.label = word(options, "closing")}),
-                               part(deepest, course.time.size() - 1,
-                                    {.label = word(options, "parting") + ": " + obtained + lost,
-                                     .tone = Tone::orange,
-                                     .line = Line::dashed,
-                                     .width = 1.3})}};
-  return {.title = title(run, course, options), .panels = {panel}, .width = options.width};
+                    .curves = {std::move(closing), std::move(parting)}};
+  return {.title = title(run, course, options),
+          .finding = word(options, "peak {} at a penetration of {}", shown_value(run, impact.peak_force, "F"),
+                          shown_value(run, impact.peak_penetration, "L")) +
+                     "; " + obtained,
+          .panels = {panel},
+          .width = options.width};
 }
 
 }  // namespace bentur

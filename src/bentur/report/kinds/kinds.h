@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/study/fragility/ida_results.h"
@@ -54,6 +55,8 @@ struct SpectrumMark {
   std::string name;
   double period = 0;       ///< [s]
   std::size_t number = 0;  ///< of the building
+  /// Ordinates of its modes, where they are not those of the curves at its first period.
+  std::vector<double> periods = {}, acceleration = {}, displacement = {};
 };
 
 /// Spectral acceleration and displacement over period.
@@ -64,10 +67,15 @@ struct SpectrumCurves {
   std::string acceleration_unit, length;  ///< units as the axes show them
   double damping = 0.05;                  ///< ζ [-]
   std::vector<SpectrumMark> marks = {};
+  std::string title = "Response spectra of the ground motion";
   std::optional<double> from = {}, to = {};  ///< periods shown [s]; all, unless given
 };
 /// Both spectra, one above the other.
 [[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options = {});
+
+/// The spectrum of a case by which its gaps are found, with what the first modes of the buildings take from it.
+[[nodiscard]] Figure design_spectrum_figure(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                                            const FigureOptions& options = {});
 
 /// What happens at other widths of a gap.
 struct GapCurve {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/report/kinds/internal/run_figures.h"
@@ -45,10 +46,25 @@ bool has_energy(const RunResults& run) {
 }
 bool has_yielding(const RunResults& run) {
   const std::vector<BuildingPeaks>& buildings = run.response.buildings;
-  const bool any = std::any_of(buildings.begin(), buildings.end(),
-                               [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
+  bool any = false;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Eigen::VectorXd& ductility = buildings[b].yielding.ductility;
+    for (Eigen::Index f = run.problem.buildings[b].model.first_storey(); f < ductility.size(); ++f) {
+      any = any || !std::isnan(ductility(f));
+    }
+  }
   return any && !run.response.histories.time.empty();
 }
+bool has_bearings(const RunResults& run) {
+  const std::vector<Building>& buildings = run.problem.buildings;
+  return !run.response.histories.time.empty() &&
+         std::any_of(buildings.begin(), buildings.end(), [](const Building& one) { return one.model.has_slab; });
+}
+bool has_soil(const RunResults& run) {
+  const std::vector<Eigen::MatrixXd>& all = run.response.histories.foundation;
+  return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
+}
+bool has_links(const RunResults& run) { return run.response.histories.link_force.rows() > 0; }
 bool has_column(const RunResults& run) {
   const std::vector<PointSummary>& points = run.response.points;
   return std::any_of(points.begin(), points.end(), [](const PointSummary& point) { return point.column.has_value(); });
@@ -64,12 +80,16 @@ const RunKind run_kinds[] = {
     {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure, has_loop},
     {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
      forces_figure, has_heights},
-    {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure},
+    {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure,
+     has_heights},
     {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
      amplification_figure, has_heights},
-    {"modes", "mode shapes of each building", always, modes_figure},
+    {"modes", "mode shapes of each building", always, modes_figure, has_heights},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
      storey_loop_figure},
+    {"bearing-loop", "force of the bearings over their displacement", has_bearings, bearing_loop_figure},
+    {"soil-loop", "force and moment of the soil over sway and rocking of foundations", has_soil, soil_loop_figure},
+    {"link-loop", "force over deformation of the link with the largest force", has_links, link_loop_figure},
     {"column-shear", "shear of a struck column below and above the blow", has_column, column_shear_figure},
     {"column-moment", "moments of a struck column at its ends and where it is struck", has_column,
      column_moment_figure},

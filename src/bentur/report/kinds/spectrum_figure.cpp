@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -20,10 +22,25 @@ double value_at(const SpectrumCurves& curves, const std::vector<double>& values,
   return values[i - 1] + part * (values[i] - values[i - 1]);
 }
 
+constexpr double around = 5;  // times the periods of the buildings
+
+/// Shows what lies around the buildings' periods, with those of the modes that are marked.
+void show_around_marks(SpectrumCurves& curves) {
+  double least = INFINITY, most = 0;
+  for (const SpectrumMark& mark : curves.marks) {
+    least = std::min(least, mark.period / around);
+    most = std::max(most, mark.period * around);
+    for (const double period : mark.periods) least = std::min(least, 0.8 * period);
+  }
+  const double from = std::max(curves.periods.front(), least), to = std::min(curves.periods.back(), most);
+  if (from < to) std::tie(curves.from, curves.to) = std::pair(from, to);
+}
+
 }  // namespace
 
 Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options) {
-  const auto panel = [&](const std::string& label, const std::vector<double>& values) {
+  const auto panel = [&](const std::string& label, const std::vector<double>& values,
+                         std::vector<double> SpectrumMark::*ordinates) {
     Panel one{.x = {.from = curves.from.value_or(curves.periods.front()),
                     .to = curves.to.value_or(curves.periods.back()),
                     .logarithmic = true},
@@ -31,21 +48,32 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
               .height = 3.2,
               .curves = {{.x = curves.periods, .y = values, .tone = Tone::grey, .width = 1.4}}};
     for (const SpectrumMark& mark : curves.marks) {
+      const bool is_on_curve = mark.periods.empty();
       Curve place{.label = word(options, "T₁ of {}", mark.name),
-                  .x = {mark.period},
-                  .y = {value_at(curves, values, mark.period)}};
+                  .x = is_on_curve ? std::vector{mark.period} : mark.periods,
+                  .y = is_on_curve ? std::vector{value_at(curves, values, mark.period)} : mark.*ordinates};
       tell_apart(place, mark.number);
       one.rules.push_back({.at = mark.period, .vertical = true, .tone = place.tone, .line = place.line});
+      if (!is_on_curve) place.line = Line::none;
       one.curves.push_back(std::move(place));
     }
     return one;
   };
   Figure figure{
-      .title = fmt::format("Response spectra of the ground motion, damping ratio {}", number_text(curves.damping)),
-      .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration),
-                 panel(with_unit("Sd", curves.length), curves.displacement)},
+      .title = fmt::format("{}, damping ratio {}", curves.title, number(curves.damping)),
+      .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration, &SpectrumMark::acceleration),
+                 panel(with_unit("Sd", curves.length), curves.displacement, &SpectrumMark::displacement)},
       .width = options.width,
       .shared_legend = true};
+  const auto highest = std::max_element(curves.acceleration.begin(), curves.acceleration.end());
+  figure.finding = word(options, "largest Sa {} at {}", number(*highest) + " " + curves.acceleration_unit,
+                        seconds_text(curves.periods[highest - curves.acceleration.begin()]));
+  for (const SpectrumMark& mark : curves.marks) {
+    figure.finding += "; " + word(options, "T₁ of {}", mark.name) + " " + seconds_text(mark.period) + ": Sa " +
+                      number(mark.acceleration.empty() ? value_at(curves, curves.acceleration, mark.period)
+                                                       : mark.acceleration.front()) +
+                      " " + curves.acceleration_unit;
+  }
   figure.panels.front().curves.front().label = fmt::format("ζ = {:.3g} %", 100 * curves.damping);
   figure.panels.back().x.label = word(options, "Period T [s]");
   return figure;
@@ -66,17 +94,46 @@ Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) 
   curves.damping = run.figures.spectrum_damping;
   for (const Eigen::Index b : shown_buildings(run, options)) {
     const Building& building = run.problem.buildings[b];
-    if (const auto period = first_period(building))
+    const auto period = first_period(building);
+    if (period && *period >= curves.periods.front() && *period <= curves.periods.back())
       curves.marks.push_back({building.name, *period, static_cast<std::size_t>(b)});
   }
-  if (!curves.marks.empty()) {  // what lies around the buildings' periods
-    const auto [least, most] = std::minmax_element(curves.marks.begin(), curves.marks.end(),
-                                                   [](const auto& a, const auto& b) { return a.period < b.period; });
-    constexpr double around = 5;
-    const double from = std::max(curves.periods.front(), least->period / around);
-    const double to = std::min(curves.periods.back(), most->period * around);
-    if (from < to) std::tie(curves.from, curves.to) = std::pair(from, to);
+  show_around_marks(curves);
+  return spectrum_figure(curves, options);
+}
+
+Figure design_spectrum_figure(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                              const FigureOptions& options) {
+  const DesignSpectrum& spectrum = c.excitation.spectrum.value().spectrum;
+  const double gravity = standard_gravity(c.units.length);
+  SpectrumCurves curves;
+  curves.title = "Design spectrum of the case";
+  curves.acceleration_unit = "g";
+  curves.length = c.units.length;
+  curves.damping = spectrum.damping_ratio;
+  double last = 4;  // that may be of interest [s]
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const auto period = first_period(problem.buildings[b]);
+    if (!period) continue;
+    last = std::max(last, around * *period);
+    SpectrumMark mark{problem.buildings[b].name, *period, b};
+    const SpectralModes& modes = spectral.modes[b];
+    constexpr Eigen::Index most_modes = 3;
+    for (Eigen::Index n = 0; n < std::min(most_modes, modes.omega.size()); ++n) {
+      const double omega = modes.omega(n);
+      mark.periods.push_back(2 * std::numbers::pi / omega);
+      mark.displacement.push_back(modes.displacement(n));
+      mark.acceleration.push_back(omega * omega * modes.displacement(n) / gravity);
+    }
+    curves.marks.push_back(std::move(mark));
   }
+  if (const auto* table = std::get_if<TableSpectrum>(&spectrum.shape)) last = table->periods.back();
+  curves.periods = logarithmic_periods(std::min(0.02, last / 2), last, 401);
+  for (const double period : curves.periods) {
+    curves.acceleration.push_back(spectral_acceleration(spectrum, period, spectrum.damping_ratio) / gravity);
+    curves.displacement.push_back(spectral_displacement(spectrum, period, spectrum.damping_ratio));
+  }
+  show_around_marks(curves);
   return spectrum_figure(curves, options);
 }
 

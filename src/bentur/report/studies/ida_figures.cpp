@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
+#include "bentur/model/quantities.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
@@ -26,32 +28,12 @@ Tone pale_of(Tone tone) {
   return tone == Tone::blue ? Tone::pale_blue : tone == Tone::orange ? Tone::pale_orange : Tone::pale;
 }
 
-/// All combinations of the values of some dimensions.
-std::vector<std::vector<std::size_t>> combinations(const SweepData& sweep, std::vector<std::size_t> from,
-                                                   const std::vector<std::size_t>& dimensions) {
-  std::vector<std::vector<std::size_t>> list = {std::move(from)};
-  for (const std::size_t d : dimensions) {
-    if (list[0][d] != sweep.dimensions()[d].size) continue;  // chosen
-    std::vector<std::vector<std::size_t>> longer;
-    for (const std::vector<std::size_t>& one : list) {
-      for (std::size_t i = 0; i < sweep.dimensions()[d].size; ++i) {
-        longer.push_back(one);
-        longer.back()[d] = i;
-      }
-    }
-    list = std::move(longer);
-  }
-  return list;
-}
-
 Analysis analysis(const SweepData& sweep) {
   Analysis found;
   found.level = sweep.index("intensity");
-  const std::vector<std::string>& records = sweep.results().at("record_intensity").dimensions;
   for (std::size_t d = 0; d < sweep.dimensions().size(); ++d) {
     if (d == found.level) continue;
-    const bool is_record = std::find(records.begin(), records.end(), sweep.dimensions()[d].name) != records.end();
-    (is_record ? found.record : found.others).push_back(d);
+    (sweep.dimensions()[d].is_of_records ? found.record : found.others).push_back(d);
   }
   return found;
 }
@@ -65,17 +47,12 @@ std::string case_name(const SweepData& sweep, const Analysis& ida, const std::ve
   return fmt::format("{}", fmt::join(choices, ", "));
 }
 
-/// The largest value of a quantity at one level of intensity; infinite where the run collapsed or its numbers failed,
-/// NaN where there is none.
+/// The largest value of a quantity at one level of intensity; infinite where the run was cut short, NaN where there is
+/// none.
 double largest(const SweepData& sweep, const std::string& quantity, std::vector<std::size_t> at, std::size_t dimension,
                std::size_t level) {
   at[dimension] = level;
-  double result = NAN;
-  constexpr double numbers_failed = 1;
-  if (sweep.values("status", at).front() == numbers_failed) return INFINITY;
-  if (sweep.results().find("collapsed") != nullptr && sweep.values("collapsed", at).front() > 0) return INFINITY;
-  for (const double value : sweep.values(quantity, at)) result = std::fmax(result, value);
-  return result;
+  return sweep.is_cut_short(at) ? INFINITY : sweep.joined(quantity, at, false);
 }
 
 /// Some of them, evenly from the first to the last, where they are too many.
@@ -104,11 +81,21 @@ IdaResults event_results(const SweepData& sweep, const std::string& event) {
   }
 }
 
-/// "peak_force > 500" as "peak force > 500 kN".
+/// "peak_force > 500" as "peak force > 500 kN"; drifts, which are ratios in files, in percent.
 std::string event_text(const std::string& event, const std::string& unit) {
-  std::string text = event;
+  std::string error;
+  const EventRule rule = parse_event(event, error).value();
+  const std::size_t number_at = event.find_last_of(" <>=") + 1;
+  std::string text = event.substr(0, number_at);
   std::replace(text.begin(), text.end(), '_', ' ');
-  return text + (unit.empty() || unit == "–" ? "" : " " + unit);
+  constexpr double percent = 100;
+  if (rule.quantity.find("drift") != std::string::npos) return text + number(percent * rule.threshold) + " %";
+  return text + number(rule.threshold) + (unit.empty() || unit == "–" ? "" : " " + unit);
+}
+
+/// "0.4 g".
+std::string intensity_text(const SweepDimension& levels, double intensity) {
+  return number(intensity) + (levels.unit.empty() || levels.unit == "–" ? "" : " " + levels.unit);
 }
 
 Axis intensity_axis(const SweepDimension& levels) {
@@ -129,7 +116,7 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
                 const std::vector<std::vector<std::size_t>>& places) {
   const SweepDimension& levels = sweep.dimensions()[ida.level];
   const std::string quantity = "peak_force";
-  const std::string unit = unit_text(sweep.results().at(quantity).units);
+  const std::string unit = sweep.unit(quantity);
   Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
               .y = intensity_axis(levels),
               .height = 5.5};
@@ -137,7 +124,8 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
     Curve record{.label = panel.curves.empty() ? word(options, "{} records", fmt::format("{}", places.size())) : "",
-                 .tone = Tone::pale};
+                 .tone = Tone::grey,
+                 .width = 0.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
       record.x.push_back(std::isfinite(value) ? value : NAN);
@@ -180,7 +168,7 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   if (!open.empty() && !options.choose) {
     throw NoFigure(fmt::format("one analysis is shown at a time: choose {}", fmt::join(open, ", ")));
   }
-  auto cases = combinations(sweep, chosen, ida.others);
+  auto cases = sweep.combinations(chosen, ida.others);
   thin_out(cases);
   Figure figure{.title = "Incremental dynamic analysis: peak contact force of each record, and fractiles of all",
                 .columns = cases.size() == 3  ? 3
@@ -191,9 +179,17 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   if (cases.size() > 1) figure.width *= page_over_column;
   double largest_force = 0;
   for (const std::vector<std::size_t>& one : cases) {
-    Panel panel = ida_panel(sweep, options, ida, combinations(sweep, one, ida.record));
+    Panel panel = ida_panel(sweep, options, ida, sweep.combinations(one, ida.record));
     panel.title = case_name(sweep, ida, one);
     if (cases.size() > 1) panel.height = 4.6;
+    const Curve& median = panel.curves[panel.curves.size() - 2];
+    if (panel.note.empty() && !median.x.empty()) {
+      figure.finding += (figure.finding.empty() ? "" : "; ") + (panel.title.empty() ? "" : panel.title + ": ") +
+                        word(options, "median {} at {}", number(median.x.back()) + " " + sweep.unit("peak_force"),
+                             intensity_text(sweep.dimensions()[ida.level], median.y.back()));
+    } else if (!panel.note.empty()) {
+      figure.finding += (figure.finding.empty() ? "" : "; ") + panel.note;
+    }
     if (panel.note.empty()) {
       for (const Curve& curve : panel.curves) {
         for (const double force : curve.x) largest_force = std::fmax(largest_force, force);
@@ -212,7 +208,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
   const SweepDimension& levels = sweep.dimensions()[ida.level];
   const IdaResults results = event_results(sweep, options.event);
-  auto cases = combinations(sweep, sweep.chosen(options.at), ida.others);
+  auto cases = sweep.combinations(sweep.chosen(options.at), ida.others);
   if (options.choose) thin_out(cases);
   if (cases.size() > most_cases) {
     std::vector<std::string> names;
@@ -231,6 +227,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
                     .to = 1},
               .height = 5.5};
   std::vector<Curve> areas, lines;
+  std::string finding;
   bool any_event = false;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Curve observed;
@@ -245,6 +242,11 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     any_event = any_event || fragility.events > 0;
     const Fragility& fit = fragility.fit;
     const std::string name = case_name(sweep, ida, cases[c]);
+    if (fit.median > 0 && std::isfinite(fit.median)) {
+      finding += (finding.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") +
+                 word(options, "median intensity {}, dispersion {}", intensity_text(levels, fit.median),
+                      number(fit.dispersion));
+    }
     if (fit.kind == Fragility::Kind::fitted) {
       Curve line{.label = name.empty() ? word(options, "lognormal fit") : name, .width = 1.3};
       tell_apart(line, c);
@@ -293,6 +295,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
   return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",
                                pounding ? "pounding" : event),
+          .finding = panel.note.empty() ? finding : panel.note,
           .panels = {panel},
           .width = options.width};
 }

@@ -40,6 +40,9 @@ std::filesystem::path write_results(const std::filesystem::path& folder) {
   }
   file.add({"peak_force", {record, width, intensity, point}, "kN", "largest force", {}, forces});
   file.add({"impacts", {record, width, intensity, point}, "1", "impacts", {}, impacts});
+  const ResultDimension floor{"elevation_1", 1};
+  std::vector<double> drifts(forces.size(), 0.015);
+  file.add({"peak_drift_ratio_1", {record, width, intensity, floor}, "1", "largest drift", {}, drifts});
   file.add(
       {"status", {record, width, intensity}, "", "how the run ended", {}, std::vector<signed char>(forces.size())});
   file.finish();
@@ -70,6 +73,49 @@ TEST(IdaFigure, FractilesOfTheRecords) {
     EXPECT_NEAR(low.x[i], force(0, level, 0) + 0.32 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
   }
   EXPECT_THROW(static_cast<void>(make_figure(results, "ida")), NoFigure);  // which width?
+}
+
+/// Of the records the median and what lies between 16 and 84 %, in place of those of one of them.
+TEST(IdaFigure, OtherQuantitiesAreToldOverTheRecords) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure figure = make_figure(results, "peak-force", options);
+  const Curve& median = labelled(figure, "median of 3 records");
+  const Curve& band = labelled(figure, "16 to 84 %");
+  EXPECT_EQ(median.x, (std::vector<double>{0.5, 1, 1.5, 2}));
+  for (int level = 0; level < levels; ++level) {
+    const auto i = static_cast<std::size_t>(level);
+    EXPECT_EQ(median.y[i], force(1, level, 0));
+    EXPECT_NEAR(band.y[i], force(0, level, 0) + 0.32 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
+    EXPECT_NEAR(band.top[i], force(1, level, 0) + 0.68 * (force(2, level, 0) - force(1, level, 0)), 1e-12);
+  }
+  EXPECT_EQ(figure.finding,
+            "median of 3 records: largest 60 kN at Sa (1.2 s, 5 %) 2 g, smallest 0 kN at Sa (1.2 s, 5 "
+            "%) 0.5 g");
+  const Figure of_widths = make_figure(results, "peak-force");
+  EXPECT_EQ(of_widths.panels[0].title, "medians of 3 records");
+  EXPECT_EQ(labelled(of_widths, "gap 0.1 m").y, median.y);
+  options.against = "record";
+  options.at.emplace_back("intensity", "2");
+  EXPECT_EQ(make_figure(results, "peak-force", options).panels[0].x.names, (std::vector<std::string>{"a", "b", "c"}));
+}
+
+/// What a pale tone draws cannot be seen as a line.
+TEST(IdaFigure, LinesAreDarkEnough) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  FigureOptions options;
+  options.choose = true;
+  for (const FigureKind& kind : figure_kinds(results)) {
+    for (const Panel& panel : make_figure(results, kind.name, options).panels) {
+      for (const Curve& curve : panel.curves) {
+        const bool is_pale = curve.tone >= Tone::pale;
+        EXPECT_TRUE(!is_pale || !curve.top.empty()) << kind.name << ": " << curve.label;
+      }
+    }
+  }
 }
 
 TEST(IdaFigure, FragilityOfEachWidth) {
@@ -113,6 +159,8 @@ TEST(IdaFigure, FragilityOfAnotherEvent) {
   options.event = "peak_force > 25";
   const Figure figure = make_figure(results, "fragility", options);
   EXPECT_EQ(figure.panels[0].y.label, "P(peak force > 25 kN) [–]");
+  options.event = "drift > 0.0125";
+  EXPECT_EQ(make_figure(results, "fragility", options).panels[0].y.label, "P(drift > 1.25 %) [–]");
   const Curve& observed = labelled(figure, "observed");
   for (int level = 0; level < levels; ++level) {
     double events = 0;

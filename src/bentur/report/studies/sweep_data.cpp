@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/core/number_text.h"
+#include "bentur/model/run_results.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/study/fragility/ida_results.h"
@@ -61,7 +63,7 @@ std::string parameter_label(const std::string& parameter, const std::string& nam
 
 }  // namespace
 
-std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number_text(numbers[i]); }
+std::string SweepDimension::value(std::size_t i) const { return is_text() ? texts[i] : number(numbers[i]); }
 
 std::string SweepDimension::choice(std::size_t i) const {
   return is_text() ? texts[i] : short_name + " " + value(i) + (unit.empty() || unit == "–" ? "" : " " + unit);
@@ -102,6 +104,7 @@ SweepDimension SweepData::coordinate(const StoredVariable& variable) const {
 
 SweepData::SweepData(const NetcdfReader& results, FigureWords say) : results_(results), say_(std::move(say)) {
   const StoredVariable& status = results.at("status");
+  const StoredVariable* of_records = results.find("record_intensity");
   for (std::size_t d = 0; d < status.dimensions.size(); ++d) {
     const std::string& name = status.dimensions[d];
     const StoredVariable* variable = results.find(name);
@@ -111,11 +114,36 @@ SweepData::SweepData(const NetcdfReader& results, FigureWords say) : results_(re
       if (other != nullptr && other->dimensions == std::vector<std::string>{name}) variable = other;
     }
     SweepDimension one;
-    if (variable != nullptr) one = coordinate(*variable);
+    if (variable != nullptr) {
+      one = coordinate(*variable);
+      const std::string key = last_key(variable->long_name);
+      one.is_of_records = variable->text && (key == "excitation" || variable->long_name == "excitation.file");
+    }
+    if (of_records != nullptr) {
+      const std::vector<std::string>& names = of_records->dimensions;
+      one.is_of_records = std::find(names.begin(), names.end(), name) != names.end();
+    }
     one.name = name;
     one.size = status.shape[d];
     dimensions_.push_back(std::move(one));
   }
+  double largest = 0;
+  for (const std::string force : {"peak_force", "peak_storey_shear"}) {
+    for (const SweepVariable& one : variables_of(results, force)) {
+      if (results.at(one.name).units != "N") continue;
+      for (const double value : results.numbers(one.name)) largest = std::fmax(largest, value);
+    }
+  }
+  force_ = shown_units({.force = "N"}, largest).units.force;
+}
+
+bool SweepData::shows_in_kilonewtons(const std::string& quantity) const {
+  const std::string& units = results_.at(quantity).units;
+  return force_ == "kN" && (units == "N" || units.starts_with("N "));
+}
+
+std::string SweepData::unit(const std::string& quantity) const {
+  return unit_text((shows_in_kilonewtons(quantity) ? "k" : "") + results_.at(quantity).units);
 }
 
 std::size_t SweepData::index(const std::string& name) const {
@@ -129,7 +157,7 @@ std::size_t SweepData::owners(const std::string& quantity) const {
   return variable.shape.size() > dimensions_.size() ? variable.shape.back() : 1;
 }
 
-std::vector<double> SweepData::values(const std::string& quantity, const std::vector<std::size_t>& at) const {
+const std::vector<double>& SweepData::all(const std::string& quantity) const {
   const auto [known, is_new] = held_.try_emplace(quantity);
   std::vector<double>& held = known->second;
   if (is_new) {
@@ -137,12 +165,52 @@ std::vector<double> SweepData::values(const std::string& quantity, const std::ve
     if (is_compared_by_size(results_, quantity)) {
       for (double& value : held) value = std::abs(value);
     }
+    if (shows_in_kilonewtons(quantity)) {
+      for (double& value : held) value *= newtons("N") / newtons("kN");
+    }
   }
+  return held;
+}
+
+std::vector<double> SweepData::values(const std::string& quantity, const std::vector<std::size_t>& at) const {
+  const std::vector<double>& held = all(quantity);
   std::size_t run = 0;
   for (std::size_t d = 0; d < dimensions_.size(); ++d) run = run * dimensions_[d].size + at[d];
   const std::size_t count = owners(quantity);
   const auto first = held.begin() + static_cast<std::ptrdiff_t>(run * count);
   return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+double SweepData::joined(const std::string& quantity, const std::vector<std::size_t>& at, bool sum) const {
+  double result = NAN;
+  for (const double value : values(quantity, at)) {
+    if (std::isnan(value)) continue;
+    result = std::isnan(result) ? value : sum ? result + value : std::max(result, value);
+  }
+  return result;
+}
+
+bool SweepData::is_cut_short(const std::vector<std::size_t>& at) const {
+  constexpr double numbers_failed = 1;
+  if (values("status", at).front() == numbers_failed) return true;
+  return results_.find("collapsed") != nullptr && values("collapsed", at).front() > 0;
+}
+
+std::vector<std::vector<std::size_t>> SweepData::combinations(std::vector<std::size_t> from,
+                                                              const std::vector<std::size_t>& dimensions) const {
+  std::vector<std::vector<std::size_t>> list = {std::move(from)};
+  for (const std::size_t d : dimensions) {
+    if (list[0][d] != dimensions_[d].size) continue;  // chosen
+    std::vector<std::vector<std::size_t>> longer;
+    for (const std::vector<std::size_t>& one : list) {
+      for (std::size_t i = 0; i < dimensions_[d].size; ++i) {
+        longer.push_back(one);
+        longer.back()[d] = i;
+      }
+    }
+    list = std::move(longer);
+  }
+  return list;
 }
 
 std::vector<std::string> SweepData::owner_names(const std::string& quantity) const {
@@ -156,7 +224,7 @@ std::vector<std::string> SweepData::owner_names(const std::string& quantity) con
   if (elevations != nullptr && !elevations->text && elevations->shape == std::vector<std::size_t>{count}) {
     const std::string unit = elevations->units == "1" ? "" : " " + unit_text(elevations->units);
     for (const double z : results_.numbers(elevations->name)) {
-      names.push_back(unit.empty() ? word(say_, "floor {}", number_text(z)) : "z = " + number_text(z) + unit);
+      names.push_back(unit.empty() ? word(say_, "floor {}", number(z)) : "z = " + number(z) + unit);
     }
     return names;
   }

@@ -19,6 +19,7 @@ struct SweepDimension {
   std::string label, unit;           ///< for an axis, with unit; the unit
   std::vector<double> numbers = {};  ///< one per value, or
   std::vector<std::string> texts = {};
+  bool is_of_records = false;  ///< the ground motion is what differs
 
   [[nodiscard]] bool is_text() const { return !texts.empty(); }
   /// Where value `i` stands on an axis: the number, or of a text `i` itself.
@@ -43,9 +44,19 @@ class SweepData {
   /// Index of a dimension among dimensions(); their count where there is none of that name.
   [[nodiscard]] std::size_t index(const std::string& name) const;
 
-  /// Values of a quantity at one combination of the dimensions' values, one per point, floor, gap or link; the sizes of
-  /// what can have either sign.
+  /// All values of a quantity, run by run, in the unit that people are shown: newtons are kN where the largest contact
+  /// force or storey shear of the study is 10⁴ N or more, as of a run. Sizes of what can have either sign.
+  [[nodiscard]] const std::vector<double>& all(const std::string& quantity) const;
+  [[nodiscard]] std::string unit(const std::string& quantity) const;
+  /// Values of a quantity at one combination of the dimensions' values, one per point, floor, gap or link.
   [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const;
+  /// The largest of these values, or their sum; NaN where there is none.
+  [[nodiscard]] double joined(const std::string& quantity, const std::vector<std::size_t>& at, bool sum) const;
+  /// Whether a run ended before its time: a storey collapsed or the numbers failed.
+  [[nodiscard]] bool is_cut_short(const std::vector<std::size_t>& at) const;
+  /// All combinations of the values of some dimensions, each from `from` on; those chosen there stay.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> combinations(std::vector<std::size_t> from,
+                                                                   const std::vector<std::size_t>& dimensions) const;
   /// How many points, floors, gaps or links a quantity has values for; 1 where there is one value a run.
   [[nodiscard]] std::size_t owners(const std::string& quantity) const;
   /// Their names, "z = 300 cm" or "gap 1"; one empty name where there is one value a run.
@@ -58,11 +69,13 @@ class SweepData {
   [[nodiscard]] std::vector<SweepDimension> sample_coordinates() const;
 
  private:
+  [[nodiscard]] bool shows_in_kilonewtons(const std::string& quantity) const;
   [[nodiscard]] SweepDimension coordinate(const StoredVariable& variable) const;
 
   const NetcdfReader& results_;
   FigureWords say_;
   std::vector<SweepDimension> dimensions_;
+  std::string force_ = "N";                                  // how newtons are shown
   mutable std::map<std::string, std::vector<double>> held_;  // by quantity, as they were asked for
 };
 
@@ -80,6 +93,7 @@ struct SweepKind {
   std::string kind, quantity;  ///< quantity without the building's number
   std::string label;           ///< for an axis, without unit
   bool sum = false;            ///< over points in place of the largest
+  bool of_contact = false;     ///< 0 is: nothing touches
 };
 [[nodiscard]] const std::vector<SweepKind>& sweep_kinds();
 

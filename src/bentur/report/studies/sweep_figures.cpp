@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
+#include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
@@ -27,16 +30,6 @@ std::string building_name(const NetcdfReader& results, std::size_t number, const
   return word(say, "building {}", std::to_string(number));
 }
 
-/// One number for all points or floors; NaN where there is none.
-double joined(const std::vector<double>& values, bool sum) {
-  double result = NAN;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    result = std::isnan(result) ? value : sum ? result + value : std::max(result, value);
-  }
-  return result;
-}
-
 /// Draws one kind with what is left free of a sweep's dimensions.
 class SweepDrawing {
  public:
@@ -45,12 +38,13 @@ class SweepDrawing {
     for (std::size_t d = 0; d < at_.size(); ++d) {
       if (at_[d] == sweep.dimensions()[d].size) free_.push_back(d);
     }
+    take_records_together();
   }
 
   Figure make() {
     const std::vector<SweepVariable> found = variables_of(sweep_.results(), kind_.quantity);
     Figure figure{.title = kind_.label, .width = options_.width};
-    together_ = std::any_of(found.begin(), found.end(), [&](const SweepVariable& one) {
+    together_ = !records_.empty() || std::any_of(found.begin(), found.end(), [&](const SweepVariable& one) {
       return sweep_.owner_names(one.name).size() > most_owner_curves;
     });
     for (const SweepVariable& one : found) {
@@ -72,10 +66,33 @@ class SweepDrawing {
     if (takes_a_page(figure)) figure.width *= page_over_column;
     figure.shared_legend = figure.panels.size() > 1 && same_legends(figure);
     share_range(figure);
+    if (most_ && least_) {
+      if (!records_.empty())
+        figure.finding = word(options_, "median of {} records", std::to_string(record_count_)) + ": ";
+      figure.finding +=
+          word(options_, "largest {} at {}, smallest {} at {}", most_->text, most_->place, least_->text, least_->place);
+    }
     return figure;
   }
 
  private:
+  /// Where more varies than the records, and there are some, their median and fractiles are shown in place of each.
+  void take_records_together() {
+    constexpr std::size_t fewest = 3;
+    std::size_t count = 1;
+    std::vector<std::size_t> records, others;
+    for (const std::size_t d : free_) {
+      const SweepDimension& one = sweep_.dimensions()[d];
+      (one.is_of_records ? records : others).push_back(d);
+      if (one.is_of_records) count *= one.size;
+      if (one.is_of_records && one.name == options_.against) return;
+    }
+    if (others.empty() || count < fewest) return;
+    free_ = others;
+    records_ = records;
+    record_count_ = count;
+  }
+
   static bool is_empty(const Panel& panel) {
     const auto nothing = [](const std::vector<double>& values) {
       return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -125,6 +142,9 @@ class SweepDrawing {
       const bool is_free = std::find(free_.begin(), free_.end(), d) != free_.end();
       if (!is_free && one.size > 1 && at_[d] < one.size) texts.push_back(one.choice(at_[d]));
     }
+    if (!records_.empty() && free_.size() > 1) {
+      texts.push_back(word(options_, "medians of {} records", std::to_string(record_count_)));
+    }
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
@@ -134,16 +154,49 @@ class SweepDrawing {
            kind_.quantity == "storey_shear_ratio";
   }
 
+  [[nodiscard]] std::string unit_of(const std::string& quantity) const {
+    return in_percent() ? "%" : sweep_.unit(quantity);
+  }
+
   [[nodiscard]] std::string label(const std::string& quantity) const {
-    const std::string unit = in_percent() ? "%" : unit_text(sweep_.results().at(quantity).units);
+    const std::string unit = unit_of(quantity);
     return with_unit(word(options_, kind_.label), unit.empty() ? "–" : unit);
   }
 
-  /// In the unit of the label.
-  [[nodiscard]] std::vector<double> values(const std::string& quantity, const std::vector<std::size_t>& at) const {
-    std::vector<double> result = sweep_.values(quantity, at);
-    for (double& value : result) value *= in_percent() ? 100 : 1;
-    return result;
+  /// What values are multiplied by for the unit of the label.
+  [[nodiscard]] double factor() const { return in_percent() ? 100 : 1; }
+
+  /// A fractile over the records at a place; NaN where there is none, or so many were cut short.
+  [[nodiscard]] double fractile(const std::string& quantity, double part) const {
+    std::vector<double> all;
+    for (const std::vector<std::size_t>& at : sweep_.combinations(at_, records_)) {
+      const double value = sweep_.is_cut_short(at) ? INFINITY : sweep_.joined(quantity, at, kind_.sum);
+      if (!std::isnan(value)) all.push_back(value);
+    }
+    const double found = all.empty() ? NAN : quantile_of(all, part);
+    return std::isfinite(found) ? found * factor() : NAN;
+  }
+
+  /// What is shown of a place in one number, taken into account for what the figure tells.
+  double told(const std::string& quantity, std::optional<std::size_t> owner) {
+    const double value = !records_.empty() ? fractile(quantity, 0.5)
+                         : owner           ? factor() * sweep_.values(quantity, at_)[*owner]
+                                           : factor() * sweep_.joined(quantity, at_, kind_.sum);
+    std::vector<std::string> places;
+    for (const std::size_t d : free_) {
+      const SweepDimension& one = sweep_.dimensions()[d];
+      if (one.size > 1) places.push_back(one.choice(at_[d]));
+    }
+    take_into_account(value, quantity, fmt::format("{}", fmt::join(places, ", ")));
+    return value;
+  }
+
+  void take_into_account(double value, const std::string& quantity, const std::string& place) {
+    if (!std::isfinite(value)) return;
+    const std::string unit = unit_of(quantity);
+    const Extreme found{value, number(value) + (unit.empty() || unit == "–" ? "" : " " + unit), place};
+    if (!most_ || value > most_->value) most_ = found;
+    if (!least_ || value < least_->value) least_ = found;
   }
 
   /// Fixes all but the two directions that vary most, in the middle of numbers and at the first of names.
@@ -219,9 +272,8 @@ class SweepDrawing {
     Curve result;
     for (const std::size_t i : ascending(d)) {
       at_[d] = i;
-      const std::vector<double> values = this->values(quantity, at_);
       result.x.push_back(sweep_.dimensions()[d].place(i));
-      result.y.push_back(owner ? values[*owner] : joined(values, kind_.sum));
+      result.y.push_back(told(quantity, owner));
     }
     return result;
   }
@@ -249,9 +301,16 @@ class SweepDrawing {
     Panel panel = framed(quantity);
     const std::vector<std::string> names = sweep_.owner_names(quantity);
     if (together_) {
+      const std::size_t d = free_[0];
       Curve all = curve(quantity, std::nullopt);
       style(all, 0);
       all.label = word(options_, kind_.sum ? "all together" : "largest of all");
+      if (!records_.empty()) {
+        if (names.size() > 1) panel.title = all.label;
+        all.label = word(options_, "median of {} records", std::to_string(record_count_));
+        add_fractiles(panel, quantity, all);
+      }
+      at_[d] = sweep_.dimensions()[d].size;
       panel.curves.push_back(all);
     }
     for (std::size_t i = 0; i < names.size() && !together_; ++i) {
@@ -265,6 +324,37 @@ class SweepDrawing {
     return panel;
   }
 
+  /// The 16 and 84 % fractiles over the records beside their median: an area, or beside several, and along names, bars
+  /// and lines that stay apart where they cross.
+  void add_fractiles(Panel& panel, const std::string& quantity, const Curve& median, bool is_one_of_some = false) {
+    const std::size_t d = free_[0];
+    Curve band{.label = panel.curves.empty() ? word(options_, "16 to 84 %") : "",
+               .x = median.x,
+               .tone = is_one_of_some ? median.tone : Tone::pale};
+    for (const std::size_t i : ascending(d)) {
+      at_[d] = i;
+      band.y.push_back(fractile(quantity, 0.16));
+      band.top.push_back(fractile(quantity, 0.84));
+    }
+    const bool along_names = sweep_.dimensions()[d].is_text();
+    if (!is_one_of_some && !along_names) {
+      panel.curves.push_back(std::move(band));
+      return;
+    }
+    Curve lower = band, upper = band;
+    for (Curve* bound : {&lower, &upper}) {
+      bound->top.clear();
+      bound->width = 0.6;
+      bound->line = along_names ? Line::none : Line::dotted;
+      bound->mark = along_names ? Mark::triangle : Mark::none;
+      bound->tone = along_names ? Tone::grey : median.tone;
+    }
+    upper.y = band.top;
+    upper.label.clear();
+    panel.curves.push_back(std::move(lower));
+    panel.curves.push_back(std::move(upper));
+  }
+
   /// One curve for each value of the second dimension.
   Panel families(const std::string& quantity) {
     Panel panel = framed(quantity);
@@ -275,6 +365,7 @@ class SweepDrawing {
       Curve one = curve(quantity, std::nullopt);
       style(one, i);
       one.label = second.choice(i);
+      if (!records_.empty()) add_fractiles(panel, quantity, one, true);
       panel.curves.push_back(std::move(one));
     }
     at_[d] = second.size;
@@ -291,6 +382,22 @@ class SweepDrawing {
     return list;
   }
 
+  /// The cells of a map where nothing touches, taken out of it: they have a tint of their own.
+  [[nodiscard]] std::optional<Curve> without_contact(HeatMap& map) const {
+    Curve cells{.label = word(options_, "no contact"), .tone = Tone::pale};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();  // between two cells
+    const std::size_t columns = map.x_edges.size() - 1;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+      if (map.values[i] != 0) continue;
+      map.values[i] = NAN;
+      const std::size_t row = i / columns, column = i % columns;
+      cells.x.insert(cells.x.end(), {map.x_edges[column], map.x_edges[column + 1], none});
+      cells.y.insert(cells.y.end(), {map.y_edges[row], map.y_edges[row], none});
+      cells.top.insert(cells.top.end(), {map.y_edges[row + 1], map.y_edges[row + 1], none});
+    }
+    return cells.x.empty() ? std::nullopt : std::optional(std::move(cells));
+  }
+
   Panel map(const std::string& quantity) {
     const std::size_t x = free_[0];
     const std::size_t y = free_[1];
@@ -305,9 +412,11 @@ class SweepDrawing {
       for (const std::size_t column : columns) {
         at_[x] = column;
         at_[y] = row;
-        map.values.push_back(joined(values(quantity, at_), kind_.sum));
+        map.values.push_back(told(quantity, std::nullopt));
       }
     }
+    std::optional<Curve> apart;
+    if (kind_.of_contact) apart = without_contact(map);
     at_[x] = sweep_.dimensions()[x].size;
     at_[y] = sweep_.dimensions()[y].size;
     const auto axis = [&](std::size_t d, const std::vector<double>& edges) {
@@ -321,7 +430,14 @@ class SweepDrawing {
     constexpr std::size_t most_names = 45;  // below one another
     const std::size_t names = sweep_.dimensions()[y].texts.size();
     const double height = names > most_names ? 4.6 : std::max(4.6, line_height * static_cast<double>(names));
-    return {.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = height, .map = map};
+    Panel panel{.x = axis(x, map.x_edges), .y = axis(y, map.y_edges), .height = height, .map = map};
+    if (apart) panel.curves.push_back(std::move(*apart));
+    const auto is_known = [](double value) { return std::isfinite(value); };
+    if (apart && std::none_of(map.values.begin(), map.values.end(), is_known)) {
+      panel.map.reset();
+      panel.note = word(options_, "no contact");
+    }
+    return panel;
   }
 
   /// A mark for every sample.
@@ -336,7 +452,8 @@ class SweepDrawing {
     Curve marks{.line = Line::none, .mark = Mark::circle};
     for (std::size_t i = 0; i < x->size; ++i) {
       marks.x.push_back(x->place(i));
-      marks.y.push_back(joined(values(quantity, {i}), kind_.sum));
+      marks.y.push_back(factor() * sweep_.joined(quantity, {i}, kind_.sum));
+      take_into_account(marks.y.back(), quantity, x->choice(i));
     }
     return {.x = {.label = x->label, .names = x->texts, .number = word(options_, "number")},
             .y = {.label = label(quantity)},
@@ -344,10 +461,19 @@ class SweepDrawing {
             .curves = {marks}};
   }
 
+  /// A value and where it is.
+  struct Extreme {
+    double value = 0;
+    std::string text, place;
+  };
+  std::optional<Extreme> most_, least_;
+
   const SweepData& sweep_;
   const SweepKind& kind_;
   const FigureOptions& options_;
   std::vector<std::size_t> at_, free_;
+  std::vector<std::size_t> records_;  // dimensions whose fractiles are shown
+  std::size_t record_count_ = 0;
   bool together_ = false;  // points or floors are too many to be drawn one by one
 };
 
@@ -365,12 +491,12 @@ std::vector<SweepVariable> variables_of(const NetcdfReader& results, const std::
 
 const std::vector<SweepKind>& sweep_kinds() {
   static const std::vector<SweepKind> kinds = {
-      {"peak-force", "peak_force", "Peak contact force F"},
+      {"peak-force", "peak_force", "Peak contact force F", false, true},
       {"amplification", "amplification", "Amplification of max |x|"},
-      {"contact-duration", "contact_duration", "Time in contact", true},
-      {"impacts", "impacts", "Impacts", true},
-      {"penetration", "peak_penetration", "Peak penetration δ"},
-      {"impulse", "impulse", "Impulse of all impacts", true},
+      {"contact-duration", "contact_duration", "Time in contact", true, true},
+      {"impacts", "impacts", "Impacts", true, true},
+      {"penetration", "peak_penetration", "Peak penetration δ", false, true},
+      {"impulse", "impulse", "Impulse of all impacts", true, true},
       {"displacement", "peak_displacement", "max |x|"},
       {"acceleration", "peak_acceleration", "Peak floor acceleration"},
       {"acceleration-ratio", "acceleration_ratio", "Floor acceleration, ratio"},

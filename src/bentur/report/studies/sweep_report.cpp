@@ -31,7 +31,7 @@ using html::Html;
 std::vector<double> by_run(const SweepData& sweep, const std::string& quantity, bool sum) {
   if (sweep.results().find(quantity) == nullptr)
     return std::vector<double>(sweep.results().numbers("status").size(), 0.0);
-  const std::vector<double> all = sweep.results().numbers(quantity);
+  const std::vector<double>& all = sweep.all(quantity);
   const std::size_t owners = sweep.owners(quantity);
   std::vector<double> values;
   for (std::size_t run = 0; run < all.size() / owners; ++run) {
@@ -84,7 +84,7 @@ StudyOutcome outcome_of(const SweepData& sweep) {
     if (!widest || needed[run] > needed[*widest]) widest = run;
   }
   const auto placed = [&](std::size_t run, const std::vector<double>& values, const std::string& variable) {
-    return PlacedValue{values[run], unit_text(sweep.results().at(variable).units), where(sweep, run, values)};
+    return PlacedValue{values[run], sweep.unit(variable), where(sweep, run, values)};
   };
   if (hardest) outcome.hardest_force = placed(*hardest, forces, "peak_force");
   if (widest) outcome.gap_needed = placed(*widest, needed, "gap_needed");
@@ -128,10 +128,10 @@ html::PageSection varied(const SweepData& sweep, const Words& say) {
 }
 
 /// "0.234", or why there is none.
-std::string known(double value, bool is_known) { return is_known ? html::rounded(value) : "–"; }
+std::string known(double value, bool is_known) { return is_known ? number(value) : "–"; }
 
 std::string interval_text(double lower, double upper) {
-  const auto end = [](double value) { return std::isfinite(value) ? html::rounded(value) : std::string("∞"); };
+  const auto end = [](double value) { return std::isfinite(value) ? number(value) : std::string("∞"); };
   return end(lower) + " … " + end(upper);
 }
 
@@ -167,8 +167,8 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
     const bool fitted = one.fit.kind == Fragility::Kind::fitted;
     const bool bounded = fitted && one.bounds.has_value();
     cases.push_back(c);
-    medians.push_back(one.fit.kind == Fragility::Kind::no_event     ? "> " + html::rounded(one.fit.lower)
-                      : one.fit.kind == Fragility::Kind::all_events ? "< " + html::rounded(one.fit.upper)
+    medians.push_back(one.fit.kind == Fragility::Kind::no_event     ? "> " + number(one.fit.lower)
+                      : one.fit.kind == Fragility::Kind::all_events ? "< " + number(one.fit.upper)
                       : one.fit.kind == Fragility::Kind::separated  ? interval_text(one.fit.lower, one.fit.upper)
                                                                     : known(one.fit.median, fitted));
     median_bounds.push_back(bounded ? interval_text(one.bounds->median.lower, one.bounds->median.upper) : "–");
@@ -215,7 +215,7 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
                                : (found->kind == GapForProbability::Kind::beyond     ? "> "
                                   : found->kind == GapForProbability::Kind::smallest ? "≤ "
                                                                                      : "") +
-                                     html::rounded(found->width));
+                                     number(found->width));
       const auto& interval = gap.estimate.bounds;
       const bool beyond =
           interval && (!std::isfinite(interval->lower) ||  // what is analysed, at either end
@@ -248,8 +248,8 @@ html::PageSection ida_section(const SweepData& sweep, const Words& say) {
   Html content = element("p", say("ida.asked", {{"records", records},
                                                 {"levels", std::to_string(results.table.levels.size())},
                                                 {"intensity", sweep.dimensions()[d].short_name},
-                                                {"from", html::prose(results.table.levels.front(), unit)},
-                                                {"to", html::prose(results.table.levels.back(), unit)}}));
+                                                {"from", html::quantity(results.table.levels.front(), unit)},
+                                                {"to", html::quantity(results.table.levels.back(), unit)}}));
   content += element("h3", say("ida.pounding")) + fragility_table(*report, sweep, say).markup();
   request.event = collapse_event;
   if (sweep.results().find("collapsed") != nullptr) {
@@ -296,15 +296,15 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   const auto column = [&](const std::vector<double>& values) {
     std::vector<std::string> cells;
     for (std::size_t run = 0; run < rows; ++run) {
-      cells.push_back(status[run] == 0 && !std::isnan(values[run]) ? html::rounded(values[run]) : "–");
+      cells.push_back(status[run] == 0 && !std::isnan(values[run]) ? number(values[run]) : "–");
     }
     return cells;
   };
   table.add(say("column.impacts"), "", column(impacts));
   if (sweep.results().find("peak_force") != nullptr) {
-    table.add(say("sweep.peak_force"), unit_text(sweep.results().at("peak_force").units), column(forces));
+    table.add(say("sweep.peak_force"), sweep.unit("peak_force"), column(forces));
   }
-  table.add(say("sweep.gap_needed"), unit_text(sweep.results().at(need).units), column(needed));
+  table.add(say("sweep.gap_needed"), sweep.unit(need), column(needed));
   Html content = element("details", element("summary", say("sweep.every_run")) + table.markup());
   if (rows < status.size()) {
     content +=

@@ -136,8 +136,9 @@ void Checks::numbers() {
   if (response_.energy)
     finite({response_.energy->peak_input, response_.energy->residual}, [] { return "the energies"; });
   for (const Histories* of : {&response_.histories, &response_.course}) {
-    bool all = of->opening.allFinite() && of->force.allFinite();
-    for (const auto* list : {&of->displacement, &of->velocity, &of->acceleration}) {
+    bool all = of->opening.allFinite() && of->force.allFinite() && of->link_deformation.allFinite() &&
+               of->link_force.allFinite();
+    for (const auto* list : {&of->displacement, &of->velocity, &of->acceleration, &of->foundation}) {
       for (const Eigen::MatrixXd& one : *list) all = all && one.allFinite();
     }
     if (!all) fail("a number of the histories is not finite");

@@ -18,7 +18,7 @@ namespace {
 constexpr double label_room = 0.45;    // of an axis' label
 constexpr double edge = 0.3;           // free to the right of a frame
 constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 3;  // of a title, or of a label in a legend
+constexpr std::size_t most_lines = 4;  // of a title, or of a label in a legend
 
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.
@@ -44,12 +44,18 @@ double percentile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(place)];
 }
 
-/// Of ratios from `low` to `high`: 1 in the middle, and a half as far from it as 2.
+/// Of ratios from `low` to `high`, and of 1: a half is as far from it as 2.
 Ticks ratio_scale(double low, double high) {
-  const double reach = std::max({high, low > 0 ? 1 / low : 1, 1.05});
+  constexpr double least = 1.05;
+  low = std::min(low > 0 ? low : 1, 1.0);
+  high = std::max(high, 1.0);
+  if (high / low < least) {
+    low /= least;
+    high *= least;
+  }
   constexpr double narrow = 3;  // round numbers, evenly apart, are near enough to one another
-  Ticks ticks = make_ticks(
-      {.low = 1 / reach, .high = reach, .from = 1 / reach, .to = reach, .logarithmic = reach > narrow, .most = 6});
+  const bool is_narrow = std::max(high, 1 / low) <= narrow;
+  Ticks ticks = make_ticks({.low = low, .high = high, .from = low, .to = high, .logarithmic = !is_narrow, .most = 6});
   ticks.logarithmic = true;
   return ticks;
 }
@@ -64,20 +70,9 @@ Ticks scale_of(const HeatMap& map) {
   double low = map.range ? map.range->first : *least;
   double high = map.range ? map.range->second : *most;
   if (map.ratio) return ratio_scale(low, high);
-  bool clipped = false;
-  if (!map.range && low >= 0) {
-    constexpr double squashed = 0.4;
-    const double usual = percentile(values, 0.98);
-    clipped = usual > 0 && usual < squashed * high;
-    if (clipped) high = usual;
-  }
-  Ticks ticks = clipped ? make_ticks({.low = low, .high = high, .to = high, .most = 6})
-                        : make_ticks({.low = low, .high = high, .most = 6});
-  if (!clipped) return ticks;
-  std::erase_if(ticks.labels, [&](const auto& label) { return label.first > 0.93 * high; });
-  const std::string text = fmt::format("≥ {:.3g}", high / std::pow(10.0, ticks.exponent));
-  ticks.labels.emplace_back(high, text);
-  return ticks;
+  constexpr double squashed = 0.1;
+  const bool some_squash_others = !map.range && low > 0 && percentile(values, 0.5) < squashed * high;
+  return make_ticks({.low = low, .high = high, .logarithmic = some_squash_others, .most = 6});
 }
 
 /// Of names all stand where there is room for them, else numbers. Along y only what lies between the ends of the x axis
@@ -113,7 +108,7 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
     for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
   if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
-  const bool plain = !axis.places.empty();  // levels are said as they are
+  const bool plain = is_upright && !axis.places.empty();  // levels are said as they are
   Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least, plain});
   if (is_upright) put_at(ticks, axis.places, line_height / panel.height);
   return ticks;
@@ -283,6 +278,9 @@ class Arrangement {
     do {
       placed.x = ticks_of(*placed.panel, false, most--);
     } while (most > 1 && is_crowded(placed.x, width));
+    Ticks asked = placed.x;
+    put_at(asked, placed.panel->x.places, 0);
+    if (!is_crowded(asked, width)) placed.x = asked;
   }
 
   /// Legends, titles and frames of panels `begin` to `end`, below what is placed already.
@@ -340,6 +338,13 @@ class Arrangement {
 };
 
 }  // namespace
+
+double colour_at(const HeatMap& map, const Ticks& scale, double along) {
+  if (!map.ratio) return along;
+  const double reach = std::log(std::max(scale.to, 1 / scale.from));
+  const double begin = std::log(scale.from) / reach, end = std::log(scale.to) / reach;
+  return (1 + begin + along * (end - begin)) / 2;
+}
 
 Layout layout(const Figure& figure) {
   check(figure);

@@ -1,11 +1,7 @@
 #include "bentur/report/figures/internal/text.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <sstream>
 
-#include "bentur/core/number_text.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur {
@@ -35,10 +31,5 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
-
-std::string number_text(double value) {
-  const double size = std::abs(value);
-  return size >= 1e-4 && size < 1e7 ? number(value) : fmt::format("{:.4g}", value);
-}
 
 }  // namespace bentur

@@ -16,7 +16,4 @@ namespace bentur {
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 
-/// As number() has it, with powers of ten as short as they are: "0.2", "10650", "1e+07".
-[[nodiscard]] std::string number_text(double value);
-
 }  // namespace bentur

@@ -7,7 +7,6 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/power_of_ten.h"
 
 namespace bentur {
 namespace {
@@ -65,7 +64,9 @@ Ticks linear(const TickRequest& request) {
   const auto is_zero = [&](double end) { return std::abs(end) <= tiny; };
   ticks.from = request.from ? low : is_zero(low) ? 0 : low - air;
   ticks.to = request.to ? high : is_zero(high) ? 0 : high + air;
-  const double step = round_step((ticks.to - ticks.from) / request.most);
+  double step = round_step((ticks.to - ticks.from) / request.most);
+  const auto numbers = [&] { return std::floor(ticks.to / step + 1e-6) - std::ceil(ticks.from / step - 1e-6) + 1; };
+  while (numbers() < 2) step = round_step(step / 2.5);  // one alone tells no scale
   ticks.exponent = request.plain ? 0 : exponent_of(std::max(std::abs(ticks.from), std::abs(ticks.to)));
   const double unit = std::pow(10.0, ticks.exponent);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));

@@ -61,8 +61,16 @@ TEST(TicksTest, NeverMoreThanAsked) {
     for (double high = 0.013; high < 1e7; high *= 1.37) {
       const Ticks ticks = make_ticks({.low = 0, .high = high, .most = most});
       EXPECT_LE(static_cast<int>(ticks.labels.size()), most + 1) << high << " " << most;
-      EXPECT_GE(ticks.labels.size(), 1U);
+      EXPECT_GE(ticks.labels.size(), 2U);
     }
+  }
+}
+
+TEST(TicksTest, OneNumberAloneTellsNoScale) {
+  for (const double most : {0.9, 0.95, 1.0, 1.7, 4.6}) {
+    const Ticks ticks = make_ticks({.low = -most, .high = 0.8 * most, .most = 2});
+    EXPECT_GE(ticks.labels.size(), 2U) << most;
+    EXPECT_LE(ticks.labels.size(), 5U) << most;
   }
 }
 

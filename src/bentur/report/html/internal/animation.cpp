@@ -165,11 +165,12 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
   std::vector<Eigen::Index> by_start = listed;
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
+  const ShownUnits& units = report.run.shown;
   Response shown;
   for (const std::size_t k : by_start) {
     const Impact& impact = report.response.impacts[k];
     shown.impacts.push_back(impact);
-    impacts.push_back({impact.point, impact.start, impact.end, impact.peak_force, impact.peak_force_time,
+    impacts.push_back({impact.point, impact.start, impact.end, units.force * impact.peak_force, impact.peak_force_time,
                        impact.closing_speed, k + 1});
   }
   Json words;
@@ -177,7 +178,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
     words[word] = report.say("script." + std::string(word));
   }
   const Json all = {{"words", words},
-                    {"units", {{"length", report.c.units.length}, {"force", report.c.units.force}}},
+                    {"units", {{"length", report.c.units.length}, {"force", units.units.force}}},
                     {"duration", report.problem.duration},
                     {"step", step * static_cast<double>(stride)},
                     {"keys", key_times},

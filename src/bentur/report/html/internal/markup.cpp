@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
-#include "bentur/report/power_of_ten.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur::html {
@@ -39,17 +38,8 @@ Html json_markup(std::string_view json) {
   return Html::markup(text);
 }
 
-std::string with_power(const std::string& number) {
-  const std::size_t at = number.find('e');
-  const auto power =
-      at == std::string::npos ? std::nullopt : parse_number(number.substr(number[at + 1] == '+' ? at + 2 : at + 1));
-  return power ? number.substr(0, at) + "\u00A0×\u00A0" + power_of_ten(static_cast<int>(*power)) : number;
-}
-
 void HtmlTable::add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
-  std::vector<std::string> cells = column(values);
-  for (std::string& cell : cells) cell = with_power(cell);
-  add(name, unit, std::move(cells));
+  add(name, unit, column(values));
 }
 
 void HtmlTable::add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric) {

@@ -35,9 +35,6 @@ class Html {
 /// JSON text as it may stand inside <script>: no "<", so that neither </script> nor <!-- can end or open anything.
 [[nodiscard]] Html json_markup(std::string_view json);
 
-/// "2.8e+07" as "2.8 × 10⁷"; other numbers as they are.
-[[nodiscard]] std::string with_power(const std::string& number);
-
 /// A table under one header row; units stand below the names. Columns of numbers are aligned to the right.
 class HtmlTable {
  public:

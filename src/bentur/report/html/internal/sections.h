@@ -70,10 +70,8 @@ constexpr std::size_t rows_in_print = 30;
 }
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
-/// A number of three digits, as sentences have them: "0.726".
-[[nodiscard]] std::string rounded(double value);
-/// The same with its unit.
-[[nodiscard]] std::string prose(double value, const std::string& unit);
+/// The same of a value in units of the case, of a form "F L", in the units that people are shown.
+[[nodiscard]] std::string force_text(const Report& report, double value, std::string_view form);
 /// Whether buildings are told by their numbers where names would take too much room: in rows.
 [[nodiscard]] bool numbers_buildings(const Report& report);
 /// "Model 1 | Model 2", or of a row "1 | 2".

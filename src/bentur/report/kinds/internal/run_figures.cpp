@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 
 namespace bentur {
@@ -46,7 +47,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   std::string known;
   for (Eigen::Index i = 0; i < std::ssize(points); ++i) {
     if (options.gap && points[i].left != static_cast<Eigen::Index>(*options.gap)) continue;
-    known += (known.empty() ? "" : ", ") + number_text(points[i].elevation);
+    known += (known.empty() ? "" : ", ") + number(points[i].elevation);
     if (is_at(options, points[i].elevation)) candidates.push_back(i);
   }
   if (points.empty()) throw NoFigure("no contact is modelled in this run");
@@ -58,7 +59,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
         fmt::format("there is no gap {}: gaps are counted from 0 to {}", *options.gap, buildings.size() - 2));
   }
   if (candidates.empty()) {
-    throw NoFigure(fmt::format("no contact point at level {} {}: there are {}", number_text(*options.elevation),
+    throw NoFigure(fmt::format("no contact point at level {} {}: there are {}", number(*options.elevation),
                                run.c.units.length, known));
   }
   Eigen::Index best = candidates.front();
@@ -93,20 +94,42 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {left, left + 1};
 }
 
-std::string word(const FigureWords& say, std::string_view english, const std::string& value) {
+std::string filled_word(const FigureWords& say, std::string_view english, const std::vector<std::string>& values) {
   std::string text = say ? say(english) : std::string(english);
-  if (const std::size_t at = text.find("{}"); at != std::string::npos) text.replace(at, 2, value);
+  std::size_t at = 0;
+  for (const std::string& value : values) {
+    at = text.find("{}", at);
+    if (at == std::string::npos) break;
+    text.replace(at, 2, value);
+    at += value.size();
+  }
   return text;
 }
 
-std::string word(const FigureOptions& options, std::string_view english, const std::string& value) {
-  return word(options.say, english, value);
+std::string shown_unit(const RunResults& run, std::string_view form) {
+  return unit_text(form, shown_units(run.c.units, run.response).units);
 }
+
+double shown_factor(const RunResults& run, std::string_view form) {
+  return shown_units(run.c.units, run.response).factor(form);
+}
+
+std::vector<double> shown_values(const RunResults& run, std::vector<double> values, std::string_view form) {
+  const double factor = shown_factor(run, form);
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+std::string shown_value(const RunResults& run, double value, std::string_view form) {
+  return number(value * shown_factor(run, form)) + " " + shown_unit(run, form);
+}
+
+std::string seconds_text(double time) { return number(time) + " s"; }
 
 std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options) {
   const ContactPoint& place = run.problem.points[point];
   return gap_name(run.problem, place.left) + ", " +
-         word(options, "level {}", number_text(place.elevation) + " " + run.c.units.length);
+         word(options, "level {}", number(place.elevation) + " " + run.c.units.length);
 }
 
 double base_of(const Building& building) {

@@ -24,9 +24,26 @@ namespace bentur {
 [[nodiscard]] bool is_lossless(const RunResults& run);
 /// "Model 1 | Model 2, level 300 cm".
 [[nodiscard]] std::string point_text(const RunResults& run, Eigen::Index point, const FigureOptions& options);
-/// A text of a figure in the language of the words; {} in it becomes `value`.
-[[nodiscard]] std::string word(const FigureWords& say, std::string_view english, const std::string& value = {});
-[[nodiscard]] std::string word(const FigureOptions& options, std::string_view english, const std::string& value = {});
+/// A text of a figure in the language of the words; each {} in it becomes the next of the values.
+[[nodiscard]] std::string filled_word(const FigureWords& say, std::string_view english,
+                                      const std::vector<std::string>& values);
+template <class... Values>
+[[nodiscard]] std::string word(const FigureWords& say, std::string_view english, const Values&... values) {
+  return filled_word(say, english, {std::string(values)...});
+}
+template <class... Values>
+[[nodiscard]] std::string word(const FigureOptions& options, std::string_view english, const Values&... values) {
+  return filled_word(options.say, english, {std::string(values)...});
+}
+/// A value with its unit as people are shown it, of a form of units: "5300 kN" of "F".
+[[nodiscard]] std::string shown_value(const RunResults& run, double value, std::string_view form);
+/// Its unit alone, and what values are multiplied by to stand in it.
+[[nodiscard]] std::string shown_unit(const RunResults& run, std::string_view form);
+[[nodiscard]] double shown_factor(const RunResults& run, std::string_view form);
+[[nodiscard]] std::vector<double> shown_values(const RunResults& run, std::vector<double> values,
+                                               std::string_view form);
+/// "3.57 s".
+[[nodiscard]] std::string seconds_text(double time);
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
 /// T of the first mode [s]; nothing without modes.
@@ -46,6 +63,9 @@ namespace bentur {
 [[nodiscard]] Figure forces_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure storey_loop_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure bearing_loop_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure soil_loop_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure link_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure column_shear_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure column_moment_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);

@@ -51,6 +51,8 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.padded_size = padded(block.size);
   block.floors = building.model.floors();
   block.has_foundation = building.model.has_soil;
+  block.soil_stiffness << building.model.soil_sway.stiffness, building.model.soil_rocking.stiffness;
+  block.soil_damping << building.model.soil_sway.damping, building.model.soil_rocking.damping;
   block.outputs = output_rows(building, block.size);
   block.nodes = building.modes.shapes.middleRows(block.floors, building.model.nodes());
   block.column_forces = building.model.column_forces.rows();
@@ -111,6 +113,16 @@ ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, con
 }
 
 }  // namespace
+
+VectorXd ModalSystem::Block::foundation(const State& state) const {
+  if (!has_foundation) return {};
+  const auto rows = outputs.bottomRows<2>();
+  const Eigen::Vector2d moved = rows * state.q.segment(begin, size);
+  const Eigen::Vector2d speed = rows * state.v.segment(begin, size);
+  VectorXd result(4);
+  result << moved, soil_stiffness.cwiseProduct(moved) + soil_damping.cwiseProduct(speed);
+  return result;
+}
 
 ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.motion)) {
   for (const Building& building : problem.buildings) {

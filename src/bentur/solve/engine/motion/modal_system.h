@@ -50,7 +50,10 @@ struct ModalSystem {
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index floors = 0;
-    bool has_foundation = false;     ///< the last two outputs are its sway and rocking
+    bool has_foundation = false;                   ///< the last two outputs are its sway and rocking
+    Eigen::Vector2d soil_stiffness, soil_damping;  ///< of these two
+    /// Sway, rocking, force and moment of the foundation as Histories have them; nothing without one.
+    [[nodiscard]] Eigen::VectorXd foundation(const State& state) const;
     Eigen::MatrixXd outputs;         ///< rows × size: displacement, drift ratio, storey shear of floors, and more
     Eigen::MatrixXd acceleration;    ///< floors × size, applied to q̈
     Eigen::MatrixXd nodes;           ///< nodes in struck columns × modes: displacement
@@ -111,6 +114,8 @@ struct ModalSystem {
   std::vector<Relation> watched;   ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
   /// δ of links, and then −δ: how far they close and open.
   std::vector<Relation> spans;
+  /// The link that Problem::links has at this place, as an element.
+  [[nodiscard]] Eigen::Index link(Eigen::Index number) const { return switched + number; }
   Eigen::MatrixXd coupling;  ///< −push_i · row_j [1/mass], elements × elements
   double nu = 0;             ///< ν of the ground motion [rad/s]
   bool classical = true;     ///< every D is diagonal

@@ -11,8 +11,10 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Those of columns that are struck.
-std::array<std::vector<MatrixXd>*, 2> of_columns(Histories& h) { return {&h.node_displacement, &h.column_forces}; }
+/// Those of columns that are struck, and of foundations.
+std::array<std::vector<MatrixXd>*, 3> of_some(Histories& h) {
+  return {&h.node_displacement, &h.column_forces, &h.foundation};
+}
 
 /// Those of every floor or storey.
 std::array<std::vector<MatrixXd>*, 5> of_floors(Histories& h) {
@@ -35,10 +37,14 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
     for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
     histories_.node_displacement.emplace_back(MatrixXd::Zero(block.nodes.rows(), count_));
     histories_.column_forces.emplace_back(MatrixXd::Zero(block.column_forces, count_));
+    histories_.foundation.emplace_back(MatrixXd::Zero(block.has_foundation ? 4 : 0, count_));
   }
   const Index points = system.switched;
   histories_.opening = MatrixXd::Zero(points, count_);
   histories_.force = MatrixXd::Zero(points, count_);
+  const Index links = std::ssize(problem.links);
+  histories_.link_deformation = MatrixXd::Zero(links, count_);
+  histories_.link_force = MatrixXd::Zero(links, count_);
 }
 
 bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= time + sample_slack * step_; }
@@ -63,12 +69,17 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.storey_shear[b].col(taken_) = block.outputs.middleRows(2 * block.floors, block.floors) * q;
       histories_.node_displacement[b].col(taken_) = block.nodes * q.head(block.modes);
       histories_.column_forces[b].col(taken_) = block.outputs.middleRows(3 * block.floors, block.column_forces) * q;
+      histories_.foundation[b].col(taken_) = block.foundation(state_);
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
     }
     for (Index i = 0; i < system_->switched; ++i) {
       histories_.opening(i, taken_) = problem_->points[i].width - system_->elements[i].relation.along(state_.q);
       histories_.force(i, taken_) = forces_(i);
+    }
+    for (Index i = 0; i < histories_.link_force.rows(); ++i) {
+      histories_.link_deformation(i, taken_) = system_->elements[system_->link(i)].relation.along(state_.q);
+      histories_.link_force(i, taken_) = forces_(system_->link(i));
     }
   }
 }
@@ -79,9 +90,11 @@ void Sampler::finish() {
     for (MatrixXd& matrix : list) matrix.conservativeResize(Eigen::NoChange, taken_);
   };
   for (auto* list : of_floors(histories_)) cut(*list);
-  for (auto* list : of_columns(histories_)) cut(*list);
-  histories_.opening.conservativeResize(Eigen::NoChange, taken_);
-  histories_.force.conservativeResize(Eigen::NoChange, taken_);
+  for (auto* list : of_some(histories_)) cut(*list);
+  for (MatrixXd* matrix :
+       {&histories_.opening, &histories_.force, &histories_.link_deformation, &histories_.link_force}) {
+    matrix->conservativeResize(Eigen::NoChange, taken_);
+  }
 }
 
 }  // namespace bentur::engine

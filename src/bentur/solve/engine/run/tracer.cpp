@@ -27,8 +27,10 @@ Tracer::Tracer(const ModalSystem& system, const Problem& problem, const std::vec
     : system_(&system), problem_(&problem), points_(system.switched), room_(first_room) {
   for (const auto& block : system.blocks) floors_ += block.floors;
   for (const Building& building : problem.buildings) {
-    others_ += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0);
+    others_ += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0) +
+               (building.model.has_soil ? 4 : 0);
   }
+  others_ += 2 * std::ssize(problem.links);
   scales_.setZero(floors_ + points_);
   Index row = 0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
@@ -83,6 +85,9 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
     row += block.floors;
     result.values.segment(extra, block.nodes.rows()) = block.nodes * q.head(block.modes);
     extra += block.nodes.rows();
+    const Eigen::VectorXd foundation = block.foundation(state_);
+    result.values.segment(extra, foundation.size()) = foundation;
+    extra += foundation.size();
     if (!problem_->buildings[b].can_yield()) continue;
     result.values.segment(extra, 2 * block.floors) = block.outputs.middleRows(block.floors, 2 * block.floors) * q;
     extra += 2 * block.floors;
@@ -92,6 +97,10 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
     result.values(floors_ + i) = problem_->points[i].width - relation.along(state_.q);
     result.speeds(floors_ + i) = -relation.along(state_.v);
     result.values(floors_ + points_ + i) = forces_(i);
+  }
+  for (Index i = 0; i < std::ssize(problem_->links); ++i) {
+    result.values(extra++) = system_->elements[system_->link(i)].relation.along(state_.q);
+    result.values(extra++) = forces_(system_->link(i));
   }
   return result;
 }
@@ -254,6 +263,9 @@ Histories Tracer::finish() {
     const Index nodes = system_->blocks[b].nodes.rows();
     course.node_displacement.emplace_back(all.middleRows(extra, nodes));
     extra += nodes;
+    const Index foundation = system_->blocks[b].has_foundation ? 4 : 0;
+    course.foundation.emplace_back(all.middleRows(extra, foundation));
+    extra += foundation;
     course.drift_ratio.emplace_back();
     course.storey_shear.emplace_back();
     if (!problem_->buildings[b].can_yield()) continue;
@@ -264,6 +276,9 @@ Histories Tracer::finish() {
   if (count > 0) {
     course.opening = all.middleRows(floors_, points_);
     course.force = all.middleRows(floors_ + points_, points_);
+    const Index links = std::ssize(problem_->links);
+    course.link_deformation = all(Eigen::seqN(extra, links, Eigen::fix<2>), Eigen::all);
+    course.link_force = all(Eigen::seqN(extra + 1, links, Eigen::fix<2>), Eigen::all);
   }
   return course;
 }

@@ -27,8 +27,8 @@ class Tracer {
   /// Elements change at the end of what was taken in last.
   void changed();
 
-  /// Displacements (of nodes in struck columns too), openings and forces over their times, and of buildings that can
-  /// yield drifts and shears; all else is empty.
+  /// Displacements (of nodes in struck columns too), openings and forces over their times, what links and foundations
+  /// do, and of buildings that can yield drifts and shears; all else is empty.
   [[nodiscard]] Histories finish();
 
  private:

@@ -1,0 +1,252 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "bentur/model/gap/spectral_gap.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/kinds/kinds.h"
+#include "tests/support/drawn_run.h"
+#include "tests/support/kinds_case.h"
+
+namespace bentur {
+namespace {
+
+/// Runs that several of these tests look at.
+const RunResults& linked_run() {
+  static const RunResults run = test::drawn_run(test::linked);
+  return run;
+}
+const RunResults& supported_run() {
+  static const RunResults run = test::drawn_run(test::every_kind);
+  return run;
+}
+const RunResults& apart_run() {
+  static const RunResults run = test::drawn_run(test::sticks_in_mm(5000, 3500));
+  return run;
+}
+
+/// What a curve goes around, counted as often as it does; from its last point straight back to its first.
+double area_of(const Curve& curve) {
+  double area = 0;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    const std::size_t next = (i + 1) % curve.x.size();
+    area += (curve.x[next] - curve.x[i]) * (curve.y[next] + curve.y[i]) / 2;
+  }
+  return area;
+}
+
+TEST(Pictures, AxesHaveTwoNumbersAtLeast) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
+    for (const FigureKind& kind : figure_kinds(*run)) {
+      const Figure figure = make_figure(*run, kind.name);
+      const Layout placing = layout(figure);
+      for (const PlacedPanel& placed : placing.panels) {
+        EXPECT_GE(placed.y.labels.size(), 2U) << kind.name;
+        EXPECT_GE(placed.x.labels.size(), 2U) << kind.name;
+      }
+    }
+  }
+}
+
+TEST(Pictures, EnvelopesEndOnANumberAndHaveItsHalf) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
+    const Figure figure = make_figure(*run, "envelope");
+    const Layout placing = layout(figure);
+    for (const PlacedPanel& placed : placing.panels) {
+      ASSERT_EQ(placed.x.labels.size(), 3U);
+      EXPECT_EQ(placed.x.labels.front().second, "0");
+      EXPECT_EQ(placed.x.labels.back().first, placed.x.to);
+    }
+  }
+}
+
+TEST(Pictures, ASpectrumReachesTheBuildingsPeriods) {
+  RunResults run = test::drawn_run(test::linked);
+  Building& building = run.problem.buildings.front();
+  building.modes.omega *= 2 * M_PI / 7 / building.modes.omega(0);  // T₁ = 7 s
+  std::vector<double> record(400);
+  for (std::size_t i = 0; i < record.size(); ++i) record[i] = std::sin(0.3 * static_cast<double>(i));
+  run.problem.motion = SampledMotion(0.02, record);
+  run.figures = figure_data(run);
+  const Figure figure = make_figure(run, "spectrum");
+  bool found = false;
+  for (const Panel& panel : figure.panels) {
+    for (const Curve& curve : panel.curves) {
+      if (curve.label != "T₁ of A") continue;
+      found = true;
+      EXPECT_GT(curve.y.front(), 0);
+      EXPECT_LT(curve.x.front(), *panel.x.to);
+    }
+  }
+  EXPECT_TRUE(found);
+  EXPECT_NE(figure.finding.find("T₁ of A 7 s"), std::string::npos) << figure.finding;
+}
+
+/// From no penetration and no force, up as the force jumps, and back there.
+TEST(Pictures, TheLoopOfAnImpactIsClosed) {
+  const RunResults& run = linked_run();
+  const Figure figure = make_figure(run, "loop");
+  ASSERT_EQ(figure.panels.front().curves.size(), 2U);
+  const Curve& closing = figure.panels.front().curves[0];
+  const Curve& parting = figure.panels.front().curves[1];
+  EXPECT_EQ(closing.x.front(), 0);
+  EXPECT_EQ(closing.y.front(), 0);
+  EXPECT_EQ(closing.x[1], 0);
+  EXPECT_GT(closing.y[1], 0) << "a dashpot acts from the start on";
+  EXPECT_EQ(closing.x.back(), parting.x.front());
+  EXPECT_EQ(parting.x.back(), 0);
+  EXPECT_EQ(parting.y.back(), 0);
+  const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
+  Curve whole = closing;
+  whole.x.insert(whole.x.end(), parting.x.begin(), parting.x.end());
+  whole.y.insert(whole.y.end(), parting.y.begin(), parting.y.end());
+  const double factor = run.view().shown.force;
+  EXPECT_NEAR(area_of(whole), factor * impact.energy_lost, 0.01 * factor * impact.energy_lost);
+  EXPECT_NE(parting.label.find("speeds e = "), std::string::npos);
+  EXPECT_NE(parting.label.find("% of the work lost"), std::string::npos);
+}
+
+TEST(Pictures, AJumpOfTheForceIsUpright) {
+  const Figure figure = make_figure(linked_run(), "impact");
+  const Curve& force = figure.panels.at(1).curves.front();
+  const auto start = std::find(force.x.begin(), force.x.end(), 0) - force.x.begin();
+  EXPECT_EQ(force.x.at(start + 1), 0);
+  EXPECT_EQ(force.y.at(start), 0);
+  EXPECT_GT(force.y.at(start + 1), 0);
+  const Impact& impact = linked_run().response.impacts.at(linked_run().figures.close_up->impact);
+  const double length = 1e3 * (impact.end - impact.start);
+  EXPECT_LT(*figure.panels[1].x.to - *figure.panels[1].x.from, 1.2 * length) << "little but the impact";
+}
+
+TEST(Pictures, StoreyShearIsOneValueAStorey) {
+  const RunResults& run = linked_run();
+  const Figure figure = make_figure(run, "forces");
+  ASSERT_EQ(figure.panels.size(), 2U);
+  const Curve& shear = figure.panels[1].curves.front();
+  ASSERT_EQ(shear.x.size(), 4U);
+  EXPECT_EQ(shear.x[0], shear.x[1]);
+  EXPECT_EQ(shear.x[2], shear.x[3]);
+  EXPECT_EQ(shear.y, (std::vector<double>{0, 4, 4, 7}));
+  EXPECT_EQ(figure.panels[0].curves.front().y, (std::vector<double>{4, 7})) << "accelerations are those of floors";
+}
+
+TEST(Pictures, WithoutContactTheClosestApproachIsMarked) {
+  const RunResults& run = apart_run();
+  const Eigen::MatrixXd& opening = run.response.course.opening;
+  const Figure figure = make_figure(run, "opening");
+  const Curve& mark = figure.panels.back().curves.back();
+  EXPECT_EQ(mark.label, "closest");
+  EXPECT_EQ(mark.y.front(), opening.minCoeff());
+  EXPECT_NE(figure.finding.find("closest approach: "), std::string::npos);
+  const Figure displacements = make_figure(run, "displacement");
+  EXPECT_NE(displacements.finding.find("closest approach: "), std::string::npos);
+  ASSERT_FALSE(displacements.panels.back().rules.empty());
+  EXPECT_EQ(displacements.panels.back().rules.back().at, mark.x.front());
+  for (const FigureKind& kind : figure_kinds(run)) {
+    EXPECT_NE(kind.name, "impact");
+    EXPECT_NE(kind.name, "loop");
+  }
+  EXPECT_EQ(make_figure(linked_run(), "opening").finding.find("closest"), std::string::npos);
+}
+
+/// The area of a link's loop is what it dissipates, but for what its spring still holds.
+TEST(Pictures, LoopsOfLinksHaveTheAreaThatIsDissipated) {
+  const RunResults& run = linked_run();
+  const double factor = run.view().shown.force;
+  for (std::size_t i = 0; i < 2; ++i) {
+    FigureOptions options;
+    options.elevation = run.problem.links[i].elevation;
+    const Figure figure = make_figure(run, "link-loop", options);
+    const double dissipated = factor * run.response.links[i].energy_dissipated;
+    ASSERT_GT(dissipated, 0);
+    EXPECT_NEAR(area_of(figure.panels.front().curves.front()), dissipated, 0.02 * dissipated) << i;
+  }
+  const auto& peaks = run.response.links;
+  const std::size_t hardest = peaks[0].peak_tension > peaks[1].peak_tension ? 0 : 1;
+  EXPECT_NE(make_figure(run, "link-loop").panels.front().title.find(hardest == 0 ? "level 7 m" : "level 4 m"),
+            std::string::npos);
+}
+
+TEST(Pictures, LoopsOfBearingsAndSoil) {
+  const RunResults& run = supported_run();
+  const Figure bearings = make_figure(run, "bearing-loop");
+  ASSERT_EQ(bearings.panels.size(), 1U);
+  EXPECT_EQ(bearings.panels[0].title, "Isolated, bearings");
+  const Figure soil = make_figure(run, "soil-loop");
+  ASSERT_EQ(soil.panels.size(), 2U);
+  EXPECT_EQ(soil.panels[0].title, "Weak");
+  const auto largest = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0,
+                           [](double a, double b) { return std::max(a, std::abs(b)); });
+  };
+  const Eigen::VectorXd& peaks = run.response.buildings[2].foundation;
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(largest(soil.panels[i].curves[0].x), peaks(static_cast<Eigen::Index>(i)), 0.01 * peaks(i)) << i;
+    EXPECT_GT(area_of(soil.panels[i].curves[0]), 0) << "dashpots dissipate";
+  }
+}
+
+/// Newtons become kN where the largest force is 10⁴ N or more, other units stay.
+TEST(Pictures, ForcesOfFiveDigitsInNewtonsAreInKilonewtons) {
+  EXPECT_EQ(linked_run().view().shown.units.force, "kN");
+  EXPECT_EQ(shown_units({.force = "N"}, 9999).units.force, "N");
+  EXPECT_EQ(shown_units({.force = "N"}, 1e4).units.force, "kN");
+  EXPECT_EQ(shown_units({.force = "kgf"}, 1e9).units.force, "kgf");
+  const Figure figure = make_figure(linked_run(), "force");
+  const std::vector<double>& forces = figure.panels.back().curves.front().y;
+  const double peak = *std::max_element(forces.begin(), forces.end());
+  double most = 0;
+  for (const PointSummary& point : linked_run().response.points) most = std::max(most, point.peak_force);
+  EXPECT_NEAR(peak, most / 1e3, 1e-6 * most);
+  EXPECT_EQ(figure.panels.front().y.label, "Contact force F [kN]");
+}
+
+/// What the modes take from the spectrum of a case, at their own damping.
+TEST(Pictures, ADesignSpectrumHasTheBuildingsOrdinates) {
+  Diagnostics diagnostics;
+  const Case c = read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/gaps/design-spectrum.toml", diagnostics).value();
+  const Problem problem = make_still_problem(c);
+  const SpectralGaps spectral = spectral_gaps(problem, *c.excitation.spectrum, c.code, c.units);
+  const Figure figure = design_spectrum_figure(c, problem, spectral);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Curve& acceleration = figure.panels[0].curves.at(1 + b);
+    const Curve& displacement = figure.panels[1].curves.at(1 + b);
+    EXPECT_EQ(displacement.y.front(), spectral.modes[b].displacement(0));
+    EXPECT_EQ(acceleration.label, "T₁ of " + problem.buildings[b].name);
+    const double omega = problem.buildings[b].first_omega();
+    EXPECT_NEAR(acceleration.y.front() * 9.80665, omega * omega * displacement.y.front(), 1e-9);
+    EXPECT_GT(acceleration.x.back(), *figure.panels[0].x.from);
+    EXPECT_NE(figure.finding.find(acceleration.label), std::string::npos);
+  }
+}
+
+/// Thousands of impacts: the peak of each in place of courses that would fill the frame, and marks that stay apart.
+TEST(Pictures, ManyImpactsDoNotFillTheFrame) {
+  RunResults run = linked_run();
+  const std::vector<Impact> few = run.response.impacts;
+  const Impact hardest = few.at(run.figures.close_up->impact);
+  run.response.impacts.clear();
+  constexpr int many = 2400;
+  for (int i = 0; i < many; ++i) {
+    Impact one = hardest;
+    one.start = 5.0 * i / many;
+    one.end = one.peak_force_time = one.start + 1e-4;
+    run.response.impacts.push_back(one);
+  }
+  const Figure figure = make_figure(run, "force");
+  const Curve& peaks = figure.panels.front().curves.front();
+  EXPECT_EQ(peaks.line, Line::none);
+  EXPECT_EQ(peaks.x.size(), static_cast<std::size_t>(many));
+  const Figure displacements = make_figure(run, "displacement");
+  EXPECT_LE(displacements.panels.front().events.x.size(), 101U);
+  EXPECT_GE(displacements.panels.front().events.x.size(), 50U);
+  EXPECT_EQ(make_figure(linked_run(), "force").panels.front().curves.front().line, Line::solid);
+}
+
+}  // namespace
+}  // namespace bentur
