@@ -88,7 +88,8 @@ struct Panel {
 
 /// Panels in rows, from the upper left.
 struct Figure {
-  std::string title = {};  ///< what is shown, for the comment of the data file; not drawn
+  std::string title = {};    ///< what is shown, for the comment of the data file; not drawn
+  std::string finding = {};  ///< what it tells, "peak 5,300 kN at 3.57 s", for readers who do not see it
   std::vector<Panel> panels = {};
   int columns = 1;              ///< panels side by side
   double width = column_width;  ///< of the whole [cm]
@@ -99,8 +100,8 @@ struct Figure {
 /// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
 [[nodiscard]] std::string figure_svg(const Figure& figure);
 
-/// The same as an element of a page, whose style sheet holds figure_style(). `label`: what it says to readers who do
-/// not see it.
+/// The same as an element of a page, whose style sheet holds figure_style(). `label`: what it says, before the
+/// finding, to readers who do not see it.
 [[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
 
 /// The colours of figures as CSS, on paper and on a dark screen.

@@ -197,6 +197,15 @@ TEST(Picture, PdfAndPngToo) {
   EXPECT_EQ(draw(simple("x"), "png").substr(1, 3), "PNG");
 }
 
+TEST(FigureSvg, TheFindingIsTheDescription) {
+  Figure figure = simple("x");
+  EXPECT_EQ(figure_svg(figure).find("<desc>"), std::string::npos);
+  EXPECT_NE(figure_element(figure, "Force").find("aria-label=\"Force\""), std::string::npos);
+  figure.finding = "peak < 5 kN at 3.57 s";
+  EXPECT_NE(figure_svg(figure).find("<desc>peak &lt; 5 kN at 3.57 s</desc>"), std::string::npos);
+  EXPECT_NE(figure_element(figure, "Force").find("aria-label=\"Force: peak &lt; 5 kN at 3.57 s\""), std::string::npos);
+}
+
 TEST(FigureSvg, RefusesEmptyFrames) {
   Figure figure = simple("x");
   for (Curve& curve : figure.panels[0].curves) {

@@ -98,22 +98,27 @@ class Drawing {
   std::string file() {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
            svg("xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" ",
-               figure_.title.empty() ? "" : "<title>" + escaped(figure_.title) + "</title>\n",
+               tagged("title", figure_.title) + tagged("desc", figure_.finding),
                "<style>" + figure_style() + "</style>\n") +
            "\n";
   }
   std::string element(std::string_view label) {
-    return svg(fmt::format("role=\"img\" aria-label=\"{}\" ", escaped(label)), "", "");
+    const std::string said =
+        figure_.finding.empty() ? std::string(label) : fmt::format("{}: {}", label, figure_.finding);
+    return svg(fmt::format("role=\"img\" aria-label=\"{}\" ", escaped(said)), "", "");
   }
 
  private:
-  std::string svg(const std::string& attributes, const std::string& title, const std::string& style) {
+  static std::string tagged(const char* tag, const std::string& text) {
+    return text.empty() ? "" : fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text));
+  }
+  std::string svg(const std::string& attributes, const std::string& texts, const std::string& style) {
     for (const PlacedPanel& placed : layout_.panels) panel(placed);
     const std::string width = length(layout_.width / pixel), height = length(layout_.height / pixel);
     return fmt::format(
         "<svg {}class=\"bentur\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" font-family=\"'DejaVu Sans', "
         "'Liberation Sans', Arial, sans-serif\" font-size=\"{}\">\n{}{}<rect {} width=\"{}\" height=\"{}\"/>\n{}</svg>",
-        attributes, width, height, width, height, length(letters), title, style, drawn_in("fill", paper), width, height,
+        attributes, width, height, width, height, length(letters), texts, style, drawn_in("fill", paper), width, height,
         out_);
   }
 
