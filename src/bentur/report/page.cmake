@@ -2,7 +2,7 @@
 # utf8.cpp of its own.
 function(bentur_report_page_sources out)
   set(report ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  file(GLOB sources CONFIGURE_DEPENDS ${report}/html/*.cpp ${report}/html/internal/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${report}/html/*.cpp ${report}/html/internal/*.cpp ${report}/scene/*.cpp)
   list(FILTER sources EXCLUDE REGEX "(_test|/report_figures|/sweep_report)\\.cpp$")
   set(${out} ${sources} ${report}/figures/style.cpp ${report}/story_text.cpp ${report}/words.cpp PARENT_SCOPE)
 endfunction()

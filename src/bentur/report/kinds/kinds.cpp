@@ -23,6 +23,7 @@ struct RunKind {
   bool (*tells)(const RunResults&) = always;
 };
 
+bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
 bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
@@ -58,6 +59,7 @@ bool has_column(const RunResults& run) {
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
+    {"scene", "the buildings at the hardest impact, else where they come closest", has_histories, scene_figure},
     {"displacement", "displacements of both buildings at one contact point, contacts marked", has_points,
      displacement_figure},
     {"opening", "opening of the gap at one contact point", has_points, opening_figure},

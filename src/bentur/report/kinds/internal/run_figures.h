@@ -33,6 +33,7 @@ namespace bentur {
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 
 // The figures of a run, one for each kind.
+[[nodiscard]] Figure scene_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure displacement_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure opening_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure force_figure(const RunResults& run, const FigureOptions& options);
@@ -52,8 +53,6 @@ namespace bentur {
 constexpr double page_over_column = page_width / column_width;
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
-/// A building has the tone of its number in every figure.
-[[nodiscard]] Tone tone_of(std::size_t index);
 /// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index);
 [[nodiscard]] Mark mark_of(std::size_t index);
