@@ -8,9 +8,8 @@
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/html/report_figures.h"
 #include "bentur/report/html/spectral_report.h"
-#include "bentur/report/html/sweep_report.h"
+#include "bentur/report/studies/sweep_report.h"
 #include "commands.h"
 #include "output.h"
 #include "session.h"
@@ -26,22 +25,19 @@ struct ReportArguments {
 };
 
 /// The report of a folder of results.
-std::string from_results(const std::filesystem::path& folder, ReportOptions options) {
+std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
   try {
-    const RunResults results = read_results(folder);
-    options.figures = report_figures(results, options.language);
-    return report_html(results, options);
+    return report_html(read_results(folder), options);
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
   }
 }
 
 /// The report of one file of results: of a sweep, or histories.nc of a run, beside which the others stand.
-std::string from_netcdf(const std::filesystem::path& file, ReportOptions options) {
+std::string from_netcdf(const std::filesystem::path& file, const ReportOptions& options) {
   try {
     const NetcdfReader results(file);
     if (results.find("status") == nullptr) return from_results(file.parent_path(), options);
-    options.figures = report_figures(results, options.language);
     return sweep_report_html(results, options);
   } catch (const Failure&) {
     throw;
@@ -50,14 +46,13 @@ std::string from_netcdf(const std::filesystem::path& file, ReportOptions options
   }
 }
 
-std::string from_case(const Loaded& loaded, ReportOptions options) {
+std::string from_case(const Loaded& loaded, const ReportOptions& options) {
   if (const auto& spectrum = loaded.c.excitation.spectrum) {
     const SpectralGaps gaps = spectral_gaps(loaded.problem, *spectrum, loaded.c.code, loaded.c.units);
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
-  results.figures = figure_data(results.problem, results.response, results.c.analysis.solver);
-  options.figures = report_figures(results, options.language);
+  results.figures = figure_data(results);
   return report_html(results, options);
 }
 

@@ -12,8 +12,8 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/story/story.h"
-#include "bentur/report/figures/figure_files.h"
-#include "bentur/report/figures/picture.h"
+#include "bentur/report/files/figure_files.h"
+#include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
 #include "commands.h"
 #include "output.h"
@@ -298,7 +298,7 @@ void execute(const RunArguments& arguments) {
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
-  if (!arguments.figures.empty()) run.figures = figure_data(run.problem, run.response, run.c.analysis.solver);
+  if (!arguments.figures.empty()) run.figures = figure_data(run);
   const std::string summary = summary_json(run, BENTUR_VERSION);
   if (output) output->write(run, summary);
   if (arguments.json) {

@@ -20,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unicodedata
 import unittest
 
 BENTUR = os.environ["BENTUR"]
@@ -459,6 +460,17 @@ class Run(CommandLine):
                                        env=environment, timeout=60).stdout
                 self.assertLessEqual(max(map(len, shown.splitlines())), width, f"{case} at {width}")
                 self.assertNotIn("\x1b", shown, "no colour but on a terminal")
+
+    def test_letters_of_two_columns_fit_too(self):
+        case = self.edited("m12-el-centro", "Model 1", "北の建物" * 6)
+        shown = subprocess.run([BENTUR, "run", str(case)], capture_output=True, text=True, timeout=60,
+                               env={**os.environ, "COLUMNS": "80"}).stdout
+        self.assertIn("北の建物", shown)
+
+        def columns(line):
+            return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in line)
+
+        self.assertLessEqual(max(map(columns, shown.splitlines())), 80)
 
     def test_verdicts_are_coloured_on_a_terminal_alone(self):
         for environment, coloured in ({}, True), ({"NO_COLOR": "1"}, False):

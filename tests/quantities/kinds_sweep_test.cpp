@@ -8,7 +8,7 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/studies/file_kinds.h"
 #include "bentur/runner/sweep.h"
 #include "tests/support/kinds_case.h"
 #include "tests/support/study_of.h"

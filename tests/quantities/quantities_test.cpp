@@ -19,7 +19,7 @@
 #include "bentur/model/quantity_row.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/studies/file_kinds.h"
 #include "bentur/runner/sweep.h"
 #include "bentur/solve/solver.h"
 

@@ -20,7 +20,7 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/studies/file_kinds.h"
 #include "bentur/runner/sweep.h"
 #include "bentur/solve/solver.h"
 #include "tests/support/column_case.h"

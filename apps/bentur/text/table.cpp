@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "bentur/report/utf8.h"
+#include "text/display_width.h"
 
 namespace bentur::cli {
 

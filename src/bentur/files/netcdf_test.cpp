@@ -20,7 +20,7 @@ std::string example_histories() {
   options.output_step = 0.01;
   const Response response = solve(problem, ExactSolver{}, options);
   RunResults results = run_results(*c, problem, response);
-  results.figures = figure_data(problem, response, ExactSolver{});
+  results.figures = figure_data(results);
   return histories_netcdf(results, "1");
 }
 

@@ -6,10 +6,10 @@
 
 namespace bentur {
 
-FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver) {
+FigureData figure_data(const RunResults& run) {
   FigureData data;
-  data.close_up = close_up(problem, response, solver);
-  if (const auto* motion = std::get_if<SampledMotion>(&problem.motion)) {
+  data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
+  if (const auto* motion = std::get_if<SampledMotion>(&run.problem.motion)) {
     data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }

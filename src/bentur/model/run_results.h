@@ -19,9 +19,6 @@ struct FigureData {
   std::vector<OscillatorPeaks> spectrum;  ///< one per period
 };
 
-/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
-[[nodiscard]] FigureData figure_data(const Problem& problem, const Response& response, const Solver& solver);
-
 /// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
 [[nodiscard]] Eigen::MatrixXd sway_shapes(const Building& building);
 
@@ -35,6 +32,9 @@ struct RunResults {
 
   [[nodiscard]] RunView view() const { return {problem, response, c.units}; }
 };
+
+/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
+[[nodiscard]] FigureData figure_data(const RunResults& run);
 
 /// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
 [[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);

@@ -1,10 +1,11 @@
-# The page of a run is the part of `report` that needs no NetCDF: for those who compile it without the rest. Each has a
-# utf8.cpp of its own.
+# What of `report` needs neither NetCDF nor other programs: figures and the page of a run, for those who compile it
+# without the rest.
 function(bentur_report_page_sources out)
   set(report ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  file(GLOB sources CONFIGURE_DEPENDS ${report}/html/*.cpp ${report}/html/internal/*.cpp ${report}/scene/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(_test|/report_figures|/sweep_report)\\.cpp$")
-  set(${out} ${sources} ${report}/figures/style.cpp ${report}/story_text.cpp ${report}/words.cpp PARENT_SCOPE)
+  file(GLOB sources CONFIGURE_DEPENDS ${report}/*.cpp ${report}/figures/*.cpp ${report}/figures/internal/*.cpp
+    ${report}/kinds/*.cpp ${report}/kinds/internal/*.cpp ${report}/scene/*.cpp ${report}/html/*.cpp ${report}/html/internal/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
 # Style, script and texts of the report become part of the program.

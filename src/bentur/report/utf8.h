@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +16,7 @@ struct Utf8Character {
 /// The characters of a text, in order, with views into it; each byte that is not UTF-8 is one by itself.
 [[nodiscard]] std::vector<Utf8Character> characters(std::string_view text);
 
-/// Columns that a text takes on a terminal: one for most characters, two for those of East Asia, none for combining
-/// marks.
-[[nodiscard]] std::size_t display_width(std::string_view text);
+/// Any text as XML and HTML have it, between tags and within quotes. Control characters become U+FFFD.
+[[nodiscard]] std::string markup_text(std::string_view text);
 
 }  // namespace bentur

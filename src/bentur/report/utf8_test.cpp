@@ -22,11 +22,9 @@ TEST(Utf8, BytesThatAreNoneStandAlone) {
   EXPECT_EQ(characters("\xED\xA0\x80").front().code, -1) << "half of a UTF-16 pair";
 }
 
-TEST(Utf8, WidthOnATerminal) {
-  EXPECT_EQ(display_width("δ₁ a"), 4U);
-  EXPECT_EQ(display_width("建物"), 4U);
-  EXPECT_EQ(display_width("e\u0301"), 1U) << "an accent of its own stands on the letter";
-  EXPECT_EQ(display_width("a\xFF"), 2U);
+TEST(Utf8, AnyTextBecomesMarkupThatShowsIt) {
+  EXPECT_EQ(markup_text("<a href='x'>\"&`"), "&lt;a href=&#39;x&#39;&gt;&quot;&amp;&#96;");
+  EXPECT_EQ(markup_text("δ\n\x01"), "δ\n\xEF\xBF\xBD");
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include "bentur/core/errors.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/quantities.h"
-#include "bentur/report/kinds/internal/sweep_data.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/studies/sweep_data.h"
 #include "tests/support/example_laws.h"
 
 namespace bentur {

@@ -15,7 +15,7 @@
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/figures/picture.h"
+#include "bentur/report/files/picture.h"
 
 namespace bentur {
 namespace {

@@ -12,6 +12,7 @@
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/visible.h"
+#include "bentur/report/utf8.h"
 
 namespace bentur {
 namespace {
@@ -47,28 +48,7 @@ std::string shade(double part, bool ratio) {
   return text;
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : plain_text(text)) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
 
 /// A length in pixels, to a hundredth; far outside of every frame where it would have no end.
 std::string length(double pixels) {

@@ -125,7 +125,7 @@ double report_output_step(const Problem& problem) {
 }
 
 std::string report_html(const RunResults& results, const ReportOptions& options) {
-  const auto& [c, problem, response, remarks, figures] = results;
+  const auto& [c, problem, response, remarks, unused] = results;
   if (response.histories.displacement.size() != problem.buildings.size() || response.histories.time.empty()) {
     throw InvalidParameter("response", std::to_string(response.histories.displacement.size()) + " histories",
                            "must have the histories of every building");
@@ -142,13 +142,18 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
+  const std::vector<html::PageFigure> figures = html::page_figures(
+      figure_kinds(results),
+      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(results, kind, drawn); }, "figure.",
+      options.language);
+
   html::PageBody body;
   body.header = element("h1", title) +
                 element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(report);
   body.sections = {
       html::verdict_section(report), html::remarks_section(report),         motion_section(report),
       html::gap_section(report),     html::peaks_section(report),           html::damage_section(report),
-      html::columns_section(report), html::impacts_section(report, listed), html::figures_section(say, options.figures),
+      html::columns_section(report), html::impacts_section(report, listed), html::figures_section(say, figures),
       html::input_section(report)};
   body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
                 element("script", html::json_markup(html::animation_json(report, listed)),

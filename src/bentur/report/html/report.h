@@ -2,24 +2,15 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
 
 namespace bentur {
 
-/// A figure that stands in a report as inline SVG.
-struct ReportFigure {
-  std::string caption;
-  std::string svg;    ///< by figure_element()
-  bool wide = false;  ///< wider than a journal's column
-};
-
 struct ReportOptions {
   std::string language = "en";  ///< one of report_languages()
   std::string version;          ///< of the program
-  std::vector<ReportFigure> figures = {};
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so

@@ -13,13 +13,14 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/internal/page.h"
 
 namespace bentur {
 namespace {
 
 struct Simulated : RunResults {
-  [[nodiscard]] std::string page(const std::string& language = "en", std::vector<ReportFigure> figures = {}) const {
-    return report_html(*this, {.language = language, .version = "0", .figures = std::move(figures)});
+  [[nodiscard]] std::string page(const std::string& language = "en") const {
+    return report_html(*this, {.language = language, .version = "0"});
   }
 };
 
@@ -278,12 +279,23 @@ TEST(Report, TextOfACaseCannotBringInMarkupOrScript) {
 }
 
 TEST(Report, FiguresStandInlineInThePagesOwnStyle) {
-  const ReportFigure figure{.caption = "a < b", .svg = "<svg class=\"bentur\"></svg>"};
-  const std::string page = run(example("free-impact")).page("en", {figure, figure});
-  EXPECT_TRUE(has(page, "<figure><svg class=\"bentur\"></svg><figcaption>Figure 1. a &lt; b</figcaption>"));
-  EXPECT_TRUE(has(page, "<figcaption>Figure 2. a &lt; b</figcaption>"));
+  const html::PageFigure figure{.caption = "a < b", .svg = "<svg class=\"bentur\"></svg>"};
+  const std::string section = html::figures_section(Words("en"), {figure, figure}).content.str();
+  EXPECT_TRUE(has(section, "<figure><svg class=\"bentur\"></svg><figcaption>Figure 1. a &lt; b</figcaption>"));
+  EXPECT_TRUE(has(section, "<figcaption>Figure 2. a &lt; b</figcaption>"));
+  EXPECT_TRUE(html::figures_section(Words("en"), {}).content.str().empty());
+  const Simulated impact = run(example("free-impact"));
+  const std::string page = impact.page();
   EXPECT_TRUE(has(page, ".bentur .stroke-blue{stroke:var(--blue)}"));
-  EXPECT_FALSE(has(run(example("free-impact")).page(), "id=\"figures\""));
+  // Every kind that tells something stands there once, as make_figure() draws it.
+  std::size_t drawn = 0;
+  for (const FigureKind& kind : figure_kinds(impact)) drawn += kind.tells ? 1 : 0;
+  std::size_t found = 0;
+  for (std::size_t at = page.find("<figcaption>"); at != std::string::npos; at = page.find("<figcaption>", at + 1)) {
+    ++found;
+  }
+  EXPECT_EQ(found, drawn);
+  EXPECT_TRUE(has(page, figure_element(make_figure(impact, "force"), Words("en")("figure.force"))));
 }
 
 TEST(Report, ImpactsWithoutDurationHaveASpeedInPlaceOfAForce) {

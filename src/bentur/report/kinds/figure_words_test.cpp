@@ -24,9 +24,8 @@ RunResults drawn_run(const std::string& text) {
   options.output_step = 0.01;
   options.course = true;
   Response response = solve(problem, c->analysis.solver, options);
-  FigureData figures = figure_data(problem, response, c->analysis.solver);
   RunResults results = run_results(std::move(*c), std::move(problem), std::move(response));
-  results.figures = std::move(figures);
+  results.figures = figure_data(results);
   return results;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/files/netcdf.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/study/fragility/ida_results.h"
@@ -39,19 +38,14 @@ struct FigureKind {
   bool tells = true;  ///< else it has little to say of these results, and reports leave it out
 };
 
-/// The kinds of figure that these results can give: those of a run, of a sweep, or of an incremental dynamic analysis.
-/// @throws NoFigure when they are none of these.
-[[nodiscard]] std::vector<FigureKind> figure_kinds(const NetcdfReader& results);
+/// The kinds of figure that these results can give; file_kinds.h has those of files.
 [[nodiscard]] std::vector<FigureKind> figure_kinds(const RunResults& run);
 
 /// Names of all kinds of figure that a run may give, whatever this one holds.
 [[nodiscard]] std::vector<std::string> run_figure_names();
 
-/// One figure from the results of a run, a sweep or an incremental dynamic analysis: of one of the kinds, or, of a
-/// study, of any quantity by its name.
+/// A figure of one of the kinds.
 /// @throws NoFigure when there is no such kind, or what the options ask for is not there.
-[[nodiscard]] Figure make_figure(const NetcdfReader& results, const std::string& kind,
-                                 const FigureOptions& options = {});
 [[nodiscard]] Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options = {});
 
 /// The first period of a building, marked in a spectrum.

@@ -1,7 +1,6 @@
 #include "bentur/report/figures/internal/text.h"
 
 #include <fmt/format.h>
-#include <utf8proc.h>
 
 #include <cmath>
 #include <sstream>
@@ -14,9 +13,9 @@ namespace bentur {
 std::string plain_text(std::string_view text) {
   std::string result;
   for (const auto& [bytes, code] : characters(text)) {
-    const utf8proc_category_t category = utf8proc_category(code);
-    const bool is_hidden = code < 0 || category == UTF8PROC_CATEGORY_CC || category == UTF8PROC_CATEGORY_ZL ||
-                           category == UTF8PROC_CATEGORY_ZP || code == 0xFFFE || code == 0xFFFF;
+    const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);  // a byte that is none has code -1
+    const bool is_line_end = code == 0x2028 || code == 0x2029;
+    const bool is_hidden = is_control || is_line_end || code == 0xFFFE || code == 0xFFFF;
     result += is_hidden ? " " : bytes;
   }
   for (std::size_t at = 0; (at = result.find("]]>", at)) != std::string::npos;) result.insert(at + 2, " ");

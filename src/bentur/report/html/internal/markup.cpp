@@ -1,8 +1,6 @@
 #include "bentur/report/html/internal/markup.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -13,22 +11,11 @@
 namespace bentur::html {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
-constexpr const char* no_unit = "\xC2\xA0";               // a space that keeps the line
+constexpr const char* no_unit = "\xC2\xA0";  // a space that keeps the line
 
 }  // namespace
 
-Html Html::text(std::string_view any) {
-  static const std::map<std::int32_t, std::string_view> references = {{'&', "&amp;"},  {'<', "&lt;"},   {'>', "&gt;"},
-                                                                      {'"', "&quot;"}, {'\'', "&#39;"}, {'`', "&#96;"}};
-  std::string markup;
-  for (const auto& [bytes, code] : characters(any)) {
-    const auto reference = references.find(code);
-    const bool is_control = (code < 0x20 && code != '\n' && code != '\t') || code == 0x7F;
-    markup += reference != references.end() ? reference->second : is_control ? replacement : bytes;
-  }
-  return Html(std::move(markup));
-}
+Html Html::text(std::string_view any) { return Html(markup_text(any)); }
 
 Html element(std::string_view name, const Html& content, std::string_view attributes) {
   std::string tag = "<" + std::string(name);

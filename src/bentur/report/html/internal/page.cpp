@@ -77,7 +77,7 @@ std::string page(const Words& say, const std::string& title, const PageBody& bod
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 
-PageSection figures_section(const Words& say, const std::vector<ReportFigure>& figures) {
+PageSection figures_section(const Words& say, const std::vector<PageFigure>& figures) {
   if (figures.empty()) return {"figures", say("heading.figures"), {}};
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {

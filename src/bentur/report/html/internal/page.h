@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/words.h"
 
@@ -21,6 +22,6 @@ struct PageBody {
 [[nodiscard]] std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script);
 
 /// The figures, or why there are none.
-[[nodiscard]] PageSection figures_section(const Words& say, const std::vector<ReportFigure>& figures);
+[[nodiscard]] PageSection figures_section(const Words& say, const std::vector<PageFigure>& figures);
 
 }  // namespace bentur::html

@@ -32,6 +32,9 @@ namespace bentur {
 /// T of the first mode [s]; nothing without modes.
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 
+/// @param of what the message calls the results
+[[noreturn]] void refuse_figure(const std::string& kind, const std::string& of, const std::vector<FigureKind>& kinds);
+
 // The figures of a run, one for each kind.
 [[nodiscard]] Figure scene_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure displacement_figure(const RunResults& run, const FigureOptions& options);

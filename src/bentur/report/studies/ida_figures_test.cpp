@@ -5,7 +5,7 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/studies/file_kinds.h"
 
 namespace bentur {
 namespace {

@@ -1,10 +1,10 @@
-#include "bentur/report/figures/figure_files.h"
+#include "bentur/report/files/figure_files.h"
 
 #include <optional>
 #include <system_error>
 
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/report/figures/picture.h"
+#include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {

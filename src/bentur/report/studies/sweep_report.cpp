@@ -1,4 +1,4 @@
-#include "bentur/report/html/sweep_report.h"
+#include "bentur/report/studies/sweep_report.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,9 @@
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/sections.h"
-#include "bentur/report/kinds/internal/sweep_data.h"
 #include "bentur/report/story_text.h"
+#include "bentur/report/studies/file_kinds.h"
+#include "bentur/report/studies/sweep_data.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/fragility/ida_results.h"
 
@@ -342,13 +343,18 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
   const SweepData sweep(results, figure_words(options.language));
   const std::string given = results.attribute("title");
   const std::string title = study_title(sweep, say);
+  const std::vector<html::PageFigure> figures = html::page_figures(
+      figure_kinds(results),
+      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(results, kind, drawn); },
+      "figure.sweep.", options.language);
+
   html::PageBody body;
   body.header = element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\"") +
                 element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
   if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
   body.sections.insert(body.sections.end(),
-                       {html::figures_section(say, options.figures),
+                       {html::figures_section(say, figures),
                         varied(sweep, say),
                         runs_table(sweep, say),
                         {"input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case")}});

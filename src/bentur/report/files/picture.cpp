@@ -1,4 +1,4 @@
-#include "bentur/report/figures/picture.h"
+#include "bentur/report/files/picture.h"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -5,7 +5,7 @@
 
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
-#include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/report/studies/sweep_data.h"
 #include "bentur/study/fragility/ida_fragility.h"
 #include "bentur/study/fragility/ida_results.h"
 #include "bentur/study/quantiles.h"

@@ -7,7 +7,7 @@
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
-#include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/report/studies/sweep_data.h"
 
 namespace bentur {
 namespace {

@@ -1,4 +1,4 @@
-#include "bentur/report/kinds/internal/sweep_data.h"
+#include "bentur/report/studies/sweep_data.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,33 @@
+#include "bentur/report/html/internal/page_figures.h"
+
+#include <algorithm>
+
+#include "bentur/report/words.h"
+
+namespace bentur::html {
+
+std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeFigure& make,
+                                     const std::string& family, const std::string& language) {
+  const Words say(language);
+  std::vector<PageFigure> figures;
+  FigureOptions options;
+  options.say = figure_words(language);
+  options.choose = true;
+  for (const FigureKind& kind : kinds) {
+    if (!kind.tells) continue;
+    const std::string caption = say(family + kind.name);
+    try {
+      const Figure figure = make(kind.name, options);
+      figures.push_back(
+          {.caption = caption, .svg = figure_element(figure, caption), .wide = figure.width > column_width});
+    } catch (const NoFigure&) {  // this one has nothing to show
+      continue;
+    }
+  }
+  // Wide ones between two columns of others would leave holes: they come first as they are, else last.
+  const auto is_narrow = [](const PageFigure& one) { return !one.wide; };
+  std::stable_partition(std::find_if(figures.begin(), figures.end(), is_narrow), figures.end(), is_narrow);
+  return figures;
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur::html {
+
+/// A figure that stands in a page as inline SVG.
+struct PageFigure {
+  std::string caption;
+  std::string svg;    ///< by figure_element()
+  bool wide = false;  ///< wider than a journal's column
+};
+
+using MakeFigure = std::function<Figure(const std::string& kind, const FigureOptions& options)>;
+
+/// Every figure that tells something of some results, in the order in which a page shows them.
+/// @param family of captions in texts.toml: "figure.", "figure.sweep."
+[[nodiscard]] std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeFigure& make,
+                                                   const std::string& family, const std::string& language);
+
+}  // namespace bentur::html

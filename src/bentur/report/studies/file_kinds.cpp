@@ -1,0 +1,72 @@
+#include "bentur/report/studies/file_kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bentur/io/results/run_variables.h"
+#include "bentur/model/quantities.h"
+#include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/studies/sweep_data.h"
+
+namespace bentur {
+namespace {
+
+[[noreturn]] void refuse(const NetcdfReader& results) {
+  throw NoFigure(results.name() +
+                 ": is neither histories.nc of this version of bentur run nor results of bentur sweep");
+}
+
+bool some_collapse(const NetcdfReader& results) {
+  if (results.find("collapsed") == nullptr) return false;
+  const std::vector<double> collapsed = results.numbers("collapsed");
+  return std::any_of(collapsed.begin(), collapsed.end(), [](double one) { return one > 0; });
+}
+
+bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variables_of(results, kind.quantity).empty(); }
+
+}  // namespace
+
+std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
+  if (is_run(results)) return figure_kinds(read_run(results));
+  if (results.find("status") == nullptr) refuse(results);
+  std::vector<FigureKind> kinds;
+  if (is_ida(results)) {
+    kinds.push_back({"ida", "peak contact force of every record at growing intensity, with fractiles"});
+    kinds.push_back({"fragility", "probability of pounding against intensity, with bounds"});
+    if (some_collapse(results)) {
+      kinds.push_back({"collapse", "probability of collapse against intensity, with bounds"});
+    }
+  }
+  for (const SweepKind& kind : sweep_kinds()) {
+    if (is_in(results, kind)) kinds.push_back({kind.kind, kind.label + " against what varies"});
+  }
+  return kinds;
+}
+
+Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
+  if (is_run(results)) return make_figure(read_run(results), kind, options);
+  if (results.find("status") != nullptr) {
+    const SweepData sweep(results, options.say);
+    if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
+    if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
+    if (is_ida(results) && kind == "collapse") {
+      FigureOptions of_collapse = options;
+      of_collapse.event = collapse_event;
+      return fragility_figure(sweep, of_collapse);
+    }
+    for (const SweepKind& one : sweep_kinds()) {
+      if (kind == one.kind && is_in(results, one)) return sweep_figure(sweep, one, options);
+    }
+    // Any other quantity by its own name.
+    const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };
+    const auto quantity = std::find_if(quantities().begin(), quantities().end(), is_it);
+    if (quantity != quantities().end()) {
+      const SweepKind by_name{kind, kind, std::string(quantity->long_name)};
+      if (is_in(results, by_name)) return sweep_figure(sweep, by_name, options);
+    }
+  }
+  refuse_figure(kind, results.name(), figure_kinds(results));
+}
+
+}  // namespace bentur
