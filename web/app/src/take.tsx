@@ -33,13 +33,6 @@ function historiesCsv(now: Result): string {
   return `${lines.join("\n")}\n`;
 }
 
-/** What a picture by itself does not say: whose it is, when, how much magnified, and what flashes. */
-function caption({ overview }: Result): string[] {
-  const shown = (part: string) => document.querySelector(`#motion [data-part="${part}"]`)?.textContent ?? "";
-  return [`${overview.title || "–"}, ${widthsOf(overview)}`, `${shown("clock")}, ${say("motion.magnify").toLowerCase()} ${shown("magnified")}`,
-    ...shown("event").split("; ").filter((one) => one !== "")];
-}
-
 /** Lines of at most so many characters. */
 function wrapped(line: string, most: number): string[] {
   const lines = [""];
@@ -51,7 +44,7 @@ function wrapped(line: string, most: number): string[] {
   return lines;
 }
 
-/** The picture as it stands, with the styles it has on the page, and its caption below. */
+/** The picture as it stands, with the styles it has on the page, and below whose it is. */
 function stageSvg(now: Result): string {
   const stage = document.querySelector<SVGSVGElement>("#motion .stage")!;
   const copy = stage.cloneNode(true) as SVGSVGElement;
@@ -62,7 +55,7 @@ function stageSvg(now: Result): string {
   });
   const box = stage.viewBox.baseVal;
   const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);
-  const lines = caption(now).flatMap((line) => wrapped(line, Math.max(20, Math.floor(box.width / (0.6 * size)))));
+  const lines = wrapped(`${now.overview.title || "–"}, ${widthsOf(now.overview)}`, Math.max(20, Math.floor(box.width / (0.6 * size))));
   lines.forEach((line, k) => {
     const text = document.createElementNS(copy.namespaceURI, "text");
     for (const [name, value] of Object.entries({ x: box.x + 0.6 * size, y: box.y + box.height + (1.4 * k + 1) * size, "font-size": size, fill: color })) text.setAttribute(name, String(value));

@@ -72,7 +72,6 @@ html::PageSection motion_section(const Report& report) {
                   "class=\"readout\""),
       "class=\"player\"");
   content += element("p", html::building_key(report), "id=\"building-key\" class=\"note\"");
-  content += element("p", Html(), "id=\"scale-note\" class=\"note print\"");
   content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
   content += element("div", Html(), "id=\"time-axis\" aria-hidden=\"true\"");

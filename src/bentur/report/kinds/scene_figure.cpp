@@ -107,11 +107,14 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));
   }
-  if (instant.point) {
+  if (instant.point && !instant.impact) {
     const auto [x, y] = places(scene.contacts[*instant.point]);
-    Curve mark{.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle};
-    if (instant.impact) mark = burst(x, y, size);
-    panel.curves.push_back(std::move(mark));
+    panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
+  }
+  for (const Impact& impact : run.response.impacts) {
+    if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
+    const auto [x, y] = places(scene.contacts[impact.point]);
+    panel.curves.push_back(burst(x, y, size));
   }
   return panel;
 }

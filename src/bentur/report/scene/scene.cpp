@@ -70,6 +70,7 @@ class SceneBuilder {
       ground_.push_back(base_level(buildings_[b]) - (has_pit(b) ? pit * height_ : 0));
       scene_.bottom = std::min(scene_.bottom, ground_.back());
     }
+    if (!(scene_.top > scene_.bottom)) scene_.bottom = scene_.top - height_;
     for (Index b = 0; b < std::ssize(buildings_); ++b) {
       if (buildings_[b].is_rigid()) ground_[b] = scene_.bottom;
     }
