@@ -594,13 +594,18 @@ test("what stands beside errors, or while work takes its time, is said to be of 
     await ask(page, lasting("19.0"));
     assert.equal(await stale(), 0);
     await page.clock.runFor(800);
-    assert.equal(await stale(), 1);
+    assert.ok(await stale() > 0);
     await letGo(page);
     await solved(page);
     assert.equal(await stale(), 0);
     assert.equal(await colour(), alarm);
     await write(page, lasting("-1.0"), "errors");
-    assert.match(await page.textContent(".verdicts"), /of the last case that could be computed/);
+    for (const place of [".bar", ".verdicts", "#take"]) assert.match(await page.textContent(`${place} .stale-note`), /of “Eight and six storeys.*Gap 0\.05 m/, place);
+    for (const section of ["#histories", "#envelopes", "#impacts", "#compare"]) { // the bar stays in sight
+      await page.locator(section).evaluate((one) => one.scrollIntoView());
+      const { top, bottom } = await page.locator(".bar .stale-note").evaluate((one) => one.getBoundingClientRect().toJSON());
+      assert.ok(top >= 0 && bottom <= 900, section);
+    }
     assert.notEqual(await colour(), alarm);
     for (const what of ["summary", "histories", "svg", "png", "report"]) assert.ok(await page.isDisabled(`[data-take="${what}"]`), what);
     assert.ok(await page.isEnabled('[data-take="case"]'));
@@ -740,6 +745,50 @@ test("what is pinned says of which case it is", async () => {
   });
 });
 
+test("what is pinned is compared in the units that there are now", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click("#compare button");
+    for (const [name, unit] of [["Length", "mm"], ["Force", "N"]]) {
+      await page.getByRole("combobox", { name }).selectOption(unit);
+      await page.waitForFunction(([at, word]) => document.querySelector(at).value.includes(`= "${word}"`), [editor, unit]);
+      await solved(page);
+    }
+    const rows = await page.$$eval("#compare tbody tr", (all) => all.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent)));
+    assert.match(rows[0].join(), /^50.mm,45,\d+.N,191.mm,/);
+    assert.deepEqual(rows[1], rows[0]); // the same case
+    assert.match(await page.textContent(".motions > :last-child h3"), /Eight and six storeys.* 0\.05 m$/);
+  });
+});
+
+test("a title no longer says the width of a gap that was changed", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const title = "Eight and five storeys, floors that strike columns, gap 6 cm, El Centro";
+    await write(page, readFileSync(`${source}/examples/struck-column.toml`, "utf8"));
+    const heads = () => page.$$eval("#motion :is(h2, h3), #compare tbody th", (all) => all.map((one) => one.textContent));
+    assert.deepEqual(await heads(), [`In motion: ${title}`]);
+    await page.click("#compare button");
+    await page.locator("#gap").evaluate((range) => {
+      range.value = "0.1";
+      range.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    await solved(page);
+    const [motion, ...others] = await heads();
+    assert.equal(motion, `In motion: ${title.replace(", gap 6 cm", "")}`);
+    assert.deepEqual(others.map((one) => one.includes("gap 6 cm")), [false, true, false, true]); // now and pinned, twice
+    assert.ok(others[0].startsWith("Now"));
+    const caption = await download(page, "svg");
+    assert.ok(!caption.includes("6 cm") && /Gap (0\.1|0\.09\d*) m/.test(caption));
+    for (const [said, shown] of [["Two, gap of 50 mm and more", "Two and more"], ["Gap 5 cm: two", "two"], ["Two 0.05 m apart", "Two"], ["Two (gaps 4 cm and 0.06 m), 20 m tall", "Two, 20 m tall"],
+      ["Dua, celah 5 cm", "Dua"], ["Two, gap 0.1 m", "Two, gap 0.1 m"], ["Two, gap 10 cm, 3 m high", "Two, gap 10 cm, 3 m high"]]) {
+      const now = await page.inputValue(editor);
+      await write(page, now.replace(/^title = .*$/m, `title = "${said}"`).replace(/^width = \S+/m, "width = 0.1"));
+      assert.equal((await heads())[0], `In motion: ${shown}`);
+    }
+  });
+});
+
 test("no case of the page has its gap's width in its title, which the slider changes", async () => {
   await on(async (page) => {
     await solved(page);
@@ -765,5 +814,194 @@ test("a picture says of which case, when and how much magnified it is, and what 
     assert.ok(picture.includes(`${await shown("clock")}, magnified ${(await shown("magnified")).slice(2)} times`), picture);
     assert.match(await shown("event"), /^impact \d+: /i);
     assert.ok(picture.replaceAll("\n", " ").includes(await shown("event")), picture);
+  });
+});
+
+for (const [width, height] of [[1366, 768], [390, 844], [844, 390], [1920, 1080]]) {
+  test(`the slider and all of the buildings are in one screen, ${width} × ${height}`, async () => {
+    await on(async (page) => {
+      await solved(page);
+      const isInSight = (selector) => page.locator(selector).first().evaluate((one) => {
+        const { top, bottom, left, right } = one.getBoundingClientRect();
+        return top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth && one.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
+      });
+      for (const id of await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case))) {
+        await page.click(`[data-case="${id}"]`);
+        await solved(page);
+        assert.equal(await page.evaluate(() => scrollY), 0);
+        for (const one of ["#gap", "#motion .stage", ".brief .badge"]) assert.ok(await isInSight(one), `${id}: ${one}`);
+        // The slider stays while one looks at what stands below it.
+        for (const one of ["#motion .timeline", "#edit", "#compare"]) {
+          await page.locator(one).evaluate((section) => section.scrollIntoView());
+          assert.ok(await isInSight("#gap"), `${id}: at ${one}`);
+          assert.ok(await page.evaluate((at) => document.querySelector(at).getBoundingClientRect().top >= document.querySelector(".bar").getBoundingClientRect().bottom - 1, one), `${one} is not below the bar`);
+        }
+        await page.evaluate(() => scrollTo(0, 0));
+      }
+      const used = await page.locator(".lives").boundingBox();
+      assert.ok(used.width > 0.9 * width, `${used.width} of ${width}`);
+    }, { viewport: { width, height } });
+  });
+}
+
+/** What stands in the text, when it is what is expected. */
+const stands = (page, text) => page.waitForFunction(([at, wanted]) => document.querySelector(at).value === wanted, [editor, text]);
+
+test("every change is undone and made again, a drag as one", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const text = () => page.inputValue(editor);
+    const [undo, redo] = ["Undo", "Redo"].map((name) => page.getByRole("button", { name }));
+    assert.ok(await undo.isDisabled() && await redo.isDisabled());
+    const seen = [await text()];
+    const changed = async () => {
+      await page.waitForFunction(([at, was]) => document.querySelector(at).value !== was, [editor, seen.at(-1)]);
+      await solved(page);
+      seen.push(await text());
+      // Which example it is, it is only as long as nothing of it is changed.
+      assert.equal(await page.locator('[data-case][aria-pressed="true"]').count(), seen.length === 4 ? 1 : 0);
+    };
+    const box = await page.locator("#gap").boundingBox();
+    await page.mouse.move(box.x + 0.2 * box.width, box.y + box.height / 2);
+    await page.mouse.down();
+    for (let k = 0; k < 6; ++k) {
+      await page.mouse.move(box.x + (0.2 + 0.05 * k) * box.width, box.y + box.height / 2);
+      await page.waitForTimeout(k === 3 ? 1100 : 20); // one waits on the way
+    }
+    await page.mouse.up();
+    await changed();
+    await page.focus(editor);
+    await page.keyboard.press("Control+End");
+    await page.keyboard.type("# said");
+    await changed();
+    await page.click('[data-case="monograph"]');
+    await changed();
+    await page.getByRole("combobox", { name: "Length" }).selectOption("mm");
+    await changed();
+    await page.click("text=Form");
+    await page.getByRole("spinbutton", { name: "Gap mm", exact: true }).fill("3");
+    await page.keyboard.press("Tab");
+    await changed();
+    await drop(page, "other.AT2", at2(0.01));
+    await changed();
+    for (const wanted of seen.slice(0, -1).reverse()) {
+      await page.keyboard.press("Control+z");
+      await stands(page, wanted);
+    }
+    assert.ok(await undo.isDisabled());
+    await solved(page);
+    assert.equal(await page.getAttribute('[data-case="frames"]', "aria-pressed"), "true");
+    await page.focus(editor); // from the text too, whose own steps are gone
+    for (const wanted of seen.slice(1)) {
+      await page.keyboard.press("Control+Shift+z");
+      await stands(page, wanted);
+    }
+    await solved(page);
+    assert.equal(JSON.parse(await download(page, "summary")).excitation.format, "peer-at2");
+    await undo.click();
+    await stands(page, seen.at(-2));
+    await redo.click();
+    await stands(page, seen.at(-1));
+    await page.getByRole("slider", { name: /^Gap:/ }).focus(); // one stays where one is
+    await page.keyboard.press("Control+z");
+    await stands(page, seen.at(-2));
+    await page.keyboard.press("Control+y");
+    await stands(page, seen.at(-1));
+    assert.match(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), /^Gap:/);
+    // A number that is being filled in has the browser's own steps.
+    const field = page.getByRole("spinbutton", { name: "Gap mm", exact: true });
+    await field.fill("4");
+    await page.keyboard.press("Control+z");
+    await page.waitForTimeout(200);
+    assert.equal(await text(), seen.at(-1));
+  });
+});
+
+test("a record of the same name is undone to the one before", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const steps = async () => JSON.parse(await download(page, "summary")).excitation.time_step;
+    await drop(page, "same.AT2", at2(0.01));
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("same.AT2"), editor);
+    await solved(page);
+    const verdict = await page.textContent(".verdict");
+    await drop(page, "same.AT2", at2(0.01).replace("DT= .01", "DT= .02"));
+    await page.waitForFunction((old) => document.querySelector(".verdict").textContent !== old, verdict);
+    await solved(page);
+    assert.equal(await steps(), 0.02);
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction((old) => document.querySelector(".verdict").textContent === old, verdict);
+    await solved(page);
+    assert.equal(await steps(), 0.01);
+  });
+});
+
+test("the case is there after a reload, its record too, until one starts anew", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const first = await page.inputValue(editor);
+    const anew = page.getByRole("button", { name: "Start anew" });
+    assert.equal(await anew.count(), 0);
+    await page.click('[data-case="monograph"]');
+    await drop(page, "other.AT2", at2(0.01));
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("other.AT2"), editor);
+    await solved(page);
+    const text = await page.inputValue(editor), verdict = await page.textContent(".verdict");
+    await page.reload();
+    await solved(page);
+    assert.equal(await page.inputValue(editor), text);
+    assert.equal(await page.textContent(".verdict"), verdict);
+    await anew.click();
+    await solved(page);
+    assert.equal(await page.inputValue(editor), first);
+    assert.equal(await anew.count(), 0);
+    await page.keyboard.press("Control+z");
+    await stands(page, text);
+    await page.keyboard.press("Control+Shift+z");
+    await stands(page, first);
+    await page.reload();
+    await solved(page);
+    assert.equal(await page.inputValue(editor), first);
+    assert.equal(await page.evaluate(() => localStorage.length), 0);
+  });
+});
+
+test("a case of a link that was changed is kept as it was changed", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click('[data-case="row"]');
+    await solved(page);
+    await page.click('[data-take="link"]');
+    await page.waitForFunction(() => location.hash.startsWith("#case="));
+    await write(page, `${await page.inputValue(editor)}# mine\n`);
+    assert.equal(await page.evaluate(() => location.hash), "");
+    await page.reload();
+    await solved(page);
+    assert.match(await page.inputValue(editor), /# mine\n$/);
+  }, { permissions: ["clipboard-read", "clipboard-write"] });
+});
+
+test("where nothing may be kept the page works, and a large record is asked for again", async () => {
+  await on(async (page) => {
+    await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("refused", "SecurityError"); } }));
+    await page.reload();
+    await solved(page);
+    await page.click('[data-case="row"]');
+    await solved(page);
+    await page.reload();
+    await solved(page);
+    assert.equal(await page.getAttribute('[data-case="frames"]', "aria-pressed"), "true");
+  });
+  await on(async (page) => {
+    await solved(page);
+    await drop(page, "large.AT2", at2(0.01) + " ".repeat(3 * 2 ** 20));
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("large.AT2"), editor);
+    await solved(page);
+    await page.reload();
+    await solved(page, "errors");
+    assert.match(await page.textContent(".errors"), /large\.AT2 was too large to be kept/);
+    await drop(page, "large.AT2", at2(0.01));
+    await solved(page);
+    assert.equal((await page.textContent(".errors")).trim(), "");
   });
 });

@@ -27,6 +27,7 @@
 #include "bentur/model/limits.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "bentur/solve/effort.h"
 
@@ -199,6 +200,17 @@ Json statements_of(const RunResults& run, const Words& say) {
   return all;
 }
 
+/// The figures that tell something of the run, with their captions.
+Json kinds_of(const RunResults& run, const Words& say) {
+  Json all = Json::array();
+  if (run.response.histories.time.empty()) return all;
+  for (const FigureKind& kind : figure_kinds(run)) {
+    if (!kind.tells) continue;
+    all.push_back({{"kind", kind.name}, {"caption", say("figure." + kind.name)}, {"overTime", kind.over_time}});
+  }
+  return all;
+}
+
 }  // namespace
 
 Studio::Studio() : memo_(std::make_unique<CaseMemo>()) {}
@@ -269,7 +281,9 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
     SolveOptions options = solve_options(c);
-    options.output_step = output_step.isNull() ? report_output_step(*problem_) : output_step.as<double>();
+    const bool fine = output_step.isNull();
+    options.output_step = fine ? report_output_step(*problem_) : output_step.as<double>();
+    options.course = fine;
     if (options.output_step < 0) options.output_step = c.analysis.output_step;
     options.most_steps = std::min(options.most_steps, static_cast<long>(most_steps));
     if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
@@ -292,6 +306,10 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
     const double seconds = response.wall_time;
     run_ = run_results(c, *problem_, std::move(response));
+    if (fine) {
+      run_->figures = figures_ = figure_data(*run_, motion_, std::move(figures_));
+      motion_ = run_->problem.motion;
+    }
     return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
   });
 }
@@ -354,6 +372,7 @@ std::string Studio::overview(const std::string& language) const {
             {"impactCount", run.response.impacts.size()},
             {"force", largest_force(run.response)},
             {"amplification", largest_amplification(run.response)},
+            {"figures", kinds_of(run, say)},
             {"statements", statements_of(run, say)}};
   });
 }
@@ -401,5 +420,7 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .function("report", &Studio::report)
       .function("overview", &Studio::overview)
       .function("histories", &Studio::histories)
+      .function("draw", &Studio::draw)
+      .function("figureFile", &Studio::figure_file)
       .function("atWidth", &Studio::at_width);
 }

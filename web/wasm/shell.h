@@ -53,10 +53,20 @@ class Studio {
   [[nodiscard]] std::string gaps() const;                               ///< as bentur gap --json
   [[nodiscard]] std::string modes() const;                              ///< as bentur modes --json
   [[nodiscard]] std::string motion(const std::string& language) const;  ///< what motion.js draws
-  [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html, without figures
+  [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html
   /// What the page tells first, JSON, with the report's sentences in that language.
   [[nodiscard]] std::string overview(const std::string& language) const;
   [[nodiscard]] emscripten::val histories() const;  ///< {time, ground, opening, force, buildings}
+
+  /// A figure of one of the kinds that overview() lists, or "gap-curve", which `wanted` has the points of.
+  /// @param wanted {width [cm], from, to [s], gap, elevation, curve: {gap, widths, forces, amplifications}}
+  /// @return {svg, width [cm], panels: [{left, top, width, height, x: {label, from, to, logarithmic}, y,
+  /// curves: [{label, x, y}]}]}, places as PanelPlace; {error} where there is no such figure
+  [[nodiscard]] emscripten::val draw(const std::string& kind, const std::string& language,
+                                     const emscripten::val& wanted) const;
+  /// The same as a file of its own, as bentur plot writes it; empty where there is none.
+  [[nodiscard]] std::string figure_file(const std::string& kind, const std::string& language,
+                                        const emscripten::val& wanted) const;
 
   /// Peak force and largest amplification of the case that is open with gap `gap` (0 the first) this wide [length]: its
   /// narrowest point, the others wider by as much as they are. Buildings move freely once for all widths.
@@ -69,6 +79,8 @@ class Studio {
   std::optional<Case> case_;
   std::optional<Problem> problem_;
   std::optional<RunResults> run_;
+  GroundMotion motion_;  // of the figures that were made last, which another width of the gap leaves their spectrum
+  FigureData figures_;
   std::unique_ptr<FreeResponse> free_;
 };
 

@@ -13,6 +13,8 @@ struct NoMotion {};
 struct SampledMotion {
   double time_step = 0;              ///< [s] > 0
   std::vector<double> acceleration;  ///< [length/s²]
+
+  bool operator==(const SampledMotion&) const = default;
 };
 
 /// Harmonic ground acceleration for t ≥ 0, zero before: a_g = −A ω² sin ωt (displacement A sin ωt) or −A ω² cos ωt.

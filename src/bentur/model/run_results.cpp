@@ -6,10 +6,15 @@
 
 namespace bentur {
 
-FigureData figure_data(const RunResults& run) {
-  FigureData data;
+FigureData figure_data(const RunResults& run) { return figure_data(run, NoMotion{}, {}); }
+
+FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known) {
+  const auto* motion = std::get_if<SampledMotion>(&run.problem.motion);
+  const auto* other = std::get_if<SampledMotion>(&of_known);
+  const bool is_same = motion != nullptr && other != nullptr && *other == *motion;
+  FigureData data = is_same ? std::move(known) : FigureData{};
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
-  if (const auto* motion = std::get_if<SampledMotion>(&run.problem.motion)) {
+  if (motion != nullptr && data.spectrum.empty()) {
     data.spectrum_periods = logarithmic_periods(0.02, 5, 201);
     data.spectrum = response_spectrum(*motion, data.spectrum_periods, data.spectrum_damping);
   }

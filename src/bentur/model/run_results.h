@@ -35,6 +35,8 @@ struct RunResults {
 
 /// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
 [[nodiscard]] FigureData figure_data(const RunResults& run);
+/// The same where `known` is that of a run before: of the same motion it has the spectrum already.
+[[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);
 
 /// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
 [[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);

@@ -1,11 +1,12 @@
+import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import { type Key, type Node, schema } from "./solver";
 import {
-  addFile, change, errors, found, gap, inUnits, load, loads, problem, recordUnit, result, text,
-  told, tooLong, typing, width,
+  addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, travel, type, width,
 } from "./state";
+import { canRedo, canUndo } from "./steps";
 import { number, say } from "./texts";
 import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
 
@@ -26,10 +27,17 @@ export function Errors({ goTo }: { goTo: (line: number, column: number) => void 
 
 /** The case file with line numbers; lines with an error are marked. Only numbers that are in sight are there. */
 export function Editor({ area }: { area: { current: HTMLTextAreaElement | null } }) {
-  const later = useRef(0);
   const [shown, show] = useState(text.value);
   const [top, scrolled] = useState(0);
-  useEffect(() => { show(text.value); }, [text.value]);
+  useEffect(() => {
+    show(text.value);
+    const field = area.current;
+    if (!field || field !== document.activeElement || field.value === text.value) return;
+    let same = 0; // what comes in its place while one is in the field is looked at where it differs
+    while (same < text.value.length && text.value[same] === field.value[same]) ++same;
+    field.value = text.value;
+    field.setSelectionRange(same, same);
+  }, [text.value]);
   const lines = useMemo(() => shown.split("\n").length, [shown]);
   const wrong = new Set(errors.value.filter((one) => one.file === "").map((one) => one.line));
   const height = area.current ? parseFloat(getComputedStyle(area.current).lineHeight) || 19 : 19;
@@ -43,15 +51,8 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
         maxLength={2 ** 20} onPaste={(event) => { if (tooLong(event.clipboardData?.getData("text") ?? "")) event.preventDefault(); }}
         onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
         onInput={(event) => {
-          const { value } = event.currentTarget;
-          const base = text.value; // what has come in its place by then stays
-          show(value);
-          clearTimeout(later.current);
-          typing.value = true;
-          later.current = window.setTimeout(() => {
-            typing.value = false;
-            if (text.value === base) change(value);
-          }, 150);
+          show(event.currentTarget.value);
+          type(event.currentTarget.value);
         }} />
     </div>
   );
@@ -75,7 +76,7 @@ function NumberField({ at, from, title }: { at: Leaf; from: number; title: strin
   const unit = key?.unit?.replace(/length|force/g, (what) => unitOf(what as "length").unit);
   const set = (next: number) => {
     const made = key?.number?.type === "integer" ? Math.round(next) : next;
-    if (Number.isFinite(made)) change(put(text.value, at, made));
+    if (Number.isFinite(made)) change(put(text.value, at, made), at.path.join("."));
   };
   return (
     <div class="field" title={key?.description}>
@@ -113,7 +114,7 @@ function Group({ path, title }: { path: Path; title: string }) {
 }
 
 function Choice({ name, options, value, set }: { name: string; options: string[]; value: string; set: (value: string) => void }) {
-  return <label class="choice">{name} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
+  return <label class="choice"><span>{name} </span><select value={value} onChange={(event) => set(event.currentTarget.value)}>{options.map((one) => <option key={one} value={one} selected={one === value}>{one}</option>)}</select></label>;
 }
 
 /** The unit that a case has, and all there are with what they are in metres or newtons. */
@@ -209,10 +210,11 @@ export async function openFile(file: File) {
     return;
   }
   const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80);
-  addFile(name, bytes);
-  const unit = leaf(found.value, ["excitation", "unit"])?.text ?? '"g"';
   // A file that says its unit refuses another one; a plain column does not say it.
-  recordUnit(name, (stated) => excite("record", { file: JSON.stringify(name), ...(stated === "" && { unit }) }));
+  addFile(name, bytes, (stated) => {
+    const unit = leaf(found.value, ["excitation", "unit"])?.text ?? '"g"';
+    excite("record", { file: JSON.stringify(name), ...(stated === "" && { unit }) });
+  });
 }
 
 export function FilePicker({ label: shown }: { label: string }) {
@@ -223,22 +225,47 @@ export function FilePicker({ label: shown }: { label: string }) {
   }} /></label>;
 }
 
-/** The slider that everything starts with. */
-export function GapSlider() {
+/** Back and forth between what stood there. */
+function Travel() {
+  const button = (by: -1 | 1, can: boolean, word: "undo" | "redo", keys: string, sign: string) =>
+    <button type="button" class="travel" disabled={!can} aria-label={say(word)} title={`${say(word)} (${keys})`} onClick={() => travel(by)}>{sign}</button>;
+  return <>{button(-1, canUndo.value, "undo", "Ctrl+Z", "↶")}{button(1, canRedo.value, "redo", "Ctrl+Shift+Z", "↷")}</>;
+}
+
+/** Ctrl-Z and Ctrl-Shift-Z wherever one is, but in a field that is being filled in, which has its own. */
+export function listenToKeys() {
+  let filled: EventTarget | null = null;
+  addEventListener("input", ({ target }) => { filled = target instanceof HTMLInputElement && ["number", "text"].includes(target.type) ? target : null; });
+  addEventListener("change", () => { filled = null; });
+  addEventListener("keydown", (event) => {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y") || (filled !== null && event.target === filled)) return;
+    event.preventDefault();
+    travel(key === "y" || event.shiftKey ? 1 : -1);
+  });
+}
+
+/** The slider that everything starts with; beside what it is of stand the children. */
+export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
-  if (!overview || !one) return null;
-  const key = `${gap.value}|${loads.value}|${overview.title}|${overview.units.length}`;
+  if (!overview || !one) return <div class="head">{children}<p><Travel /></p></div>;
+  const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
   const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
   if (most.current.key !== key || Math.max(width.value, one.needed) > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
-  const span = most.current.value;
+  const span = most.current.value, several = overview.gaps.length > 1;
   return (
     <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
-      {overview.gaps.length > 1 && <label>{nameOf("gap", "width")} <select value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select></label>}
-      <label class="slide"><span>{overview.gaps.length > 1 ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></span>
-        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber))} /></label>
-      <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+      <div class="head">
+        <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></label>
+          {several && <select aria-label={say("gap.which")} value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select>}</p>
+        {children}
+      </div>
+      <div class="track"><Travel /><div>
+        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
+        <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+      </div></div>
     </div>
   );
 }

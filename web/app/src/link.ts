@@ -1,4 +1,9 @@
 // A case within a link: deflated, in the characters that an address may have.
+import { signal } from "@preact/signals";
+
+/** The text of the page's address, until it is changed. */
+export const linked = signal<string | null>(null);
+
 async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream, most: number): Promise<Uint8Array> {
   let size = 0;
   const limit = new TransformStream<Uint8Array, Uint8Array>({ transform(part, out) {

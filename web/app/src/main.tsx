@@ -1,12 +1,12 @@
 import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { cases } from "./cases";
-import { Editor, Errors, Form, GapSlider, goTo, openFile, Units } from "./edit";
-import { fromFragment } from "./link";
+import { Editor, Errors, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
+import { fromFragment, linked } from "./link";
 import { MotionView } from "./motion";
-import { Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Verdict, widthsOf } from "./results";
-import { begin, chosen, load, pinned, problem, result, stale, standing } from "./state";
+import { Brief, caseOf, Comparison, Envelopes, GapCurve, Histories, Impacts, Loops, Stale, Verdict } from "./results";
+import { begin, isOwn, load, pinned, problem, result, stale, standing, startAnew, text } from "./state";
 import "./style.css";
 import { Take } from "./take";
 import { language, languages, say, type Word } from "./texts";
@@ -19,15 +19,27 @@ function Head() {
       <div class="top"><h1>bentur studio</h1>
         <p class="controls">
           <Units />
-          <label>{say("language")} <select id="language" value={language.value} onChange={(event) => { language.value = event.currentTarget.value as keyof typeof languages; }}>
+          <label class="choice"><span>{say("language")} </span><select id="language" value={language.value} onChange={(event) => { language.value = event.currentTarget.value as keyof typeof languages; }}>
             {Object.entries(languages).map(([tag, name]) => <option key={tag} value={tag} lang={tag} selected={tag === language.value}>{name}</option>)}</select></label>
-          <label>{say("theme")} <select id="theme" value={choice.value} onChange={(event) => { choice.value = event.currentTarget.value as "auto"; }}>
+          <label class="choice"><span>{say("theme")} </span><select id="theme" value={choice.value} onChange={(event) => { choice.value = event.currentTarget.value as "auto"; }}>
             {(["auto", "light", "dark"] as const).map((one) => <option key={one} value={one} selected={one === choice.value}>{say(`theme.${one}`)}</option>)}</select></label>
         </p></div>
       <p class="lead">{say("lead")}</p>
-      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={chosen.value === one.id} onClick={() => load(one.text, one.id)}>{say(`case.${one.id}` as Word)}</button>)}</nav>
+      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={text.value === one.text} onClick={() => load(one.text)}>{say(`case.${one.id}` as Word)}</button>)}
+        {isOwn.value && <button type="button" onClick={startAnew}>{say("anew")}</button>}</nav>
     </header>
   );
+}
+
+/** What stays in sight: the slider that everything starts with, and what has become of the case. */
+function Bar() {
+  const bar = useRef<HTMLDivElement>(null);
+  useEffect(() => { // what is gone to stands below it, the buildings have the rest of the first screen
+    const watched = new ResizeObserver(([{ target }]) => document.documentElement.style.setProperty("--bar", `${(target as HTMLElement).offsetHeight}px`));
+    watched.observe(bar.current!);
+    return () => watched.disconnect();
+  }, []);
+  return <div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div>;
 }
 
 function App() {
@@ -48,18 +60,18 @@ function App() {
       <Head />
       {dropping.value && <div class="drop">{say("drop")}</div>}
       <main id="results" class={stale.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
+        <Bar />
         <div class="lives">
-          <div class="seen">
-            <GapSlider />
+          {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+            <div class={pinned.value ? "motions" : ""}>
+              <div>{pinned.value && <h3>{say("now")}: {caseOf(now.overview)}</h3>}
+                <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
+              {pinned.value && <div><h3>{say("pinned")}: {caseOf(pinned.value.overview)}</h3>
+                <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
+            </div></section>}
+          <div class="said">
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
-              <div class={pinned.value ? "motions" : ""}>
-                <div>{pinned.value && <h3>{say("now")}: {now.overview.title}, {widthsOf(now.overview)}</h3>}
-                  <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
-                {pinned.value && <div><h3>{say("pinned")}: {pinned.value.overview.title}, {widthsOf(pinned.value.overview)}</h3>
-                  <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
-              </div></section>}
             {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{" "}· {say("verdict.remark")}: <span data-remarks>{now.overview.statements.filter((one) => one.severity === "remark").map((one) => one.text).join(" ")}</span></p>}
           </div>
           <section id="edit" class="edit">
@@ -68,13 +80,13 @@ function App() {
             <details onToggle={(event) => { formOpen.value = event.currentTarget.open; }}><summary>{say("edit.form")}</summary>{formOpen.value && <Form />}</details>
           </section>
         </div>
-        {now && <>
+        {now && <div class="found">
           <Histories now={now} />
           <div class="pair"><Envelopes now={now} /><GapCurve now={now} /></div>
           <Impacts now={now} />
           <Loops now={now} />
           <Comparison now={now} />
-        </>}
+        </div>}
         <Take />
       </main>
       <footer><p class="note">{say("footer", { version: now?.overview.version ?? "" })}</p></footer>
@@ -83,7 +95,16 @@ function App() {
 }
 
 effect(() => { document.documentElement.lang = language.value; });
-const fromAddress = () => fromFragment(location.hash).then((text) => { if (text !== null) load(text); }).catch(() => { problem.value = () => say("error.link"); });
+const fromAddress = () => fromFragment(location.hash).then((given) => {
+  if (given !== null) load(given);
+  linked.value = given === null ? null : text.value;
+}).catch(() => { problem.value = () => say("error.link"); });
 void fromAddress().then(begin);
 addEventListener("hashchange", () => void fromAddress());
+effect(() => {
+  if (linked.value === null || text.value === linked.value) return;
+  linked.value = null;
+  history.replaceState(null, "", location.pathname + location.search);
+});
+listenToKeys();
 render(<App />, document.getElementById("app")!);

@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { buildingColour, buildingVariable, Chart, type Curve, curvesSvg } from "./charts";
 import { main } from "./motion";
 import { nameOf } from "./schema";
-import type { BuildingOverview, GapOverview, Overview, Result, Said } from "./solver";
+import { type BuildingOverview, type GapOverview, type Overview, type Result, type Said, schema } from "./solver";
 import { cancel, curve, curveDone, gap, pinned, progress, result, slow, stale, time, width } from "./state";
 import { language, number, say } from "./texts";
 import { theme } from "./theme";
@@ -13,6 +13,14 @@ const with_ = (value: number | null | undefined, unit: string) => `${number(valu
 
 /** "Gap 0.05 | 0.04 m". */
 export const widthsOf = (overview: Overview) => `${nameOf("gap", "width")} ${overview.gaps.map((one) => number(one.width)).join(" | ")} ${unitOf(overview)}`;
+
+/** Of which case results are. */
+export const caseOf = (overview: Overview) => `${overview.title || "–"}, ${widthsOf(overview)}`;
+
+/** Where results are shown that are not of the case that stands there. */
+export function Stale({ word = "stale" }: { word?: "stale" | "take.stale" }) {
+  return stale.value && result.value ? <p class="stale-note">{say(word, { name: caseOf(result.value.overview) })}</p> : null;
+}
 
 const isGrave = (one: Said) => one.severity === "danger" || one.severity === "warning";
 
@@ -54,12 +62,19 @@ function Statements({ overview }: { overview: Overview }) {
   );
 }
 
+/** The verdict's badges in one line: of what is told first, and of the gap that is looked at. */
+export function Brief() {
+  const all = (result.value?.overview.statements ?? []).filter((one) => one.badge && (one.gap === null || one.gap === gap.value || one.severity === "danger"));
+  const badges = new Map(all.map((one) => [one.badge, isGrave(one)]));
+  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, grave]) => <span key={badge} class={`badge${grave ? " grave" : ""}`}>{badge}</span>)}</p>;
+}
+
 export function Verdict() {
   const now = result.value;
   return (
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
       {slow.value && <p class="busy">{say("solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
-      {stale.value && <p class="stale-note">{say("stale")}</p>}
+      <Stale />
       {now && <Statements overview={now.overview} />}
     </div>
   );
@@ -213,11 +228,21 @@ export function Loops({ now }: { now: Result }) {
   );
 }
 
+/** The numbers of a run, in the units of another. */
+function compared({ overview }: Result, { units }: Overview): (string | number)[] {
+  const by = (what: "length" | "force") => {
+    const size = schema.value?.units[what] ?? {};
+    return (size[overview.units[what]] ?? NaN) / (size[units[what]] ?? NaN);
+  };
+  const each = (value: (one: GapOverview) => number) => overview.gaps.map((one) => with_(by("length") * value(one), units.length)).join(" | ");
+  return [each((one) => one.width), overview.impactCount, with_(by("force") * overview.force, units.force), each((one) => one.needed), number(overview.amplification)];
+}
+
 export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
-  const rows = (one: Result) => [one.overview.gaps.map((each) => with_(each.width, unitOf(one.overview))).join(" | "), one.overview.impactCount, with_(one.overview.force, one.overview.units.force),
-    one.overview.gaps.map((each) => with_(each.needed, unitOf(one.overview))).join(" | "), number(one.overview.amplification)];
   const heads = [nameOf("gap", "width"), say("impacts"), say("curve.force"), say("compare.needed"), say("curve.amplification")];
+  const row = (what: "now" | "pinned", one: Result) =>
+    <tr><th scope="row" class="t">{say(what)}: {one.overview.title || "–"}</th>{compared(one, now.overview).map((cell, i) => <td key={i}>{cell}</td>)}</tr>;
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>
@@ -226,10 +251,8 @@ export function Comparison({ now }: { now: Result }) {
         {other && <button type="button" onClick={() => { pinned.value = null; }}>{say("unpin")}</button>}
       </p>
       {other && <>
-        <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead><tbody>
-          <tr><th scope="row" class="t">{say("now")}: {now.overview.title}</th>{rows(now).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
-          <tr><th scope="row" class="t">{say("pinned")}: {other.overview.title}</th>{rows(other).map((cell, i) => <td key={i}>{cell}</td>)}</tr>
-        </tbody></table></div>
+        <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead>
+          <tbody>{row("now", now)}{row("pinned", other)}</tbody></table></div>
       </>}
     </section>
   );

@@ -1,12 +1,16 @@
 // What the page knows: one text, from which everything else follows.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { cases, recordBytes, recordName } from "./cases";
-import { type CaseError, type CurvePoint, type Result, Solver, type Take } from "./solver";
+import { forget, keep, kept } from "./kept";
+import { type CaseError, type CurvePoint, type Files, type Result, Solver, type Take } from "./solver";
+import { record, step } from "./steps";
 import { language, say, type Word } from "./texts";
-import { outline, widths, withWidth } from "./toml";
+import { leaf, outline, widths, withWidth } from "./toml";
 
-export const text = signal<string>(cases[0].text);
-export const chosen = signal<string>(cases[0].id);
+const before = kept();
+export const text = signal<string>(before?.text ?? cases[0].text);
+/** Records that were added, each name once: the same text with another file is another case. */
+const files = signal<Files>(before?.files ?? []);
 export const errors = signal<CaseError[]>([]);
 export const result = signal<Result | null>(null);
 export const solvedText = signal("");
@@ -18,25 +22,22 @@ export const curveDone = signal(1);
 export const pinned = signal<Result | null>(null);
 export const time = signal(0);
 /** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
-export const problem = signal<(() => string) | null>(null);
+export const problem = signal<(() => string) | null>(before?.lost.length ? () => say("error.unkept", { name: before.lost.join(", ") }) : null);
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
-export const ownRecord = signal(false);
-/** How many files were added: the same text with another file is another case. */
-const added = signal(0);
-const solvedWith = signal(0);
+const solvedWith = signal<Files>([]);
 
 /** Whether the results that are shown are of another case than the one that stands there, which is wrong or takes its time. */
 export const stale = computed(() => result.value !== null && (errors.value.length > 0 || slow.value) &&
-  (text.value !== solvedText.value || added.value !== solvedWith.value));
+  (text.value !== solvedText.value || files.value !== solvedWith.value));
 
-/** Whether a text is being typed, and which run was asked for and answered last. */
-export const typing = signal(false);
+/** What is being typed in place of a text, and which run was asked for and answered last. */
+const typed = signal<{ base: string; next: string; timer: number } | null>(null);
 const asked = signal(0), answered = signal(0);
 
 /** What has become of the case that stands there. */
 export const standing = computed(() => {
-  if (typing.value || asked.value !== answered.value) return "pending";
+  if (typed.value || asked.value !== answered.value) return "pending";
   return errors.value.length > 0 ? "errors" : result.value === null ? "" : result.value.fine ? "fine" : "rough";
 });
 
@@ -46,6 +47,13 @@ const OWN = new Set(["cancelled", "limit", "worker"]);
 export const told = (one: CaseError) => (OWN.has(one.message) ? say(`error.${one.message}` as Word) : one.message);
 
 export const found = computed(() => outline(text.value));
+/** The record that the case names and a link has no room for. */
+export const ownRecord = computed(() => {
+  const name = leaf(found.value, ["excitation", "file"])?.value;
+  return files.value.some(([one]) => one === name);
+});
+/** Whether what stands there is not what the page begins with. */
+export const isOwn = computed(() => text.value !== cases[0].text || files.value.length > 0);
 export const width = computed(() => {
   const values = widths(found.value, gap.value).map((one) => one.value as number);
   return values.length > 0 ? Math.min(...values) : 0;
@@ -56,13 +64,14 @@ const live = new Solver((yes) => {
   if (!yes) progress.value = 0;
 });
 const behind = new Solver(); // curves and files, so that nothing waits for them
-for (const solver of [live, behind]) solver.files = [[recordName, recordBytes], [`../data/${recordName}`, recordBytes]];
+const give = (more: Files) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
+give([[recordName, recordBytes], [`../data/${recordName}`, recordBytes], ...files.value]);
 
-let settle = 0, curveText = "";
+let settle = 0, curveText = "", curveFiles: Files = [];
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
-  const wanted = text.value, files = added.value;
+  const wanted = text.value, used = files.value;
   clearTimeout(settle);
   const duration = result.value?.overview.duration ?? 20;
   const number = asked.value += 1;
@@ -75,9 +84,10 @@ function run(fine: boolean) {
         errors.value = [];
         result.value = answer;
         solvedText.value = wanted;
-        solvedWith.value = files;
+        solvedWith.value = used;
+        if (gap.value >= answer.overview.gaps.length) gap.value = 0;
       });
-      if (text.value === wanted && added.value === files) {
+      if (text.value === wanted && files.value === used) {
         if (!fine) settle = window.setTimeout(() => run(true), 250);
         else drawCurve(wanted);
       }
@@ -89,9 +99,9 @@ function run(fine: boolean) {
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
   if (!overview || widths(outline(wanted), gap.value).length === 0) return;
-  const key = `${gap.value}|${added.value}|${withWidth(wanted, gap.value, 0)}`;
-  if (key === curveText) return;
-  curveText = key;
+  const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
+  if (key === curveText && files.value === curveFiles) return;
+  [curveText, curveFiles] = [key, files.value];
   const needed = overview.gaps[gap.value]?.needed ?? 0;
   const most = Math.max(1.25 * needed, 1e-9);
   const list = Array.from({ length: 41 }, (_, k) => (most * k) / 40);
@@ -102,7 +112,52 @@ function drawCurve(wanted: string) {
   });
 }
 
-export const change = (next: string) => { text.value = next; };
+let hand = "";
+
+/** Another text; changes `by` the same hand are undone together, steps.ts. */
+export function change(next: string, by = "") {
+  hand = by;
+  text.value = next;
+}
+
+/** A text that is being typed becomes the case when one stops for a moment; what has come in its place by then stays. */
+export function type(next: string) {
+  const base = typed.value?.base ?? text.value;
+  clearTimeout(typed.value?.timer);
+  typed.value = { base, next, timer: window.setTimeout(settleTyping, 150) };
+}
+
+function settleTyping() {
+  const given = typed.value;
+  if (!given) return;
+  clearTimeout(given.timer);
+  batch(() => {
+    typed.value = null;
+    if (text.value === given.base) change(given.next, "typing");
+  });
+}
+
+/** Back to what stood there before a change (-1), or forth again (1). */
+export function travel(by: -1 | 1) {
+  settleTyping();
+  const then = step(by);
+  if (!then) return;
+  give(then.files.filter((one) => !files.value.includes(one)));
+  batch(() => {
+    text.value = then.text;
+    files.value = then.files;
+    problem.value = null;
+  });
+}
+
+/** As the page is when it is opened for the first time; what stood there is one step back. */
+export function startAnew() {
+  batch(() => {
+    files.value = [];
+    pinned.value = null;
+    load(cases[0].text);
+  });
+}
 
 export const cancel = () => live.giveUp("cancelled");
 
@@ -116,16 +171,13 @@ export function tooLong(next: string): boolean {
   return lines > MOST_LINES;
 }
 
-export function load(given: string, id = "") {
+export function load(given: string) {
+  settleTyping();
   const next = given.replace(/\r\n?/g, "\n"); // as a text field has it: places in the one are places in the other
   if (tooLong(next)) return;
-  if (next === text.value) {
-    chosen.value = id;
-    return;
-  }
+  if (next === text.value) return;
   batch(() => {
     text.value = next;
-    chosen.value = id;
     loads.value += 1;
     gap.value = 0;
     curve.value = [];
@@ -150,15 +202,15 @@ export function inUnits(length: string, force: string) {
   });
 }
 
-export function addFile(name: string, bytes: Uint8Array) {
-  for (const solver of [live, behind]) solver.files = [...solver.files, [name, bytes]];
-  ownRecord.value = true;
-  added.value += 1;
-}
-
-/** The unit that a file says it is in; "" where it says none. */
-export function recordUnit(name: string, hear: (unit: string) => void) {
-  live.ask({ kind: "record", name }, (answer) => hear(answer.kind === "text" ? answer.text : ""));
+/** A file that cases may name from then on, as far as `then` makes it so when it is told which unit the file says it is in;
+ *  "" where it says none. */
+export function addFile(name: string, bytes: Uint8Array, then: (unit: string) => void) {
+  const added: Files[number] = [name, bytes];
+  give([added]);
+  live.ask({ kind: "record", name }, (answer) => batch(() => {
+    files.value = [...files.value.filter(([one]) => one !== name), added];
+    then(answer.kind === "text" ? answer.text : "");
+  }));
 }
 
 export function take(what: Take): Promise<string> {
@@ -170,11 +222,27 @@ export function take(what: Take): Promise<string> {
   });
 }
 
+const work = computed(() => ({ text: text.value, files: files.value }));
+let saving = 0;
+function save() {
+  clearTimeout(saving);
+  if (isOwn.value) keep(work.value);
+  else forget();
+}
+effect(() => {
+  const now = work.value;
+  untracked(() => record(now, hand));
+  hand = "";
+  clearTimeout(saving);
+  saving = window.setTimeout(save, 500);
+});
+addEventListener("pagehide", save);
+
 /** From now on what changes is run. */
 export function begin() {
   effect(() => {
     void text.value;
-    void added.value;
+    void files.value;
     void language.value;
     untracked(() => run(false));
   });

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { FilePicker } from "./edit";
-import { toFragment } from "./link";
-import { historiesSvg, widthsOf } from "./results";
+import { linked, toFragment } from "./link";
+import { caseOf, historiesSvg, Stale } from "./results";
 import type { Result } from "./solver";
 import { ownRecord, result, stale, take, text } from "./state";
 import { say } from "./texts";
@@ -55,7 +55,7 @@ function stageSvg(now: Result): string {
   });
   const box = stage.viewBox.baseVal;
   const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);
-  const lines = wrapped(`${now.overview.title || "–"}, ${widthsOf(now.overview)}`, Math.max(20, Math.floor(box.width / (0.6 * size))));
+  const lines = wrapped(caseOf(now.overview), Math.max(20, Math.floor(box.width / (0.6 * size))));
   lines.forEach((line, k) => {
     const text = document.createElementNS(copy.namespaceURI, "text");
     for (const [name, value] of Object.entries({ x: box.x + 0.6 * size, y: box.y + box.height + (1.4 * k + 1) * size, "font-size": size, fill: color })) text.setAttribute(name, String(value));
@@ -91,8 +91,10 @@ export function Take() {
   const [said, tell] = useState("");
   const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch((error: Error) => tell(error.message)); };
   const link = () => {
-    void toFragment(text.value).then((fragment) => {
+    const given = text.value;
+    void toFragment(given).then((fragment) => {
       history.replaceState(null, "", fragment);
+      linked.value = given;
       tell(`${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`);
       return navigator.clipboard?.writeText(location.href);
     }).catch(() => undefined);
@@ -117,6 +119,7 @@ export function Take() {
           <button type="button" disabled={stale.value} data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
         </>}
       </p>
+      <Stale word="take.stale" />
       <p role="status">{said}</p>
       <p class="note">{say("take.note")}</p>
     </section>

@@ -1,13 +1,17 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
-import type { Answer, CaseError, CurvePoint, Request } from "./solver";
+import type { Answer, CaseError, CurvePoint, Request, Schema } from "./solver";
+import { trueTitle } from "./title";
 
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
 const ready: Promise<Studio> = createBentur().then((module) => {
   const studio = new module.Studio();
-  post({ id: 0, kind: "schema", schema: JSON.parse(studio.schema()) });
+  const schema: Schema = JSON.parse(studio.schema());
+  metres = schema.units.length;
+  post({ id: 0, kind: "schema", schema });
   return studio;
 });
+let metres: Record<string, number> = {};
 let opened = "";
 let stop = 0; // curves up to this number are no longer wanted
 
@@ -49,7 +53,8 @@ async function answer(request: Request): Promise<void> {
     if (!overview.ok) return refused(overview);
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
-    overview.title = clip(overview.title);
+    const metre = metres[overview.units.length];
+    overview.title = clip(trueTitle(overview.title, overview.gaps.map((one: { width: number }) => one.width * metre)));
     const gaps = overview.gaps.map((one: { name: string }) => one.name);
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);

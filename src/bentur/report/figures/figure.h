@@ -113,6 +113,15 @@ struct Figure {
 /// finding, to readers who do not see it.
 [[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
 
+/// Where the frame of a panel stands in figure_svg() [px], from the upper left corner, and the values at its ends.
+struct PanelPlace {
+  double left = 0, top = 0, width = 0, height = 0;
+  std::pair<double, double> x = {}, y = {};
+  bool x_logarithmic = false, y_logarithmic = false;
+};
+/// @return one for each panel, in their order. @throws InvalidParameter as figure_svg().
+[[nodiscard]] std::vector<PanelPlace> panel_places(const Figure& figure);
+
 /// The colours of figures as CSS, on paper and on a dark screen.
 [[nodiscard]] std::string figure_style();
 

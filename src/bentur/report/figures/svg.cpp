@@ -87,6 +87,20 @@ class Drawing {
         figure_.finding.empty() ? std::string(label) : fmt::format("{}: {}", label, figure_.finding);
     return svg(fmt::format("role=\"img\" aria-label=\"{}\" ", escaped(said)), "", "");
   }
+  [[nodiscard]] std::vector<PanelPlace> places() const {
+    std::vector<PanelPlace> all;
+    for (const PlacedPanel& placed : layout_.panels) {
+      all.push_back({.left = x(placed.left),
+                     .top = y(placed.top),
+                     .width = x(placed.right - placed.left),
+                     .height = x(placed.top - placed.bottom),
+                     .x = {placed.x.from, placed.x.to},
+                     .y = {placed.y.from, placed.y.to},
+                     .x_logarithmic = placed.x.logarithmic,
+                     .y_logarithmic = placed.y.logarithmic});
+    }
+    return all;
+  }
 
  private:
   static std::string tagged(const char* tag, const std::string& text) {
@@ -347,5 +361,7 @@ class Drawing {
 std::string figure_svg(const Figure& figure) { return Drawing(figure).file(); }
 
 std::string figure_element(const Figure& figure, std::string_view label) { return Drawing(figure).element(label); }
+
+std::vector<PanelPlace> panel_places(const Figure& figure) { return Drawing(figure).places(); }
 
 }  // namespace bentur

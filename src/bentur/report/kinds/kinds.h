@@ -33,9 +33,10 @@ class NoFigure : public std::runtime_error {
 };
 
 struct FigureKind {
-  std::string name;   ///< "displacement", as the command line takes it
-  std::string shows;  ///< a few words on what is drawn
-  bool tells = true;  ///< else it has little to say of these results, and reports leave it out
+  std::string name;        ///< "displacement", as the command line takes it
+  std::string shows;       ///< a few words on what is drawn
+  bool tells = true;       ///< else it has little to say of these results, and reports leave it out
+  bool over_time = false;  ///< time stands along its x axis: FigureOptions::from and to
 };
 
 /// The kinds of figure that these results can give; file_kinds.h has those of files.
@@ -67,5 +68,16 @@ struct SpectrumCurves {
 };
 /// Both spectra, one above the other.
 [[nodiscard]] Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options = {});
+
+/// What happens at other widths of a gap.
+struct GapCurve {
+  std::string name;                                    ///< of the gap
+  std::vector<double> widths, forces, amplifications;  ///< [length], [force], [-]; one of each for each width
+  double given = 0;                                    ///< width of the case [length]
+  std::optional<double> needed = {};                   ///< to stay apart [length]
+  std::string length, force_unit;                      ///< units as the axes show them
+};
+/// Peak contact force and largest amplification against the width, one above the other.
+[[nodiscard]] Figure gap_curve_figure(const GapCurve& curve, const FigureOptions& options = {});
 
 }  // namespace bentur

@@ -18,6 +18,7 @@ struct RunKind {
   bool (*is_there)(const RunResults&);
   Figure (*make)(const RunResults&, const FigureOptions&);
   bool (*tells)(const RunResults&) = always;
+  bool over_time = false;
 };
 
 bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
@@ -58,9 +59,9 @@ bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty();
 const RunKind run_kinds[] = {
     {"scene", "the buildings at the hardest impact, else where they come closest", has_histories, scene_figure},
     {"displacement", "displacements of both buildings at one contact point, contacts marked", has_points,
-     displacement_figure},
-    {"opening", "opening of the gap at one contact point", has_points, opening_figure},
-    {"force", "contact force at one contact point", has_force, force_figure},
+     displacement_figure, always, true},
+    {"opening", "opening of the gap at one contact point", has_points, opening_figure, always, true},
+    {"force", "contact force at one contact point", has_force, force_figure, always, true},
     {"impact", "the hardest impact in close-up: penetration and force", has_close_up, impact_figure},
     {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure, has_loop},
     {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
@@ -74,7 +75,7 @@ const RunKind run_kinds[] = {
     {"column-shear", "shear of a struck column below and above the blow", has_column, column_shear_figure},
     {"column-moment", "moments of a struck column at its ends and where it is struck", has_column,
      column_moment_figure},
-    {"energy", "where the energy is", has_energy, energy_figure},
+    {"energy", "where the energy is", has_energy, energy_figure, always, true},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
 };
@@ -84,7 +85,7 @@ const RunKind run_kinds[] = {
 std::vector<FigureKind> figure_kinds(const RunResults& run) {
   std::vector<FigureKind> kinds;
   for (const RunKind& kind : run_kinds) {
-    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run)});
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
   }
   return kinds;
 }

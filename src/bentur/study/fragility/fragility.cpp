@@ -248,7 +248,7 @@ FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount
   for (int i = 0; i < options.resamples; ++i) {
     sample.clear();
     for (std::uint64_t drawn = 0; drawn < count; ++drawn) {
-      const std::vector<IntensityCount>& unit = units[generator() % count];
+      const std::vector<IntensityCount>& unit = units[static_cast<std::size_t>(generator() % count)];
       sample.insert(sample.end(), unit.begin(), unit.end());
     }
     const Fragility fit = fit_fragility(sample);
