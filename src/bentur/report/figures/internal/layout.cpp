@@ -196,16 +196,18 @@ void shift(std::vector<LegendEntry>& list, double right, double up) {
   }
 }
 
-/// Makes the scale of a panel's axes one: the longer way fills its frame, along the other there is room to the right
-/// and left, or above.
+/// Makes the scale of a panel's axes one: the longer way fills its frame, the other way it stands in the middle.
 void fit(PlacedPanel& placed) {
   const double width = placed.right - placed.left, height = placed.top - placed.bottom;
   Ticks &x = placed.x, &y = placed.y;
   const double scale = std::max((x.to - x.from) / width, (y.to - y.from) / height);
-  const double beside = (scale * width - (x.to - x.from)) / 2;
-  x.from -= beside;
-  x.to += beside;
-  y.to = y.from + scale * height;
+  const auto widen = [](Ticks& axis, double length) {
+    const double beside = (length - (axis.to - axis.from)) / 2;
+    axis.from -= beside;
+    axis.to += beside;
+  };
+  widen(x, scale * width);
+  widen(y, scale * height);
 }
 
 /// Panels of one row or column of the figure have margins alike.
@@ -292,10 +294,10 @@ class Arrangement {
         if (cells_[i].column != c) continue;
         PlacedPanel& placed = result_.panels[i];
         placed.cell_left = at;
-        placed.left = at + left[c];
-        placed.right = placed.left + width;
+        placed.left = at + (placed.panel->to_scale ? edge : left[c]);
+        placed.right = at + left[c] + width;
         placed.cell_right = placed.right + right[c];
-        place_numbers(placed, width);
+        place_numbers(placed, placed.right - placed.left);
       }
       at += left[c] + width + right[c];
     }

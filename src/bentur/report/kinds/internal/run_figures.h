@@ -36,6 +36,7 @@ namespace bentur {
 [[noreturn]] void refuse_figure(const std::string& kind, const std::string& of, const std::vector<FigureKind>& kinds);
 
 // The figures of a run, one for each kind.
+[[nodiscard]] Figure overview_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure scene_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure displacement_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure opening_figure(const RunResults& run, const FigureOptions& options);
