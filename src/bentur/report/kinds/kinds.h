@@ -34,8 +34,8 @@ class NoFigure : public std::runtime_error {
 };
 
 struct FigureKind {
-  std::string name;        ///< "displacement", as the command line takes it
-  std::string shows;       ///< a few words on what is drawn
+  std::string name;   ///< "displacement", as the command line takes it
+  std::string shows;  ///< a few words on what is drawn
   /// Among the figures of a report; others have little to say of these results, or stand above.
   bool tells = true;
   bool over_time = false;  ///< time stands along its x axis: FigureOptions::from and to

@@ -70,7 +70,8 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   const RunResults pair = example_run("linked-pair");
   const GoverningLevel level = governing_level(pair.problem, pair.response, 0);
   const Panel bars = overview(pair).panels.back();
-  EXPECT_EQ(ends_of_bars(bars), (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
+  EXPECT_EQ(ends_of_bars(bars),
+            (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
   EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03 m"}));
   const RunResults row = example_run("row-of-three");
   std::vector<double> expected;
