@@ -19,7 +19,8 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
-WITH_IMPACTS = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "modes", "spectrum"]
+WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "modes", "spectrum"]
+WITH_IMPACTS = ["overview", "scene", *WITH_AXES]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
          "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a !touch pwned", "'.system('touch pwned').'"]
 
@@ -59,7 +60,7 @@ class Run(Figures):
         self.bentur(0, "run", "--figures", "svg,pdf", "-o", "out", SOURCE / "examples/m12-el-centro.toml")
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}.{ending}" for kind in WITH_IMPACTS for ending in ("dat", "gp", "svg", "pdf")})
-        for kind in WITH_IMPACTS:
+        for kind in WITH_AXES:
             texts = self.texts(self.folder / f"out/figures/{kind}.svg")
             self.assertGreaterEqual(len([text for text in texts if re.search(r"\[.+\]$", text)]), 2, f"{kind}: {texts}")
 
@@ -145,7 +146,7 @@ class Run(Figures):
         case = self.folder / "m12-el-centro.toml"
         case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
         self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
-        quiet = ["displacement", "opening", "envelope", "modes", "spectrum"]
+        quiet = ["overview", "scene", "displacement", "opening", "envelope", "modes", "spectrum"]
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}.{ending}" for kind in quiet for ending in ("dat", "gp", "svg")} | {"mine.svg"})
 
@@ -176,16 +177,16 @@ class Plot(Figures):
         return f"{name}/histories.nc"
 
     def test_the_same_figure_as_run_draws(self):
-        results = self.run_of("m12-el-centro", "--figures", "svg")
-        for kind in WITH_IMPACTS:
-            self.bentur(0, "plot", results, kind)
-            self.assertEqual((self.folder / f"{kind}.svg").read_bytes(),
-                             (self.folder / f"m12-el-centro/figures/{kind}.svg").read_bytes())
+        for name in "m12-el-centro", "linked-pair", "isolated-moat", "generic-neighbour", "struck-column":
+            results = self.run_of(name, "--figures", "svg")
+            for drawn in (self.folder / name / "figures").glob("*.svg"):
+                self.bentur(0, "plot", results, drawn.stem, "--force")
+                self.assertEqual((self.folder / drawn.name).read_bytes(), drawn.read_bytes(), f"{name}: {drawn.stem}")
 
     def test_list_and_suggestion(self):
         results = self.run_of("kelvin-voigt-pair")
         listed = [line.split()[0] for line in self.bentur(0, "plot", results, "--list").stdout.splitlines()]
-        self.assertEqual(listed, ["displacement", "opening", "force", "forces", "envelope", "amplification", "modes", "energy"])
+        self.assertEqual(listed, ["overview", "scene", "displacement", "opening", "force", "forces", "envelope", "amplification", "modes", "energy"])
         message = self.bentur(2, "plot", results, "enrgy").stderr
         self.assertIn('did you mean "energy"?', message)
         self.assertIn("--figures", self.bentur(2, "plot", results, "impact").stderr)

@@ -5,6 +5,7 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 screenshots of every example at phone and A4 width and its pages as PDF in DIR, to be looked at.
 """
 
+import base64
 import csv
 import json
 import math
@@ -12,6 +13,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -402,12 +404,58 @@ class Motion(Reports):
         first = self.js("JSON.parse(document.getElementById('data').textContent).impacts[0]")
         self.scrub(first[1])
         faces = """(() => { const at = b => document.querySelectorAll('#stage .slab')[b].getAttribute('d').match(/M[^M]*/g)[2];
-            return [Number(at(0).match(/H(.*)/)[1]), Number(at(1).match(/M([-.0-9]+)/)[1])]; })()"""
+            return [Number(at(0).match(/L([-.0-9]+)/)[1]), Number(at(1).match(/M([-.0-9]+)/)[1])]; })()"""
         for zoom in -1, 0, 1:
             self.js(f"(() => {{ const m = document.getElementById('magnify'); m.value = {zoom};"
                     "m.dispatchEvent(new Event('input')); })()")
             left, right = self.js(faces)
             self.assertAlmostEqual(left, right, delta=0.02 + 0.25 * 10 ** zoom)  # 1e-4 cm, 50 times as large
+
+
+class Stills(Reports):
+    """The figure "scene" beside what the page draws of the same description."""
+
+    def still(self, case):
+        """Its lines, those at rest first, as lists of points."""
+        folder = self.folder / "results"
+        subprocess.run([BENTUR, "run", "-q", str(case), "-o", str(folder), "--figures", "svg"], check=True, timeout=300)
+        text = (folder / "figures/scene.dat").read_text()
+        blocks = [[line for line in block.splitlines() if line and not line.startswith("#")] for block in text.split("\n\n\n")]
+        return [[[list(map(float, row.split())) for row in line.split("|")] for line in "|".join(block).split("|NaN NaN|")]
+                for block in blocks]
+
+    def drawn(self, data, motion):
+        return self.js(f"(() => {{ const scene = {json.dumps(data['scene'])}, place = benturPlaces(scene, scene.magnification,"
+                       f"{json.dumps(motion)}); return scene.shapes.map(({{ lines }}) => lines.map((line) =>"
+                       "line.map((point) => [place(point), point[0]]))); })()")
+
+    def assert_alike(self, one, other, delta):
+        self.assertEqual([list(map(len, lines)) for lines in one], [list(map(len, lines)) for lines in other])
+        for a, b in zip((p for lines in one for line in lines for p in line), (p for lines in other for line in lines for p in line)):
+            self.assertAlmostEqual(a[0], b[0], delta=delta)
+            self.assertAlmostEqual(a[1], b[1], delta=delta)
+
+    def test_a_still_is_what_the_page_shows_at_that_time(self):
+        for case in sorted((SOURCE / "examples").glob("*.toml")):
+            with self.subTest(case.stem):
+                still = self.still(case)
+                self.opened(self.report(case))
+                data = json.loads(self.js("document.getElementById('data').textContent"))
+                self.assertAlmostEqual(self.shown_time(), data["shown"], delta=1e-12)
+                scene, wide = data["scene"], sum(data["scene"]["breadths"])
+                rest = [[0] * building["rows"] for building in data["buildings"]]
+                of_buildings = [k for k, shape in enumerate(scene["shapes"]) if shape["role"] in ("wall", "column", "slab")]
+                self.assert_alike([self.drawn(data, rest)[k] for k in of_buildings], still[:len(of_buildings)], 1e-9 * wide)
+                # Displacements at that time are kept as whole parts of 32767 of the largest.
+                key = min(range(len(data["keys"])), key=lambda k: abs(data["keys"][k] - data["shown"]))
+                motion = []
+                for building in data["buildings"]:
+                    kept = base64.b64decode(building["keys"])
+                    values = struct.unpack(f"<{len(kept) // 2}h", kept)
+                    motion.append([building["scale"] * v for v in values[key * building["rows"]:(key + 1) * building["rows"]]])
+                coarse = 0.5 * scene["magnification"] * max(building["scale"] for building in data["buildings"])
+                now = self.drawn(data, motion)
+                self.assert_alike(now, still[len(of_buildings):][:len(now)], 1.001 * coarse + 1e-9 * wide)
 
 
 class List(Reports):

@@ -360,6 +360,11 @@ Building make_building(const BuildingSpec& spec, StructuralModel model) {
     std::vector<std::shared_ptr<const HystereticLaw>> laws = laws_of_storeys(spec, model);
     building = make_building(spec.name, std::move(model), spec.damping, support, std::move(laws));
   }
+  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
+    building.bays = frame->bay_widths;
+  } else if (spec.width) {
+    building.bays = {*spec.width};
+  }
   if (spec.tangent_damping) {
     const auto beta = stiffness_part(spec.damping, fixed_omega);
     if (!beta || *beta < 0) {

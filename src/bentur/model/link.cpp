@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/elements/link_laws.h"
@@ -42,6 +43,20 @@ std::shared_ptr<const Law> make_link_law(const LinkSpec& spec, std::size_t point
   return entry->make(input);
 }
 
+namespace {
+
+/// Of a spring and a dashpot side by side one may be missing.
+std::string kind_of(const Law& law) {
+  if (law.name() != "spring-dashpot") return std::string(law.name());
+  std::string kind;
+  for (const auto& [quantity, value] : law.parameters()) {
+    if (value > 0) kind += (kind.empty() ? "" : "-") + std::string(quantity == "stiffness" ? "spring" : "dashpot");
+  }
+  return kind;
+}
+
+}  // namespace
+
 std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector<Building>& buildings) {
   std::vector<Link> links;
   for (const LinkSpec& spec : specs) {
@@ -61,12 +76,15 @@ std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector
                                fmt::format("\"{}\" and \"{}\" do not both have a floor there",
                                            buildings[spec.left].name, buildings[spec.right].name));
       }
+      std::shared_ptr<const Law> law = make_link_law(spec, i);
+      std::string kind = kind_of(*law);
       links.push_back({.left = static_cast<Eigen::Index>(spec.left),
                        .right = static_cast<Eigen::Index>(spec.right),
                        .left_floor = pair->left_floor,
                        .right_floor = pair->right_floor,
                        .elevation = std::abs(wanted - pair->elevation) <= round_off ? wanted : pair->elevation,
-                       .law = make_link_law(spec, i)});
+                       .law = std::move(law),
+                       .kind = std::move(kind)});
     }
   }
   return links;

@@ -45,6 +45,7 @@ struct Link {
   Eigen::Index left_floor = 0, right_floor = 0;  ///< indices of their floors (0 the lowest)
   double elevation = 0;                          ///< [length]
   std::shared_ptr<const Law> law;
+  std::string kind = {};  ///< what it is, for people: "spring", "dashpot", or the name of its law
 };
 
 enum class Kinematics { relative, absolute };

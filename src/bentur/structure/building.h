@@ -105,6 +105,7 @@ struct Building {
 
   /// Gravity loads act (P-Δ), so that it may collapse.
   bool has_gravity_loads = false;
+  std::vector<double> bays = {};  ///< widths [length], left to right, of pictures alone; empty: not known
 };
 
 /// Rows over the dofs: drifts of all storeys [-], shears of all storeys [force/length].

@@ -25,13 +25,6 @@ function historiesCsv({ histories, overview }: { histories: Histories; overview:
   return `${lines.join("\n")}\n`;
 }
 
-/** What a picture by itself does not say: whose it is, when, how much magnified, and what flashes. */
-function caption({ overview }: Result): string[] {
-  const shown = (part: string) => document.querySelector(`#motion [data-part="${part}"]`)?.textContent ?? "";
-  return [caseOf(overview), `${shown("clock")}, ${say("motion.magnify").toLowerCase()} ${shown("magnified")}`,
-    ...shown("event").split("; ").filter((one) => one !== "")];
-}
-
 /** Lines of at most so many characters. */
 function wrapped(line: string, most: number): string[] {
   const lines = [""];
@@ -43,7 +36,7 @@ function wrapped(line: string, most: number): string[] {
   return lines;
 }
 
-/** The picture as it stands, with the styles it has on the page, and its caption below. */
+/** The picture as it stands, with the styles it has on the page, and below whose it is. */
 function stageSvg(now: Result): string {
   const stage = document.querySelector<SVGSVGElement>("#motion .stage")!;
   const copy = stage.cloneNode(true) as SVGSVGElement;
@@ -54,7 +47,7 @@ function stageSvg(now: Result): string {
   });
   const box = stage.viewBox.baseVal;
   const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);
-  const lines = caption(now).flatMap((line) => wrapped(line, Math.max(20, Math.floor(box.width / (0.6 * size)))));
+  const lines = wrapped(caseOf(now.overview), Math.max(20, Math.floor(box.width / (0.6 * size))));
   lines.forEach((line, k) => {
     const text = document.createElementNS(copy.namespaceURI, "text");
     for (const [name, value] of Object.entries({ x: box.x + 0.6 * size, y: box.y + box.height + (1.4 * k + 1) * size, "font-size": size, fill: color })) text.setAttribute(name, String(value));

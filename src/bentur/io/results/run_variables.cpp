@@ -125,6 +125,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     quantities(Owner::run, {}, {{}});
     contact_points();
     fit(response_.links, links.size);
+    each({"link_kind", {links}, "", "what the links are"}, problem_.links, &Link::kind);
     quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
     stretched("", time_, histories_.link_deformation, histories_.link_force);
     impacts();
@@ -188,6 +189,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       made({"base_shear" + number, {time_}, force_, "shear of the lowest storey of " + owner}, base_shear);
       base = model.elevations.front() - model.storey_heights.front();
     }
+    const ResultDimension bays = file_.dimension({"bay" + number, building.bays.size()});
+    pass({"bay_width" + number, {bays}, length_, "widths of the bays of " + owner}, building.bays);
     single({"base_elevation" + number, {}, length_, "elevation of the base of " + owner}, base);
     if constexpr (File::reads) {
       if (model.elevations.empty()) file_.source.fail("has no floors of " + owner);

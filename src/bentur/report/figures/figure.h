@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,8 +14,11 @@ namespace bentur {
 
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
-/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale ones are for areas.
-enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange };
+/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale ones are for areas,
+/// green and purple for what there are many of, red for blows and for what is not enough.
+enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange, green, purple, red };
+/// That of building number `index` in every picture, and of the curves of a list in turn.
+[[nodiscard]] Tone tone_of(std::size_t index);
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
 constexpr double page_width = 17;     ///< [cm]
@@ -79,6 +83,10 @@ struct Panel {
   std::string title = {};
   Axis x = {}, y = {};
   double height = 4.2;  ///< of the frame [cm]
+  int rows = 1;         ///< of the figure that it takes: of more than one as high as those beside it
+  /// A picture of things: lengths are alike both ways, there are no axes, and the frame is at most as high as is
+  /// needed.
+  bool to_scale = false;
   std::vector<Curve> curves = {};
   std::vector<RuleLine> rules = {};
   Events events = {};
@@ -91,9 +99,10 @@ struct Figure {
   std::string title = {};    ///< what is shown, for the comment of the data file; not drawn
   std::string finding = {};  ///< what it tells, "peak 5,300 kN at 3.57 s", for readers who do not see it
   std::vector<Panel> panels = {};
-  int columns = 1;              ///< panels side by side
-  double width = column_width;  ///< of the whole [cm]
-  bool shared_legend = false;   ///< one legend of all panels stands above them
+  int columns = 1;                  ///< panels side by side
+  std::vector<double> shares = {};  ///< of the columns in the width; empty: they are alike
+  double width = column_width;      ///< of the whole [cm]
+  bool shared_legend = false;       ///< one legend of all panels stands above them
 };
 
 /// The figure as SVG: texts are texts, measured in DejaVu Sans. The same figure gives the same bytes.

@@ -80,7 +80,6 @@ class Writer {
         "set output './'.name.'.'.format\n"
         "set multiplot\n"
         "unset key\n"
-        "set border 31 lw 0.7\n"
         "set tics in scale 0.5,0.3 front\n"
         "set xtics offset 0,0.3\nset ytics offset 0.4,0\n",
         figure_script_mark, gnuplot_string(name_), identifier(name_), layout_.width * pixels, layout_.height * pixels,
@@ -159,6 +158,7 @@ class Writer {
     script_ += fmt::format(
         "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
         x(placed.left), x(placed.right), y(placed.bottom), y(placed.top));
+    script_ += panel.to_scale ? "unset border\n" : "set border 31 lw 0.7\n";
     axis("x", placed.x, panel.x.numbers);
     axis("y", placed.y, panel.y.numbers);
     const double middle = (placed.left + placed.right) / 2;

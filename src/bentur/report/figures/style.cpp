@@ -1,9 +1,16 @@
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/internal/colours.h"
 
 namespace bentur {
+
+Tone tone_of(std::size_t index) {
+  constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::green, Tone::purple, Tone::grey};
+  return tones[index % std::size(tones)];
+}
 
 std::string figure_style(bool by_attribute) {
   std::string light, dark, rules;

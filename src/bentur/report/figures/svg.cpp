@@ -229,7 +229,7 @@ class Drawing {
       if (at < placed.x.from || at > placed.x.to) continue;
       event(frame.left + frame.x(at), frame.top + 0.03 * frame.height);
     }
-    axes(placed, frame);
+    if (!panel.to_scale) axes(placed, frame);
     const double middle = (placed.left + placed.right) / 2;
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);

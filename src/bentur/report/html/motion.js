@@ -2,9 +2,28 @@
 // page gives it, and listens to them. Text reaches the page by textContent, never as markup.
 
 /**
+ * Where the points of a scene (report/scene/scene.h) are at a magnification: a function of a point that gives its x. A
+ * point is [height, then of each of its movers: building, row or -1, weight, offset, apart].
+ * @param motion displacements by building and row
+ */
+function benturPlaces(scene, magnification, motion) {
+  "use strict";
+  const faces = [0];
+  scene.gaps.forEach((gap, b) => faces.push(faces[b] + scene.breadths[b] + magnification * gap));
+  return (point) => {
+    let x = 0;
+    for (let k = 1; k < point.length; k += 5) {
+      const [b, row] = [point[k], point[k + 1]];
+      x += point[k + 2] * (faces[b] + point[k + 3] + magnification * (point[k + 4] + (row < 0 ? 0 : motion[b][row])));
+    }
+    return x;
+  };
+}
+
+/**
  * @param parts elements: stage and timeline (SVG), scrub, clock, event, live (tbody), play, previous, next, hardest, speed,
- *   slow, magnify, magnified; where there are such, timeAxis (the times below the time line), buildingKey (shown where the
- *   drawing has numbers for names) and scaleNote (is told the magnification); `shown`, where there is one, is told of every
+ *   slow, magnify, magnified; where there are such, timeAxis (the times below the time line) and buildingKey (shown where the
+ *   drawing has numbers for names); `steady`: the stage keeps its height; `shown`, where there is one, is told of every
  *   time that is shown [s], as show() is.
  * @param data what animation_json() gives
  * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying()}
@@ -13,7 +32,6 @@ function benturMotion(parts, data) {
   "use strict";
   let words = data.words;
   const SVG = "http://www.w3.org/2000/svg";
-  const COLOURS = ["#1c2024", "#b4540a", "#1f5fa8", "#5f6b76", "#3d6b20", "#7d4a9c"]; // those of the figures
 
   function svg(name, attributes, parent) {
     const node = document.createElementNS(SVG, name);
@@ -55,22 +73,11 @@ function benturMotion(parts, data) {
     return values;
   }
 
-  let buildings, impacts, strongest, duration, frames;
+  let buildings, scene, impacts, strongest, duration, frames;
 
   function read() {
-    buildings = data.buildings.map((given) => ({
-      name: given.name,
-      elevations: given.elevations,
-      base: given.base,
-      bays: given.bays,
-      rigid: given.rigid,
-      nodes: given.nodes, // where columns are struck between floors, counted after the floors
-      rows: given.elevations.length + given.nodes.length,
-      width: given.bays.reduce((sum, bay) => sum + bay, 0),
-      scale: given.scale,
-      samples: decode(given.samples),
-      keys: decode(given.keys),
-    }));
+    scene = data.scene;
+    buildings = data.buildings.map((given) => ({ ...given, samples: decode(given.samples), keys: decode(given.keys) }));
     // [point, start, end, peak force, time of it, closing speed], by start
     impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
       ({ point, start, end, force, peak, speed, number }));
@@ -134,10 +141,13 @@ function benturMotion(parts, data) {
       (here + s * (slope + s * (3 * change - 2 * slope - turn + s * (slope + turn - 2 * change))));
   }
 
-  function opening(point, t) {
-    const left = displacement(buildings[point.left], point.leftFloor, t);
-    const right = displacement(buildings[point.left + 1], point.rightFloor, t);
-    return point.width + right - left;
+  /** Displacements of all buildings at time t. */
+  function motionAt(t) {
+    return buildings.map((building) => Array.from({ length: building.rows }, (_, row) => displacement(building, row, t)));
+  }
+
+  function opening(point, motion) {
+    return point.width + motion[point.left + 1][point.rightFloor] - motion[point.left][point.leftFloor];
   }
 
   /** Impacts under way at some time of [from, to], but for rounding. */
@@ -150,167 +160,92 @@ function benturMotion(parts, data) {
 
   const { stage } = parts;
   let framed = 0; // width of the page that the height of the drawing is for
-  let top_, bottom, largest, gaps, decimals, height, lowest, unit, magnification, usual, drawn, glow;
+  let decimals, unit, magnification, usual, drawn, glow;
 
   /** Everything that the picture takes from the response. */
   function measure() {
-    top_ = Math.max(...buildings.map((b) => b.elevations[b.elevations.length - 1]));
-    const foot = Math.min(...buildings.map((b) => b.base));
-    const sunk = buildings.some((b) => b.rigid || b.base === b.elevations[0]); // walls and slabs reach below the foot
-    bottom = foot - (sunk ? 0.06 * Math.max(top_ - foot, 1e-300) : 0);
-    largest = Math.max(1e-300, ...buildings.map((b) => {
-      let most = 0;
-      for (const sample of b.samples) most = Math.max(most, Math.abs(sample));
-      return b.scale * most;
-    }));
-    height = top_ - bottom;
-    gaps = data.widths.map(drawable);
     // As many for all: the largest movement has four digits.
-    decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(Math.max(largest, ...gaps)))));
-    const storeys = buildings.flatMap((b) => b.elevations
-      .map((elevation, floor) => elevation - (floor > 0 ? b.elevations[floor - 1] : b.base))
-      .filter((storey) => !b.rigid && storey > 0)); // a slab has none
-    lowest = storeys.length > 0 ? Math.min(...storeys) : height;
-    const breadth = buildings.reduce((sum, b) => sum + b.width, 0);
-    unit = Math.min(320 / height, 620 / breadth); // picture units per length
-    const gapsTogether = gaps.reduce((sum, gap) => sum + gap, 0);
-    const fits = Math.min(0.09 * height / largest, gapsTogether > 0 ? 0.5 * breadth / gapsTogether : Infinity);
-    const wanted = round125(Math.max(fits, 1e-6));
-    const before = usual;
+    const largest = Math.max(scene.largest, 1e-300, ...scene.gaps);
+    decimals = Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(largest))));
+    const breadth = scene.breadths.reduce((sum, one) => sum + one, 0);
+    unit = Math.min(320 / (scene.top - scene.bottom), 620 / breadth); // picture units per length
+    const before = usual, wanted = scene.magnification;
     // What is drawn again while a gap is changed keeps its magnification unless that no longer fits.
     if (usual === undefined || wanted < usual / 2.4 || wanted > usual * 2.4) usual = wanted;
     magnification = before === undefined ? usual : magnification * usual / before;
-    drawn = { ghosts: [], columns: [], slabs: [], marks: [], arrows: [], cells: [] };
+    drawn = { marks: [], arrows: [], cells: [] };
     glow = data.points.map(() => 0);
   }
 
-  /** A magnification that people can say: 1, 2 or 5 times a power of ten. */
-  function round125(value) {
-    const power = Math.pow(10, Math.floor(Math.log10(value)));
-    const digit = value / power;
-    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+  const y = (height) => unit * (scene.top - height);
+
+  /** Lines of a shape as the data of a path. */
+  function path(lines, place) {
+    return lines.map((line) =>
+      "M" + line.map((point) => `${(unit * place(point)).toFixed(2)} ${y(point[0]).toFixed(2)}`).join("L")).join("");
   }
-
-  /** The same building has one colour everywhere; a page may choose others. */
-  const colour = (b) => `var(--building-${b % COLOURS.length + 1}, ${COLOURS[b % COLOURS.length]})`;
-
-  /** A gap as wide as a picture can hold: beyond a thousand heights there is no number for it in SVG sooner or later. */
-  function drawable(gap) { return Math.min(gap, 1e3 * height); }
-
-  /** Picture x of a building's left face, with gaps magnified like the motion, so that touching looks like touching. */
-  function leftFace(index) {
-    let x = 0;
-    for (let b = 0; b < index; ++b) x += unit * (buildings[b].width + magnification * gaps[b]);
-    return x;
-  }
-
-  const y = (elevation) => unit * (top_ - elevation);
 
   function build() {
     stage.replaceChildren();
-    const defs = svg("defs", {}, stage);
-    const gradient = svg("radialGradient", { id: "glow" }, defs);
+    stage.classList.add("bentur");
+    const gradient = svg("radialGradient", { id: "glow" }, svg("defs", {}, stage));
     svg("stop", { offset: "0%", "stop-color": "#ff1f1f", "stop-opacity": "1" }, gradient);
     svg("stop", { offset: "45%", "stop-color": "#ff2a1f", "stop-opacity": "0.75" }, gradient);
     svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, gradient);
-    drawn.ground = svg("path", { class: "ground" }, stage);
-    buildings.forEach((building, b) => {
-      drawn.ghosts.push(svg("path", { class: "ghost" }, stage));
-      drawn.columns.push(svg("path", { class: "column" }, stage));
-      drawn.slabs.push(svg("path", { class: "slab" }, stage));
-      drawn.columns[b].style.stroke = drawn.slabs[b].style.stroke = colour(b);
-      const label = svg("text", { class: "name", "text-anchor": "middle" }, stage);
-      label.style.fill = colour(b);
-      label.textContent = building.name;
-      building.label = label;
-    });
+    drawn.ghost = svg("path", { class: "ghost" }, stage);
+    drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
+    drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
+    drawn.caption = ["ink", "red"].map((tone) => svg("text", { class: `caption fill-${tone}` }, stage));
     data.points.forEach((point, i) => {
       drawn.marks.push(svg("circle", { class: "hit", fill: "url(#glow)", opacity: 0, "data-point": i,
         "data-contact": 0 }, stage));
-      drawn.arrows.push(svg("path", { class: "force", opacity: 0 }, stage));
+      drawn.arrows.push(svg("path", { class: "force stroke-red", opacity: 0 }, stage));
     });
     frame();
   }
 
   /** Everything that depends on the magnification but not on time. */
   function frame() {
-    const room = unit * magnification * largest + 30;
-    const right = leftFace(buildings.length - 1) + unit * buildings[buildings.length - 1].width;
-    const wide = right + 2 * room;
+    const place = benturPlaces(scene, magnification, buildings.map(({ rows }) => new Array(rows).fill(0)));
+    const ground = scene.shapes[0].lines[0]; // as wide as all may move
+    const left = unit * place(ground[0]), right = unit * place(ground[ground.length - 1]), wide = right - left;
     const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1)); // lines and names keep their size on a narrow page
-    const storey = unit * lowest / pixel;
+    const storey = unit * scene.storey / pixel, base = y(scene.bottom), tall = base + 92 * pixel;
     drawn.pixel = pixel;
     stage.style.setProperty("--px", pixel.toFixed(3));
     stage.style.setProperty("--slab", `${Math.min(5, 0.35 * storey).toFixed(2)}px`);
     stage.style.setProperty("--flash", `${Math.min(24, Math.max(10, 1.2 * storey)).toFixed(2)}px`);
-    stage.setAttribute("viewBox", `${-room} ${-24 * pixel} ${wide} ${unit * height + 54 * pixel}`);
-    const base = y(bottom);
-    drawn.ground.setAttribute("d", `M${-room} ${base}H${right + room}`);
-    buildings.forEach((building, b) => {
-      building.label.setAttribute("x", leftFace(b) + unit * building.width / 2);
-      building.label.setAttribute("y", base + 20 * pixel);
-      const zero = new Array(building.rows).fill(0);
-      const shape = outline(building, b, zero);
-      drawn.ghosts[b].setAttribute("d", shape.columns + shape.slabs);
+    stage.setAttribute("viewBox", `${left} ${-24 * pixel} ${wide} ${tall}`);
+    drawn.ghost.setAttribute("d", scene.shapes.filter(({ role }) => role !== "ground" && role !== "soil")
+      .map(({ lines }) => path(lines, place)).join(""));
+    drawn.names.forEach((name, b) => {
+      name.setAttribute("x", unit * (place([0, b, -1, 1, 0, 0]) + scene.breadths[b] / 2));
+      name.setAttribute("y", base + 20 * pixel);
     });
-    nameBuildings(-room, right + room);
-    if (stage.clientWidth !== framed) { // the page does not jump when the magnification changes
+    drawn.caption.forEach((line, k) => {
+      line.setAttribute("x", left + 8 * pixel);
+      line.setAttribute("y", base + (42 + 17 * k) * pixel);
+    });
+    nameBuildings(left, right);
+    if (parts.steady && stage.clientWidth !== framed) { // the page does not jump when the magnification changes
       framed = stage.clientWidth;
-      const ratio = (unit * height + 54 * pixel) / wide;
-      if (parts.scaleNote) stage.style.height = `${Math.round(Math.min(framed * ratio, 416))}px`;
+      stage.style.height = `${Math.round(Math.min(framed * tall / wide, 454))}px`;
     }
-    const factor = number(Number(magnification.toPrecision(2)));
-    if (parts.scaleNote) parts.scaleNote.textContent = words.scale.replace("{factor}", factor);
   }
 
   /** Names below the buildings, or their numbers where names do not fit; the key below the drawing tells them. */
   function nameBuildings(left, right) {
     let end = left;
     let fit = true;
-    buildings.forEach((building, b) => {
-      building.label.textContent = building.name;
-      const half = building.label.getComputedTextLength() / 2;
-      const middle = Number(building.label.getAttribute("x"));
+    drawn.names.forEach((name, b) => {
+      name.textContent = buildings[b].name;
+      const half = name.getComputedTextLength() / 2;
+      const middle = Number(name.getAttribute("x"));
       fit = fit && middle - half >= end && middle + half <= right;
       end = middle + half + 4;
     });
-    if (!fit) buildings.forEach((building, b) => { building.label.textContent = String(b + 1); });
+    if (!fit) drawn.names.forEach((name, b) => { name.textContent = String(b + 1); });
     if (parts.buildingKey) parts.buildingKey.hidden = fit && buildings.length < 3;
-  }
-
-  /** Columns and floors of a building whose floors are displaced by `x`. */
-  function outline(building, b, x) {
-    const left = leftFace(b);
-    const shift = x.map((value) => unit * magnification * value);
-    if (building.rigid) { // from the ground up
-      const right = left + unit * building.width, top = y(building.elevations[building.elevations.length - 1]);
-      return { columns: `M${left.toFixed(2)} ${y(bottom).toFixed(2)}V${top.toFixed(2)}H${right.toFixed(2)}` +
-        `V${y(bottom).toFixed(2)}Z`, slabs: "" };
-    }
-    // Bearings lean between the ground and the slab above them.
-    const foot = building.base === building.elevations[0] ? bottom : building.base;
-    let columns = "";
-    let line = left;
-    for (let bay = 0; bay <= building.bays.length; ++bay) {
-      columns += `M${line.toFixed(2)} ${y(foot).toFixed(2)}`;
-      const places = building.elevations.map((elevation, floor) => [elevation, shift[floor]]);
-      building.nodes.forEach((node, n) => { // it bends where it is struck
-        if (bay !== (node.left ? 0 : building.bays.length)) return;
-        places.push([node.elevation, shift[building.elevations.length + n]]);
-      });
-      places.sort((a, b) => a[0] - b[0]);
-      for (const [elevation, by] of places) columns += `L${(line + by).toFixed(2)} ${y(elevation).toFixed(2)}`;
-      line += unit * (building.bays[bay] || 0);
-    }
-    let slabs = "";
-    building.elevations.forEach((elevation, floor) => {
-      // A level with a wider gap than the narrowest one of its joint stands back by the difference.
-      const joint = data.points.find((point) => point.left === b - 1 && point.rightFloor === floor);
-      const back = joint ? unit * magnification * (drawable(joint.width) - gaps[b - 1]) : 0;
-      slabs += `M${(left + shift[floor] + back).toFixed(2)} ${y(elevation).toFixed(2)}` +
-        `H${(left + shift[floor] + unit * building.width).toFixed(2)}`;
-    });
-    return { columns, slabs };
   }
 
   // ---------------------------------------------------------------- the time line
@@ -322,9 +257,9 @@ function benturMotion(parts, data) {
     line.replaceChildren();
     line.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT}`);
     line.setAttribute("preserveAspectRatio", "none");
+    line.classList.add("bentur");
     svg("path", { class: "axis", d: `M0 ${MIDDLE}H${WIDTH}` }, line);
-    buildings.forEach((building, b) => {
-      const floors = building.elevations.length;
+    buildings.forEach((building) => {
       const frames = building.samples.length / building.rows;
       const bins = Math.min(WIDTH, frames);
       let path = "";
@@ -332,7 +267,7 @@ function benturMotion(parts, data) {
         let low = Infinity, high = -Infinity;
         const end = Math.max(Math.floor((bin + 1) * frames / bins), Math.floor(bin * frames / bins) + 1);
         for (let k = Math.floor(bin * frames / bins); k < end; ++k) {
-          const value = building.samples[k * building.rows + floors - 1] * building.scale / largest;
+          const value = building.samples[k * building.rows + building.roof] * building.scale / Math.max(scene.largest, 1e-300);
           low = Math.min(low, value);
           high = Math.max(high, value);
         }
@@ -340,7 +275,7 @@ function benturMotion(parts, data) {
         path += `${bin ? "L" : "M"}${x.toFixed(1)} ${(MIDDLE - SPAN * low).toFixed(1)}` +
           `L${x.toFixed(1)} ${(MIDDLE - SPAN * high).toFixed(1)}`;
       }
-      svg("path", { class: "roof", d: path }, line).style.stroke = colour(b);
+      svg("path", { class: `roof stroke-${building.tone}`, d: path }, line);
     });
     let ticks = "";
     for (const impact of impacts) {
@@ -391,19 +326,13 @@ function benturMotion(parts, data) {
   function show(t, since, fading = 1) {
     now = Math.min(Math.max(t, 0), duration);
     glow = glow.map((value) => value * fading);
-    buildings.forEach((building, b) => {
-      const x = Array.from({ length: building.rows }, (_, floor) => displacement(building, floor, now));
-      const shape = outline(building, b, x);
-      drawn.columns[b].setAttribute("d", shape.columns);
-      drawn.slabs[b].setAttribute("d", shape.slabs);
-    });
+    const motion = motionAt(now), place = benturPlaces(scene, magnification, motion);
+    scene.shapes.forEach(({ lines }, k) => drawn.shapes[k].setAttribute("d", path(lines, place)));
     const current = underWay(since === undefined ? now : Math.min(since, now), now);
     data.points.forEach((point, i) => {
       const hit = current.some((impact) => impact.point === i);
       glow[i] = hit ? 1 : since === undefined ? 0 : glow[i];
-      const left = buildings[point.left];
-      const x = leftFace(point.left) + unit * left.width +
-        unit * magnification * displacement(left, point.leftFloor, now);
+      const x = unit * place(scene.contacts[i]);
       const mark = drawn.marks[i];
       mark.setAttribute("cx", x.toFixed(2));
       mark.setAttribute("cy", y(point.elevation).toFixed(2));
@@ -411,7 +340,7 @@ function benturMotion(parts, data) {
       mark.setAttribute("data-contact", hit ? 1 : 0);
       if (hit) drawn.arrows[i].setAttribute("d", arrows(x, y(point.elevation), current, i));
       drawn.arrows[i].setAttribute("opacity", glow[i].toFixed(3));
-      drawn.cells[i].textContent = signed(opening(point, now).toFixed(decimals));
+      drawn.cells[i].textContent = signed(opening(point, motion).toFixed(decimals));
       drawn.cells[i].className = hit ? "marked" : "";
     });
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
@@ -421,8 +350,12 @@ function benturMotion(parts, data) {
     current.sort((a, b) => b.force - a.force);
     const more = current.length > 3 ? `; + ${current.length - 3}` : "";
     event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
+    drawn.caption[0].textContent = `${clock.textContent}, ${words.magnified.replace("{}", factor())}`;
+    drawn.caption[1].textContent = current.length > 0 ? describe(current[0]) + (current.length > 1 ? `; + ${current.length - 1}` : "") : "";
     if (parts.shown) parts.shown(now, since, fading);
   }
+
+  const factor = () => number(Number(magnification.toPrecision(2)));
 
   /** What the two floors push one another with, as long as the impact's peak force is beside the largest of all. */
   function arrows(x, height_, current, i) {
@@ -443,11 +376,11 @@ function benturMotion(parts, data) {
 
   function buildLive() {
     live.replaceChildren();
-    stage.parentNode.classList.toggle("stacked", gaps.length > 1);
-    if (gaps.length > 1) {
+    stage.parentNode.classList.toggle("stacked", scene.gaps.length > 1);
+    if (scene.gaps.length > 1) {
       const head = html("tr", undefined, live);
       html("th", words.level, head).scope = "col";
-      gaps.forEach((_, gap) => {
+      scene.gaps.forEach((_, gap) => {
         const names = `${buildings[gap].name} | ${buildings[gap + 1].name}`;
         html("th", parts.buildingKey ? `${gap + 1} | ${gap + 2}` : names, head).scope = "col";
       });
@@ -456,7 +389,7 @@ function benturMotion(parts, data) {
     for (const level of levels) {
       const row = html("tr", undefined, live);
       html("th", `${number(level)} ${data.units.length}`, row).scope = "row";
-      gaps.forEach((_, gap) => {
+      scene.gaps.forEach((_, gap) => {
         const cell = html("td", "", row);
         const point = data.points.findIndex((p) => p.left === gap && p.elevation === level);
         if (point >= 0) drawn.cells[point] = cell;
@@ -548,12 +481,8 @@ function benturMotion(parts, data) {
     if (others.length > 0) show((direction > 0 ? others[0] : others[others.length - 1]).start);
   }
 
-  function tellMagnified() {
-    magnified.textContent = `× ${number(Number(magnification.toPrecision(2)))}`;
-  }
-
   function buildControls() {
-    tellMagnified();
+    magnified.textContent = `× ${factor()}`;
     scrub.max = duration;
     scrub.step = data.step;
     for (const button of [hardest, previous, next]) button.disabled = impacts.length === 0;
@@ -566,7 +495,7 @@ function benturMotion(parts, data) {
     magnify.value = 0;
     magnify.addEventListener("input", () => {
       magnification = usual * Math.pow(10, Number(magnify.value));
-      tellMagnified();
+      magnified.textContent = `× ${factor()}`;
       frame();
       show(now);
     });
@@ -596,8 +525,7 @@ function benturMotion(parts, data) {
 
   build_();
   listen();
-  // What stands still, and is printed: the hardest impact, else the start.
-  show(strongest === null ? 0 : strongest.force > 0 ? strongest.peak : strongest.start);
+  show(data.shown); // what stands still, and is printed
 
   return {
     get impacts() { return impacts; },

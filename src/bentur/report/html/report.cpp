@@ -72,7 +72,6 @@ html::PageSection motion_section(const Report& report) {
                   "class=\"readout\""),
       "class=\"player\"");
   content += element("p", html::building_key(report), "id=\"building-key\" class=\"note\"");
-  content += element("p", Html(), "id=\"scale-note\" class=\"note print\"");
   content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
   content += element("div", Html(), "id=\"time-axis\" aria-hidden=\"true\"");
@@ -89,6 +88,23 @@ html::PageSection motion_section(const Report& report) {
       "class=\"controls screen\"");
   content += element("p", say("motion.note"), "class=\"note\"");
   return {"motion", say("heading.motion_picture"), content};
+}
+
+/// The opening figure, below the verdict: over the whole width of a page, and for a narrow one.
+Html overview(const RunResults& results, const Words& say) {
+  FigureOptions options;
+  options.say = figure_words(say.language());
+  options.language = say.language();
+  const std::string caption = say("figure.overview");
+  Html drawn;
+  std::string finding;
+  for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
+    options.width = width;
+    const Figure figure = make_figure(results, "overview", options);
+    finding = figure.finding;
+    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
+  }
+  return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
 }
 
 /// Case and record by their hashes, so that a report can be told from that of another file of the same name.
@@ -147,14 +163,22 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
       [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(results, kind, drawn); }, "figure.",
       options.language);
 
+  html::PageSection verdict = html::verdict_section(report);
+  verdict.content += overview(results, say);
+
   html::PageBody body;
   body.header = element("h1", title) +
                 element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(report);
-  body.sections = {
-      html::verdict_section(report), html::remarks_section(report),         motion_section(report),
-      html::gap_section(report),     html::peaks_section(report),           html::damage_section(report),
-      html::columns_section(report), html::impacts_section(report, listed), html::figures_section(say, figures),
-      html::input_section(report)};
+  body.sections = {verdict,
+                   html::remarks_section(report),
+                   motion_section(report),
+                   html::gap_section(report),
+                   html::peaks_section(report),
+                   html::damage_section(report),
+                   html::columns_section(report),
+                   html::impacts_section(report, listed),
+                   html::figures_section(say, figures),
+                   html::input_section(report)};
   body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
                 element("script", html::json_markup(html::animation_json(report, listed)),
                         "type=\"application/json\" id=\"data\"") +

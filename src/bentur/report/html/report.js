@@ -11,7 +11,7 @@
   }
   parts.timeAxis = document.getElementById("time-axis");
   parts.buildingKey = document.getElementById("building-key");
-  parts.scaleNote = document.getElementById("scale-note");
+  parts.steady = true;
   const motion = benturMotion(parts, data);
 
   const { html } = motion;

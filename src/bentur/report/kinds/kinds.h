@@ -23,6 +23,7 @@ struct FigureOptions {
   std::string event = pounding_event;                   ///< of a fragility: EventRule
   double width = column_width;                          ///< [cm]
   FigureWords say = {};
+  std::string language = "en";  ///< of sentences, as report_languages() has them
   /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
   bool choose = false;
 };
@@ -34,9 +35,10 @@ class NoFigure : public std::runtime_error {
 };
 
 struct FigureKind {
-  std::string name;        ///< "displacement", as the command line takes it
-  std::string shows;       ///< a few words on what is drawn
-  bool tells = true;       ///< else it has little to say of these results, and reports leave it out
+  std::string name;   ///< "displacement", as the command line takes it
+  std::string shows;  ///< a few words on what is drawn
+  /// Among the figures of a report; others have little to say of these results, or stand above.
+  bool tells = true;
   bool over_time = false;  ///< time stands along its x axis: FigureOptions::from and to
 };
 

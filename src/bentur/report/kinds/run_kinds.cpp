@@ -12,6 +12,7 @@ namespace bentur {
 namespace {
 
 bool always(const RunResults&) { return true; }
+bool stands_above(const RunResults&) { return false; }
 
 struct RunKind {
   const char* name;
@@ -22,6 +23,7 @@ struct RunKind {
   bool over_time = false;
 };
 
+bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
 bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
@@ -72,6 +74,10 @@ bool has_column(const RunResults& run) {
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
+    {"overview", "the buildings at the hardest impact, the opening over time, given and needed gap", has_histories,
+     overview_figure, stands_above},
+    {"scene", "the buildings at the hardest impact, else where they come closest", has_histories, scene_figure,
+     stands_above},
     {"displacement", "displacements of both buildings at one contact point, contacts marked", has_points,
      displacement_figure, always, true},
     {"opening", "opening of the gap at one contact point", has_points, opening_figure, always, true},

@@ -12,9 +12,10 @@ struct Colour {
 };
 inline constexpr Colour colours[] = {
     // in the order of Tone
-    {"ink", "#000000", "#e8ebee"},         {"blue", "#1f5fa8", "#7fb4ee"}, {"orange", "#b4540a", "#f0a05c"},
-    {"grey", "#5f6b76", "#a4aeb8"},        {"pale", "#d9d9d9", "#4a525a"}, {"pale-blue", "#c3d7ee", "#2c4a6b"},
-    {"pale-orange", "#f2d3b8", "#6b4426"},
+    {"ink", "#000000", "#e8ebee"},         {"blue", "#1f5fa8", "#7fb4ee"},  {"orange", "#b4540a", "#f0a05c"},
+    {"grey", "#5f6b76", "#a4aeb8"},        {"pale", "#d9d9d9", "#4a525a"},  {"pale-blue", "#c3d7ee", "#2c4a6b"},
+    {"pale-orange", "#f2d3b8", "#6b4426"}, {"green", "#3d6b20", "#97cc74"}, {"purple", "#7d4a9c", "#cfa3e6"},
+    {"red", "#b3191e", "#ff8a85"},
 };
 inline constexpr Colour paper = {"paper", "#ffffff", "#15191d"};
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
@@ -108,6 +109,7 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
     for (const double at : is_upright ? panel.map->y_edges : panel.map->x_edges) take(at);
   }
   if (is_upright && !panel.events.x.empty() && !axis.to) high += events_height * std::max(high - low, 0.0);
+  if (panel.to_scale) return {.from = axis.from.value_or(low), .to = axis.to.value_or(high)};
   const bool plain = is_upright && !axis.places.empty();  // levels are said as they are
   Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least, plain});
   if (is_upright) put_at(ticks, axis.places, line_height / panel.height);
@@ -189,13 +191,32 @@ void shift(std::vector<LegendEntry>& list, double right, double up) {
   }
 }
 
+/// Makes the scale of a panel's axes one: the longer way fills its frame, the other way it stands in the middle.
+void fit(PlacedPanel& placed) {
+  const double width = placed.right - placed.left, height = placed.top - placed.bottom;
+  Ticks &x = placed.x, &y = placed.y;
+  const double scale = std::max((x.to - x.from) / width, (y.to - y.from) / height);
+  const auto widen = [](Ticks& axis, double length) {
+    const double beside = (length - (axis.to - axis.from)) / 2;
+    axis.from -= beside;
+    axis.to += beside;
+  };
+  widen(x, scale * width);
+  widen(y, scale * height);
+}
+
 /// Panels of one row or column of the figure have margins alike.
 class Arrangement {
  public:
   explicit Arrangement(const Figure& figure)
       : figure_(figure), columns_(static_cast<std::size_t>(std::max(1, figure.columns))) {
     result_.width = figure.width;
+    std::vector<std::size_t> taken(columns_, 0);  // rows of each column
     for (const Panel& panel : figure.panels) {
+      const auto column = std::min_element(taken.begin(), taken.end());
+      cells_.push_back({*column, static_cast<std::size_t>(column - taken.begin())});
+      *column += static_cast<std::size_t>(panel.rows);
+      rows_ = std::max(rows_, *column);
       const int most = std::max(2, static_cast<int>(panel.height / 0.55));
       result_.panels.push_back({.panel = &panel, .y = ticks_of(panel, true, most)});
     }
@@ -203,8 +224,9 @@ class Arrangement {
 
   Layout make() {
     place_columns();
-    for (std::size_t row = 0; row < result_.panels.size(); row += columns_) {
-      place_row(row, std::min(row + columns_, result_.panels.size()));
+    for (std::size_t row = 0; row < rows_; ++row) place_row(row);
+    for (PlacedPanel& placed : result_.panels) {
+      if (placed.panel->to_scale) fit(placed);
     }
     result_.height = depth_;
     for (PlacedPanel& placed : result_.panels) {  // measured from the upper edge so far
@@ -215,6 +237,10 @@ class Arrangement {
   }
 
  private:
+  struct Cell {
+    std::size_t row = 0, column = 0;
+  };
+
   void place_columns() {
     std::vector<double> left(columns_, 0.0), right(columns_, edge);
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
@@ -223,12 +249,14 @@ class Arrangement {
       double numbers = 0;
       for (const auto& [at, text] : placed.y.labels) numbers = std::max(numbers, text_width(text));
       if (!panel.y.numbers) numbers = 0;
-      left[i % columns_] = std::max(left[i % columns_], (panel.y.label.empty() ? 0.1 : label_room) + 0.2 + numbers);
+      double& before = left[cells_[i].column];
+      before = std::max(before, (panel.y.label.empty() ? 0.1 : label_room) + 0.2 + numbers);
       if (!panel.map) continue;
       placed.scale = scale_of(*panel.map);
       double widest = 0;
       for (const auto& [at, text] : placed.scale.labels) widest = std::max(widest, text_width(text));
-      right[i % columns_] = std::max(right[i % columns_], scale_width + 0.2 + widest + 0.1 + label_room);
+      double& behind = right[cells_[i].column];
+      behind = std::max(behind, scale_width + 0.2 + widest + 0.1 + label_room);
     }
     constexpr int attempts = 3;  // until the numbers at the ends of the x axes have room
     for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -240,8 +268,9 @@ class Arrangement {
           return text_width(label.second) / 2 -
                  std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + 0.08;
         };
-        left[i % columns_] = std::max(left[i % columns_], beyond(placed.x.labels.front(), 0));
-        right[i % columns_] = std::max(right[i % columns_], beyond(placed.x.labels.back(), 1));
+        double &before = left[cells_[i].column], &behind = right[cells_[i].column];
+        before = std::max(before, beyond(placed.x.labels.front(), 0));
+        behind = std::max(behind, beyond(placed.x.labels.back(), 1));
       }
     }
     place_frames(left, right);
@@ -250,16 +279,20 @@ class Arrangement {
   void place_frames(const std::vector<double>& left, const std::vector<double>& right) {
     double free = figure_.width;
     for (std::size_t c = 0; c < columns_; ++c) free -= left[c] + right[c];
-    const double width = std::max(1.0, free / static_cast<double>(columns_));
+    const std::vector<double> alike(columns_, 1.0);
+    const std::vector<double>& shares = figure_.shares.size() == columns_ ? figure_.shares : alike;
+    const double whole = std::accumulate(shares.begin(), shares.end(), 0.0);
     double at = 0;
     for (std::size_t c = 0; c < columns_; ++c) {
-      for (std::size_t i = c; i < result_.panels.size(); i += columns_) {
+      const double width = std::max(1.0, free * shares[c] / whole);
+      for (std::size_t i = 0; i < result_.panels.size(); ++i) {
+        if (cells_[i].column != c) continue;
         PlacedPanel& placed = result_.panels[i];
         placed.cell_left = at;
-        placed.left = at + left[c];
-        placed.right = placed.left + width;
+        placed.left = at + (placed.panel->to_scale ? edge : left[c]);
+        placed.right = at + left[c] + width;
         placed.cell_right = placed.right + right[c];
-        place_numbers(placed, width);
+        place_numbers(placed, placed.right - placed.left);
       }
       at += left[c] + width + right[c];
     }
@@ -283,13 +316,15 @@ class Arrangement {
     if (!is_crowded(asked, width)) placed.x = asked;
   }
 
-  /// Legends, titles and frames of panels `begin` to `end`, below what is placed already.
-  void place_row(std::size_t begin, std::size_t end) {
+  /// Legends, titles and frames of the panels of a row, below what is placed already; of those that go on below it what
+  /// stands above their frames.
+  void place_row(std::size_t row) {
+    const std::vector<std::size_t> begun = panels_where([&](std::size_t i) { return cells_[i].row == row; });
     double legend = 0;
     double frame = 0;
     double numbers = 0.1, below = 0;  // room of the numbers and of the label of the x axis
     std::size_t titles = 0;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::size_t i : begun) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
       if (!figure_.shared_legend) {
@@ -299,11 +334,13 @@ class Arrangement {
         for (const Panel& each : figure_.panels) add_entries(each, placed.legend);
         std::stable_partition(placed.legend.begin(), placed.legend.end(), [](const auto& one) { return !one.event; });
         legend = arrange(placed.legend, figure_.width - placed.left - 0.1);
-        centre(placed.legend, (result_.panels[end - 1].right - placed.left) / 2, figure_.width - placed.left - 0.1);
+        centre(placed.legend, (result_.panels[begun.back()].right - placed.left) / 2,
+               figure_.width - placed.left - 0.1);
       }
       placed.title = lines_of(plain_text(panel.title), placed.right - placed.left + 0.2, most_lines);
       titles = std::max(titles, placed.title.size());
-      frame = std::max({frame, panel.height, text_width(scaled(panel.y.label, placed.y, panel.y.number)),
+      if (panel.rows > 1) continue;
+      frame = std::max({frame, height_of(placed), text_width(scaled(panel.y.label, placed.y, panel.y.number)),
                         text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
       if (panel.x.numbers) numbers = std::max(numbers, 0.55);
       if (panel.x.numbers && placed.x.upright) {
@@ -314,8 +351,8 @@ class Arrangement {
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }
     const double title = static_cast<double>(titles) * line_height;
-    const double above = figure_.shared_legend && begin == 0 ? legend : 0;  // all titles
-    for (std::size_t i = begin; i < end; ++i) {
+    const double above = figure_.shared_legend && row == 0 ? legend : 0;  // all titles
+    for (const std::size_t i : begun) {
       PlacedPanel& placed = result_.panels[i];
       placed.title_y = -(depth_ + above + line_height / 2);
       shift(placed.legend, placed.left, -(depth_ + (above > 0 ? 0 : title)));
@@ -328,12 +365,35 @@ class Arrangement {
       placed.x_label_x = std::max(placed.cell_left + widest / 2, std::min(middle, placed.cell_right - widest / 2));
       placed.scale_label_x = placed.cell_right - 0.22;
     }
-    depth_ += title + legend + 0.1 + frame + numbers + below + 0.1;
+    const double bottom = -(depth_ + title + legend + 0.1 + frame);
+    const auto ends = [&](std::size_t i) {
+      return result_.panels[i].panel->rows > 1 &&
+             cells_[i].row + static_cast<std::size_t>(result_.panels[i].panel->rows) == row + 1;
+    };
+    for (const std::size_t i : panels_where(ends)) result_.panels[i].bottom = bottom;
+    depth_ = -bottom + numbers + below + 0.1;
+  }
+
+  template <typename Condition>
+  [[nodiscard]] std::vector<std::size_t> panels_where(const Condition& holds) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < result_.panels.size(); ++i) {
+      if (holds(i)) found.push_back(i);
+    }
+    return found;
+  }
+
+  /// Of a frame; of a picture of things no higher than these at the width there is.
+  [[nodiscard]] static double height_of(const PlacedPanel& placed) {
+    if (!placed.panel->to_scale) return placed.panel->height;
+    const double needed = (placed.y.to - placed.y.from) / (placed.x.to - placed.x.from) * (placed.right - placed.left);
+    return std::min(placed.panel->height, needed);
   }
 
   const Figure& figure_;
-  std::size_t columns_;
-  double depth_ = 0.1;  // of what is placed, from the upper edge
+  std::size_t columns_, rows_ = 0;
+  std::vector<Cell> cells_;  // of the panels
+  double depth_ = 0.1;       // of what is placed, from the upper edge
   Layout result_;
 };
 

@@ -14,8 +14,8 @@ struct Ticks {
   bool numbered = false;  ///< the numbers stand for names
   bool upright = false;   ///< texts are turned, since they are too long to stand side by side
   int exponent = 0;       ///< the numbers are those of value / 10^exponent
-  std::vector<std::pair<double, std::string>> labels;
-  std::vector<double> minor;  ///< without a number
+  std::vector<std::pair<double, std::string>> labels = {};
+  std::vector<double> minor = {};  ///< without a number
 };
 
 /// Beside the range of its data: nearer to zero than this an end is zero, so that the last digits of numbers that

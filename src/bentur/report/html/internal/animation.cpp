@@ -3,40 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
-#include <variant>
 
 #include "bentur/io/results/result_csv.h"
+#include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/scene/scene.h"
 
 namespace bentur::html {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double height_of(const Building& building) {
-  const std::vector<double>& storeys = building.model.storey_heights;
-  return std::accumulate(storeys.begin(), storeys.end(), 0.0);
-}
-
-/// Bays the picture is drawn with: of a building that has no width one of a third of its height, of a wall one of a
-/// twentieth of the highest building.
-std::vector<double> bays(const Report& report, std::size_t b) {
-  const std::vector<Building>& buildings = report.problem.buildings;
-  if (buildings[b].is_rigid()) {
-    double highest = 0;
-    for (const Building& building : buildings) highest = std::max(highest, height_of(building));
-    return {highest > 0 ? highest / 20 : 1};
-  }
-  const double slender = height_of(buildings[b]) / 3;
-  if (!report.from_case()) return {slender};
-  const BuildingSpec& spec = report.c.buildings.at(b);
-  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return frame->bay_widths;
-  return {spec.width.value_or(slender)};
-}
 
 /// One sample in `stride`, floors of one instant side by side.
 Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double scale) {
@@ -51,7 +29,8 @@ Json samples(const Eigen::MatrixXd& displacement, Eigen::Index stride, double sc
   return base64(bytes);
 }
 
-/// Columns of the course at the start, the peak and the end of each impact shown, by time; none where it was not kept.
+/// Columns of the course at the start, the peak and the end of each impact shown and at what is shown first, by time;
+/// none where it was not kept.
 std::vector<Eigen::Index> key_columns(const Report& report, const std::vector<Eigen::Index>& shown) {
   const std::vector<double>& time = report.response.course.time;
   std::vector<Eigen::Index> columns;
@@ -68,24 +47,42 @@ std::vector<Eigen::Index> key_columns(const Report& report, const std::vector<Ei
     if (impact.peak_force > 0) add(impact.peak_force_time);
     add(impact.end);
   }
+  add(telling_instant(report.response).time);
   std::sort(columns.begin(), columns.end());
   const auto same_time = [&](Eigen::Index a, Eigen::Index b) { return time[a] == time[b]; };
   columns.erase(std::unique(columns.begin(), columns.end(), same_time), columns.end());
   return columns;
 }
 
-/// Where columns are struck between floors: behind the floors in the samples, in the outer column that faces the gap.
-Json nodes_json(const Report& report, std::size_t b) {
-  const Building& building = report.problem.buildings[b];
-  Json nodes = Json::array();
-  for (const double elevation : building.model.node_elevations) nodes.push_back({{"elevation", elevation}});
-  for (const ContactPoint& point : report.problem.points) {
-    const std::optional<StruckColumn> struck = struck_column(report.problem, point);
-    if (struck && struck->building == static_cast<Eigen::Index>(b)) {
-      nodes.at(static_cast<std::size_t>(struck->node))["left"] = point.left != struck->building;
-    }
+/// As motion.js reads it.
+Json point_json(const ScenePoint& point) {
+  Json json = {point.height};
+  for (const SceneMover& mover : point.movers) {
+    json.insert(json.end(), {mover.building, mover.row.value_or(-1), mover.weight, mover.offset, mover.apart});
   }
-  return nodes;
+  return json;
+}
+
+Json scene_json(const Scene& scene) {
+  Json shapes = Json::array(), contacts = Json::array();
+  for (const SceneShape& shape : scene.shapes) {
+    Json lines = Json::array();
+    for (const auto& line : shape.lines) {
+      Json& points = lines.emplace_back(Json::array());
+      for (const ScenePoint& point : line) points.push_back(point_json(point));
+    }
+    shapes.push_back({{"role", role_name(shape.role)}, {"tone", colour(shape.tone).name}, {"lines", lines}});
+  }
+  for (const ScenePoint& point : scene.contacts) contacts.push_back(point_json(point));
+  return {{"breadths", scene.breadths},
+          {"gaps", scene.gaps},
+          {"bottom", scene.bottom},
+          {"top", scene.top},
+          {"storey", scene.storey},
+          {"largest", scene.largest},
+          {"magnification", scene.magnification},
+          {"shapes", shapes},
+          {"contacts", contacts}};
 }
 
 /// Displacements of floors, then of nodes in columns, at the instants of some columns of the histories.
@@ -107,11 +104,9 @@ Json building_json(const Report& report, std::size_t b, Eigen::Index stride, con
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
   return {{"name", building.name},
-          {"elevations", building.model.elevations},
-          {"base", building.model.elevations.front() - building.model.storey_heights.front()},
-          {"bays", bays(report, b)},
-          {"rigid", building.is_rigid()},
-          {"nodes", nodes_json(report, b)},
+          {"tone", colour(tone_of(b)).name},
+          {"rows", displacement.rows()},
+          {"roof", building.model.floors() - 1},
           {"scale", scale},
           {"samples", samples(displacement, stride, scale)},
           {"keys", samples(exact, 1, scale)}};
@@ -153,15 +148,6 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
                       {"elevation", point.elevation},
                       {"width", point.width}});
   }
-  std::vector<double> widths;  // of the gaps at rest
-  for (std::size_t gap = 0; gap + 1 < report.problem.buildings.size(); ++gap) {
-    widths.push_back(std::numeric_limits<double>::max());
-    const auto narrow = [&](const auto& one) {
-      if (one.left == static_cast<int>(gap)) widths.back() = std::min(widths.back(), one.width);
-    };
-    std::for_each(report.problem.points.begin(), report.problem.points.end(), narrow);
-    std::for_each(report.problem.watched.begin(), report.problem.watched.end(), narrow);
-  }
   std::vector<Eigen::Index> by_start = listed;
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
@@ -174,16 +160,19 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
                        impact.closing_speed, k + 1});
   }
   Json words;
-  for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "scale"}) {
+  for (const char* const word : {"play", "pause", "impact", "level", "show_impact"}) {
     words[word] = report.say("script." + std::string(word));
   }
+  words["magnified"] = report.say("figure.text.magnified");
   const Json all = {{"words", words},
                     {"units", {{"length", report.c.units.length}, {"force", units.units.force}}},
                     {"duration", report.problem.duration},
                     {"step", step * static_cast<double>(stride)},
                     {"keys", key_times},
                     {"points", points},
-                    {"widths", widths},
+                    {"shown", telling_instant(report.response).time},
+                    {"scene", scene_json(scene_of(report.problem, report.response))},
+                    {"style", figure_style()},
                     {"impacts", impacts},
                     {"csv", impacts_csv({report.problem, shown, report.c.units})},
                     {"buildings", buildings}};

@@ -12,6 +12,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
   std::vector<PageFigure> figures;
   FigureOptions options;
   options.say = figure_words(language);
+  options.language = language;
   options.choose = true;
   for (const FigureKind& kind : kinds) {
     if (!kind.tells) continue;

@@ -151,11 +151,6 @@ void leave_to_neighbour(Axis& axis) {
   axis.numbers = false;
 }
 
-Tone tone_of(std::size_t index) {
-  constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::grey};
-  return tones[index % 4];
-}
-
 void tell_apart(Curve& curve, std::size_t index) {
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
   curve.tone = tone_of(index);

@@ -53,6 +53,8 @@ template <class... Values>
 [[noreturn]] void refuse_figure(const std::string& kind, const std::string& of, const std::vector<FigureKind>& kinds);
 
 // The figures of a run, one for each kind.
+[[nodiscard]] Figure overview_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure scene_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure displacement_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure opening_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure force_figure(const RunResults& run, const FigureOptions& options);
@@ -75,8 +77,6 @@ template <class... Values>
 constexpr double page_over_column = page_width / column_width;
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
-/// A building has the tone of its number in every figure.
-[[nodiscard]] Tone tone_of(std::size_t index);
 /// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index);
 [[nodiscard]] Mark mark_of(std::size_t index);

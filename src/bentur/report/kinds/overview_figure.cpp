@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
+#include "bentur/report/story_text.h"
+
+namespace bentur {
+namespace {
+
+/// The first sentence of the verdict.
+std::string first_finding(const RunResults& run, const FigureOptions& options) {
+  const std::vector<SaidStatement> all = said(run_story(run).statements, Words(options.language));
+  const SaidStatement& first = all.front();
+  const bool is_row = run.problem.buildings.size() > 2;
+  return (is_row && first.gap ? gap_name(run.problem, *first.gap) + ": " : "") + first.text;
+}
+
+/// The opening of a contact point over the run, with the instant that the scene shows.
+Panel opening_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options) {
+  const ContactPoint& point = run.problem.points[*instant.point];
+  FigureOptions there = options;
+  there.gap = static_cast<std::size_t>(point.left);
+  there.elevation = point.elevation;
+  Panel panel = opening_figure(run, there).panels.front();
+  panel.events = {};
+  panel.curves.front().label = "";
+  panel.rules.front().label = word(options, "contact");
+  panel.rules.push_back({.at = instant.histories->time[instant.column],
+                         .vertical = true,
+                         .label = word(options, instant.impact ? "hardest impact" : "where they come closest"),
+                         .tone = Tone::red,
+                         .line = Line::dotted});
+  panel.x.label = word(options, "Time t [s]");
+  panel.height = 3.6;
+  panel.curves.push_back({.x = {instant.histories->time[instant.column]},
+                          .y = {instant.histories->opening(*instant.point, instant.column)},
+                          .tone = Tone::red,
+                          .line = Line::none,
+                          .mark = Mark::disc});
+  return panel;
+}
+
+/// A gap that is given or needed [length]; NaN: not known.
+struct GapBar {
+  const char* name;
+  double value = 0;
+  Tone tone = Tone::grey;
+};
+
+/// Where it falls short the most.
+struct GapBars {
+  Eigen::Index gap = 0;
+  double lacking = 0;          ///< [length]
+  std::vector<GapBar> bars{};  ///< given, needed, and, where that is known of some gap, needed the other way round
+};
+
+/// A free response that ends in a collapse does not tell what is needed.
+GapBars bars_of(const RunResults& run, Eigen::Index gap) {
+  const GoverningLevel level = governing_level(run.problem, run.response, gap);
+  const bool is_cut = run.response.collapse_no_contact.has_value();
+  const auto needed = [&](const char* name, std::optional<double> value) {
+    if (!value || is_cut) return GapBar{name, NAN};
+    const double need = falls_short(0, *value, level.scale) ? *value : 0;  // without round-off
+    return GapBar{name, need, falls_short(level.width, need, level.scale) ? Tone::red : Tone::black};
+  };
+  return {gap,
+          level.gap_needed - level.width,
+          {{"given", level.width}, needed("needed", level.gap_needed), needed("reversed", level.gap_needed_reversed)}};
+}
+
+/// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
+void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
+  if (std::isnan(of.value)) return;
+  panel.curves.push_back({.x = {0, of.value},
+                          .y = {place - thick / 2, place - thick / 2},
+                          .top = {place + thick / 2, place + thick / 2},
+                          .tone = of.tone});
+}
+
+/// Each bar by its name and value, the given gap uppermost.
+void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
+  const std::vector<GapBar> bars = bars_of(run, 0).bars;
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const GapBar& one = bars[bars.size() - 1 - k];
+    const std::string value =
+        std::isnan(one.value) ? word(options, "not known") : number_text(one.value) + " " + run.c.units.length;
+    panel.y.names.push_back(word(options, one.name) + ": " + value);
+    add_bar(panel, one, static_cast<double>(k), 0.6);
+  }
+  panel.height = 1.8;
+}
+
+/// Gaps by the numbers of their buildings, the leftmost uppermost; of many those that lack most.
+void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options) {
+  constexpr std::size_t most = 5;
+  std::vector<GapBars> gaps;
+  for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(bars_of(run, gap.left));
+  const std::size_t all = gaps.size();
+  std::stable_sort(gaps.begin(), gaps.end(), [](const GapBars& a, const GapBars& b) { return a.lacking > b.lacking; });
+  gaps.resize(std::min(all, most));
+  std::sort(gaps.begin(), gaps.end(), [](const GapBars& a, const GapBars& b) { return a.gap > b.gap; });
+  std::string told;  // what of the three is known of some gap
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto known = [&](const GapBars& gap) { return !std::isnan(gap.bars[k].value); };
+    if (std::any_of(gaps.begin(), gaps.end(), known)) told += (k > 0 ? ", " : "") + word(options, gaps[0].bars[k].name);
+  }
+  panel.title = word(options, "from above: {}", told);
+  if (all > most) panel.title += "; " + word(options, "the tightest of {} gaps", std::to_string(all));
+  for (std::size_t place = 0; place < gaps.size(); ++place) {
+    const auto& [gap, lacking, bars] = gaps[place];
+    const std::string unknown = std::isnan(bars[1].value) ? ": " + word(options, "not known") : "";
+    panel.y.names.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) + unknown);
+    for (std::size_t k = 0; k < bars.size(); ++k) {
+      add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
+    }
+  }
+  panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());
+}
+
+/// Given against needed gaps.
+Panel gap_panel(const RunResults& run, const FigureOptions& options) {
+  Panel panel{.x = {.label = with_unit(word(options, "Gap w"), run.c.units.length), .from = 0}};
+  run.problem.buildings.size() == 2 ? add_one_gap(panel, run, options) : add_gaps(panel, run, options);
+  return panel;
+}
+
+/// Width over height of what a picture shows.
+double aspect_of(const Panel& panel) {
+  double left = INFINITY, right = -left;
+  for (const Curve& curve : panel.curves) {
+    for (const double x : curve.x) {
+      left = std::min(left, std::isnan(x) ? left : x);
+      right = std::max(right, std::isnan(x) ? right : x);
+    }
+  }
+  return (right - left) / (*panel.y.to - *panel.y.from);
+}
+
+}  // namespace
+
+Figure overview_figure(const RunResults& run, const FigureOptions& options) {
+  const SceneInstant instant = chosen_instant(run, options);
+  constexpr double wide = 12;  // [cm]
+  const bool is_wide = options.width >= wide;
+  Figure figure{.title = "The buildings where they meet, the opening of the gap, and the gap that is needed",
+                .finding = first_finding(run, options),
+                .columns = is_wide ? 2 : 1,
+                .width = options.width};
+  figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
+  if (instant.point) figure.panels.push_back(opening_panel(run, instant, options));
+  figure.panels.push_back(gap_panel(run, options));
+  if (is_wide) {
+    constexpr double height = 7, frames = 12.5;  // about [cm]
+    const double left = std::clamp(height * aspect_of(figure.panels.front()), 4.5, 7.5);
+    figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
+    figure.shares = {left, frames - left};
+  }
+  return figure;
+}
+
+}  // namespace bentur

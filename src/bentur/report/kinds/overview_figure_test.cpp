@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/story_text.h"
+
+namespace bentur {
+namespace {
+
+RunResults example_run(const std::string& name) {
+  Diagnostics diagnostics;
+  auto c = read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/" + name + ".toml", diagnostics);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  Problem problem = make_problem(*c);
+  SolveOptions options;
+  options.output_step = 0.01;
+  options.course = true;
+  options.both_ways = true;
+  Response response = solve(problem, c->analysis.solver, options);
+  return run_results(std::move(*c), std::move(problem), std::move(response));
+}
+
+Figure overview(const RunResults& run, const std::string& language = "en", double width = page_width) {
+  FigureOptions options;
+  options.width = width;
+  options.language = language;
+  options.say = figure_words(language);
+  return make_figure(run, "overview", options);
+}
+
+/// Where bars end, from the uppermost down.
+std::vector<double> ends_of_bars(const Panel& panel) {
+  std::vector<const Curve*> bars;
+  for (const Curve& curve : panel.curves) bars.push_back(&curve);
+  std::sort(bars.begin(), bars.end(), [](const Curve* a, const Curve* b) { return a->y[0] > b->y[0]; });
+  std::vector<double> ends;
+  for (const Curve* bar : bars) ends.push_back(bar->x[1]);
+  return ends;
+}
+
+TEST(Overview, TellsWhatTheVerdictTellsFirst) {
+  const RunResults run = example_run("linked-pair");
+  for (const std::string language : {"en", "id"}) {
+    const Figure figure = overview(run, language);
+    EXPECT_EQ(figure.finding, said(run_story(run).statements, Words(language)).front().text);
+    EXPECT_NE(figure_svg(figure).find("<desc>Tall"), std::string::npos);
+  }
+  EXPECT_NE(overview(run, "id").panels[0].title.find("benturan 4"), std::string::npos);
+}
+
+TEST(Overview, MarksTheHardestImpactWhereTheGapOpens) {
+  const RunResults run = example_run("row-of-three");  // whose forces are largest where they are deepest
+  const Impact& hardest = *std::max_element(run.response.impacts.begin(), run.response.impacts.end(),
+                                            [](const Impact& a, const Impact& b) { return is_harder(b, a); });
+  const Panel panel = overview(run).panels.at(1);
+  const Curve& mark = panel.curves.back();
+  ASSERT_EQ(mark.x.size(), 1U);
+  EXPECT_NEAR(mark.x[0], hardest.peak_force_time, 1e-9);
+  EXPECT_NEAR(mark.y[0], -hardest.peak_penetration, 1e-6 * hardest.peak_penetration);
+  EXPECT_EQ(panel.rules.front().at, 0);
+  EXPECT_EQ(panel.rules.front().label, "contact");
+}
+
+TEST(Overview, BarsAreGivenAndNeeded) {
+  const RunResults pair = example_run("linked-pair");
+  const GoverningLevel level = governing_level(pair.problem, pair.response, 0);
+  const Panel bars = overview(pair).panels.back();
+  EXPECT_EQ(ends_of_bars(bars),
+            (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
+  EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03 m"}));
+  const RunResults row = example_run("row-of-three");
+  std::vector<double> expected;
+  for (Eigen::Index gap = 0; gap < 2; ++gap) {
+    const GoverningLevel one = governing_level(row.problem, row.response, gap);
+    expected.insert(expected.end(), {one.width, one.gap_needed, one.gap_needed_reversed.value()});
+  }
+  EXPECT_EQ(ends_of_bars(overview(row).panels.back()), expected);
+  EXPECT_EQ(overview(row).panels.back().y.names, (std::vector<std::string>{"2 | 3", "1 | 2"}));
+}
+
+/// A free response that ended in a collapse tells nothing of what would have been needed.
+TEST(Overview, HasNoBarFromAPartOfTheFacts) {
+  RunResults pair = example_run("linked-pair");
+  pair.response.collapse_no_contact = Collapse{};
+  const Panel bars = overview(pair).panels.back();
+  EXPECT_EQ(ends_of_bars(bars), std::vector<double>{0.03});
+  EXPECT_EQ(bars.y.names[1], "needed: not known");
+}
+
+TEST(Overview, StandsBesideOnAPageAndBelowOneAnotherInAColumn) {
+  const RunResults run = example_run("linked-pair");
+  const Figure wide = overview(run), narrow = overview(run, "en", column_width);
+  const Layout beside = layout(wide), below = layout(narrow);
+  const auto& [scene, opening, bars] = std::tie(beside.panels[0], beside.panels[1], beside.panels[2]);
+  EXPECT_LT(scene.right, opening.cell_left);
+  EXPECT_EQ(scene.bottom, bars.bottom);
+  EXPECT_EQ(opening.left, bars.left);
+  EXPECT_GT(opening.bottom, bars.top);
+  EXPECT_GT(below.panels[0].bottom, below.panels[1].top);
+  for (const Layout* one : {&beside, &below}) {  // lengths are alike both ways
+    const PlacedPanel& placed = one->panels[0];
+    EXPECT_NEAR((placed.x.to - placed.x.from) / (placed.right - placed.left),
+                (placed.y.to - placed.y.from) / (placed.top - placed.bottom), 1e-12);
+    EXPECT_LE(one->height, 2 * one->width);
+  }
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
+
+namespace bentur {
+namespace {
+
+/// The lines of a shape as one curve, with a gap between each two.
+Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Curve curve{.tone = shape.tone, .width = 0.9, .complete = true};
+  for (const auto& line : shape.lines) {
+    if (!curve.x.empty()) {
+      curve.x.push_back(none);
+      curve.y.push_back(none);
+    }
+    for (const ScenePoint& point : line) {
+      const auto [x, y] = places(point);
+      curve.x.push_back(x);
+      curve.y.push_back(y);
+    }
+  }
+  return curve;
+}
+
+bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::wall; }
+
+/// Rays around a place.
+Curve burst(double x, double y, double size) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr int rays = 10;
+  Curve curve{.tone = Tone::red, .width = 1.6, .complete = true};
+  for (int ray = 0; ray < rays; ++ray) {
+    const double angle = 2 * std::numbers::pi * (ray + 0.5) / rays;
+    for (const double radius : {0.35 * size, size}) {
+      curve.x.push_back(x + radius * std::cos(angle));
+      curve.y.push_back(y + radius * std::sin(angle));
+    }
+    curve.x.push_back(none);
+    curve.y.push_back(none);
+  }
+  return curve;
+}
+
+/// "impact 12: 5300 kN, level 300 cm".
+std::string impact_text(const RunResults& run, Eigen::Index number, const FigureOptions& options) {
+  const Impact& impact = run.response.impacts[number];
+  const Units& units = run.c.units;
+  const std::string strength = impact.peak_force > 0
+                                   ? number_text(impact.peak_force) + " " + units.force
+                                   : fmt::format("{} {}/s", number_text(impact.closing_speed), units.length);
+  const double level = run.problem.points[impact.point].elevation;
+  return fmt::format("{}: {}, {}", word(options, "impact {}", std::to_string(number + 1)), strength,
+                     word(options, "level {}", number_text(level) + " " + units.length));
+}
+
+/// "t = 3.5722 s", what lies between, and what happens then.
+std::string instant_text(const RunResults& run, const SceneInstant& instant, const FigureOptions& options,
+                         const std::string& between = ", ") {
+  return fmt::format(
+      "t = {:.4f} s{}{}", instant.time, between,
+      instant.impact ? impact_text(run, *instant.impact, options) : word(options, "closest, without contact"));
+}
+
+}  // namespace
+
+SceneInstant chosen_instant(const RunResults& run, const FigureOptions& options) {
+  const bool asked = options.gap || options.elevation;
+  return telling_instant(run.response, asked ? std::optional(chosen_point(run, options)) : std::nullopt);
+}
+
+Panel scene_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options, double height) {
+  const Scene scene = scene_of(run.problem, run.response);
+  const SceneMotion rest = at_rest(*instant.histories), now = motion_at(*instant.histories, instant.column);
+  const ScenePlaces still(scene, scene.magnification, rest), places(scene, scene.magnification, now);
+  const double tall = scene.top - scene.bottom, wide = places(scene.shapes.front().lines.front().back())[0];
+  const double size = 0.05 * std::max(tall, 0.7 * wide);  // of a burst
+  const std::string factor = word(options, "magnified {} times", number_text(scene.magnification));
+  Panel panel{.title = instant_text(run, instant, options, ", " + factor + "; "),
+              .x = {.numbers = false},
+              .y = {.from = scene.bottom - 0.02 * tall, .to = scene.top + 1.1 * size, .numbers = false},
+              .height = height,
+              .to_scale = true};
+  for (const SceneShape& shape : scene.shapes) {  // as at rest
+    if (!is_of_building(shape)) continue;
+    Curve ghost = curve_of(shape, still);
+    ghost.tone = Tone::grey;
+    ghost.line = Line::dotted;
+    ghost.width = 0.5;
+    panel.curves.push_back(std::move(ghost));
+  }
+  constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
+  const double storey = scene.storey / tall * height * points;
+  for (const SceneShape& shape : scene.shapes) {
+    Curve curve = curve_of(shape, places);
+    if (shape.role == SceneRole::ground) curve.width = 1.8;
+    if (shape.role == SceneRole::column || shape.role == SceneRole::wall) {
+      curve.label = run.problem.buildings[shape.item].name;
+      curve.width = 1.5;
+    }
+    if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
+    panel.curves.push_back(std::move(curve));
+  }
+  if (instant.point && !instant.impact) {
+    const auto [x, y] = places(scene.contacts[*instant.point]);
+    panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
+  }
+  for (const Impact& impact : run.response.impacts) {
+    if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
+    const auto [x, y] = places(scene.contacts[impact.point]);
+    panel.curves.push_back(burst(x, y, size));
+  }
+  return panel;
+}
+
+Figure scene_figure(const RunResults& run, const FigureOptions& options) {
+  const SceneInstant instant = chosen_instant(run, options);
+  return {.title = "The buildings at one instant: " + instant_text(run, instant, options),
+          .finding = instant_text(run, instant, options),
+          .panels = {scene_panel(run, instant, options, 0.75 * options.width)},
+          .width = options.width};
+}
+
+}  // namespace bentur

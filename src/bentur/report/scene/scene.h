@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "bentur/report/figures/figure.h"
+#include "bentur/solve/problem.h"
+#include "bentur/solve/response.h"
+
+namespace bentur {
+
+// The picture of the buildings as plain data: one description for stills (kinds/scene_figure.cpp) and for what moves on
+// a page (html/motion.js).
+
+/// What a point of the scene follows, or a part of it: a place on a building.
+struct SceneMover {
+  Eigen::Index building = 0;
+  std::optional<Eigen::Index> row = {};  ///< of its SceneMotion; nothing: it stays with the ground below
+  double weight = 1;                     ///< of this place among those of the point, which add up to 1
+  double offset = 0;                     ///< from the building's left face [length]
+  double apart = 0;                      ///< further to the right, magnified as gaps and displacements are [length]
+};
+
+struct ScenePoint {
+  double height = 0;  ///< [length]
+  std::vector<SceneMover> movers = {};
+};
+
+enum class SceneRole { ground, soil, bearing, spring, damper, yielding, cable, link, wall, column, slab };
+/// "ground", "soil", …
+[[nodiscard]] const char* role_name(SceneRole role);
+
+/// Lines of one thing; a line of one point alone is a mark there.
+struct SceneShape {
+  SceneRole role = SceneRole::ground;
+  Eigen::Index item = 0;  ///< number of the building; of a link that in Problem::links
+  Tone tone = Tone::grey;
+  std::vector<std::vector<ScenePoint>> lines = {};
+};
+
+struct Scene {
+  std::vector<double> breadths;  ///< of the buildings [length]
+  std::vector<double> gaps;      ///< at rest, but none wider than a picture can hold [length]
+  double bottom = 0, top = 0;    ///< [length]
+  double storey = 0;             ///< the lowest one [length]
+  double largest = 0;            ///< displacement of all [length]
+  double magnification = 1;      ///< that shows most: 1, 2 or 5 times a power of ten
+  std::vector<SceneShape> shapes;
+  std::vector<ScenePoint> contacts;  ///< left face of each contact point
+};
+
+/// The response must have histories.
+[[nodiscard]] Scene scene_of(const Problem& problem, const Response& response);
+
+/// Displacements [length] of each building: of its floors, then of the nodes in its columns.
+using SceneMotion = std::vector<Eigen::VectorXd>;
+[[nodiscard]] SceneMotion motion_at(const Histories& histories, Eigen::Index column);
+[[nodiscard]] SceneMotion at_rest(const Histories& histories);
+
+/// Where points are [length], from the left face of the leftmost building and the datum of elevations.
+class ScenePlaces {
+ public:
+  ScenePlaces(const Scene& scene, double magnification, const SceneMotion& motion);
+  [[nodiscard]] std::array<double, 2> operator()(const ScenePoint& point) const;
+
+ private:
+  std::vector<double> faces_;
+  double magnification_;
+  const SceneMotion* motion_;
+};
+
+/// What a still shows: the hardest impact, else the moment at which something is nearest to being hit.
+struct SceneInstant {
+  double time = 0;                          ///< [s]
+  std::optional<Eigen::Index> impact = {};  ///< index into Response::impacts
+  std::optional<Eigen::Index> point = {};   ///< contact point that is hit, or nearest to it
+  const Histories* histories = nullptr;     ///< whose column shows it
+  Eigen::Index column = 0;
+};
+/// Of one contact point, or of all.
+[[nodiscard]] SceneInstant telling_instant(const Response& response, std::optional<Eigen::Index> point = {});
+
+}  // namespace bentur
