@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -85,7 +86,7 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const GapBar& one = bars[bars.size() - 1 - k];
     const std::string value =
-        std::isnan(one.value) ? word(options, "not known") : number_text(one.value) + " " + run.c.units.length;
+        std::isnan(one.value) ? word(options, "not known") : number(one.value) + " " + run.c.units.length;
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
   }

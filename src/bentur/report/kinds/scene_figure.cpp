@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 
@@ -49,15 +50,15 @@ Curve burst(double x, double y, double size) {
 }
 
 /// "impact 12: 5300 kN, level 300 cm".
-std::string impact_text(const RunResults& run, Eigen::Index number, const FigureOptions& options) {
-  const Impact& impact = run.response.impacts[number];
+std::string impact_text(const RunResults& run, Eigen::Index index, const FigureOptions& options) {
+  const Impact& impact = run.response.impacts[index];
   const Units& units = run.c.units;
   const std::string strength = impact.peak_force > 0
-                                   ? number_text(impact.peak_force) + " " + units.force
-                                   : fmt::format("{} {}/s", number_text(impact.closing_speed), units.length);
+                                   ? shown_value(run, impact.peak_force, "F")
+                                   : fmt::format("{} {}/s", number(impact.closing_speed), units.length);
   const double level = run.problem.points[impact.point].elevation;
-  return fmt::format("{}: {}, {}", word(options, "impact {}", std::to_string(number + 1)), strength,
-                     word(options, "level {}", number_text(level) + " " + units.length));
+  return fmt::format("{}: {}, {}", word(options, "impact {}", std::to_string(index + 1)), strength,
+                     word(options, "level {}", number(level) + " " + units.length));
 }
 
 /// "t = 3.5722 s", what lies between, and what happens then.
@@ -81,7 +82,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   const ScenePlaces still(scene, scene.magnification, rest), places(scene, scene.magnification, now);
   const double tall = scene.top - scene.bottom, wide = places(scene.shapes.front().lines.front().back())[0];
   const double size = 0.05 * std::max(tall, 0.7 * wide);  // of a burst
-  const std::string factor = word(options, "magnified {} times", number_text(scene.magnification));
+  const std::string factor = word(options, "magnified {} times", number(scene.magnification));
   Panel panel{.title = instant_text(run, instant, options, ", " + factor + "; "),
               .x = {.numbers = false},
               .y = {.from = scene.bottom - 0.02 * tall, .to = scene.top + 1.1 * size, .numbers = false},
