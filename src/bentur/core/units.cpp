@@ -73,4 +73,14 @@ double acceleration_factor(const std::string& acceleration_unit, const Units& un
                          fmt::format("must be one of {}", fmt::join(acceleration_units(), " ")));
 }
 
+ShownUnits shown_units(const Units& units, double largest_force) {
+  constexpr double most_newtons = 1e4;
+  ShownUnits shown{.units = units};
+  if (units.force == "N" && largest_force >= most_newtons) {
+    shown.units.force = "kN";
+    shown.force = newtons("N") / newtons("kN");
+  }
+  return shown;
+}
+
 }  // namespace bentur

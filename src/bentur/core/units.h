@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bentur {
@@ -29,5 +30,15 @@ struct Units {
 /// What a number in `acceleration_unit` is to be multiplied by to stand in the case's length/s²;
 /// "g" is the case's own gravity. @throws InvalidParameter for an unknown unit.
 [[nodiscard]] double acceleration_factor(const std::string& acceleration_unit, const Units& units);
+
+/// The units in which people are told of a run or a study: newtons become kN where its largest force is 10⁴ N or more,
+/// so that all of its forces read alike. Files keep the units of the case.
+struct ShownUnits {
+  Units units;
+  double force = 1;  ///< what forces are multiplied by
+  /// What a value of this form of units ("F L") is multiplied by.
+  [[nodiscard]] double factor(std::string_view form) const { return form.find('F') == form.npos ? 1.0 : force; }
+};
+[[nodiscard]] ShownUnits shown_units(const Units& units, double largest_force);
 
 }  // namespace bentur

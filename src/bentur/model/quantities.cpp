@@ -218,16 +218,6 @@ Visitor(Functions...) -> Visitor<Functions...>;
 
 }  // namespace
 
-ShownUnits shown_units(const Units& units, double largest_force) {
-  constexpr double most_newtons = 1e4;
-  ShownUnits shown{.units = units};
-  if (units.force == "N" && largest_force >= most_newtons) {
-    shown.units.force = "kN";
-    shown.force = newtons("N") / newtons("kN");
-  }
-  return shown;
-}
-
 ShownUnits shown_units(const Units& units, const Response& response) {
   double largest = 0;
   for (const PointSummary& point : response.points) {

@@ -18,15 +18,7 @@ namespace bentur {
 /// What the values of a quantity belong to: one value for the run, or one each.
 enum class Owner { run, building, floor, point, gap, impact, link };
 
-/// The units in which people are told of a run. Of a case in newtons they are kN where its largest contact force or
-/// storey shear is 10⁴ N or more, so that all forces of the run read alike; files keep the units of the case.
-struct ShownUnits {
-  Units units;
-  double force = 1;  ///< what forces are multiplied by
-  /// What a value of this form of units ("F L") is multiplied by.
-  [[nodiscard]] double factor(std::string_view form) const { return form.find('F') == form.npos ? 1.0 : force; }
-};
-[[nodiscard]] ShownUnits shown_units(const Units& units, double largest_force);
+/// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
 
 /// A run as quantities are read from it.

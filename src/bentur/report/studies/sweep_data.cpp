@@ -270,4 +270,32 @@ std::vector<SweepDimension> SweepData::sample_coordinates() const {
   return list;
 }
 
+std::vector<SweepVariable> variables_of(const NetcdfReader& results, const std::string& quantity) {
+  if (results.find(quantity) != nullptr) return {{quantity}};
+  std::vector<SweepVariable> found;
+  for (std::size_t b = 1; results.find(fmt::format("elevation_{}", b)) != nullptr; ++b) {
+    std::string name = fmt::format("{}_{}", quantity, b);
+    if (results.find(name) != nullptr) found.push_back({std::move(name), b});
+  }
+  return found;
+}
+
+const std::vector<SweepKind>& sweep_kinds() {
+  static const std::vector<SweepKind> kinds = {
+      {"peak-force", "peak_force", "Peak contact force F", false, true},
+      {"amplification", "amplification", "Amplification of max |x|"},
+      {"contact-duration", "contact_duration", "Time in contact", true, true},
+      {"impacts", "impacts", "Impacts", true, true},
+      {"penetration", "peak_penetration", "Peak penetration δ", false, true},
+      {"impulse", "impulse", "Impulse of all impacts", true, true},
+      {"displacement", "peak_displacement", "max |x|"},
+      {"acceleration", "peak_acceleration", "Peak floor acceleration"},
+      {"acceleration-ratio", "acceleration_ratio", "Floor acceleration, ratio"},
+      {"shear", "peak_storey_shear", "Peak storey shear V"},
+      {"shear-ratio", "storey_shear_ratio", "Storey shear, ratio"},
+      {"drift", "peak_drift_ratio", "Peak storey drift Δ/h"},
+  };
+  return kinds;
+}
+
 }  // namespace bentur
