@@ -39,6 +39,7 @@ std::optional<double> number(const val& given) {
 FigureOptions options_of(const std::string& language, const val& wanted) {
   FigureOptions options;
   options.say = figure_words(language);
+  options.language = language;
   options.choose = true;
   options.width = number(wanted["width"]).value_or(column_width);
   options.from = number(wanted["from"]);

@@ -46,7 +46,8 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
     };
     for (const FigureKind& kind : figure_kinds(results)) {
       const Figure figure = make_figure(results, kind.name, options);
-      EXPECT_NE(figure.finding.find("§"), std::string::npos) << kind.name << " tells nothing";
+      const bool is_story = kind.name == "overview";  // the first sentence of the verdict, which has words of its own
+      EXPECT_NE(figure.finding.find(is_story ? " " : "§"), std::string::npos) << kind.name << " tells nothing";
       EXPECT_EQ(figure.finding.find("{}"), std::string::npos) << kind.name << ": " << figure.finding;
       for (const std::string& shown : texts_of(figure)) {
         const bool is_word = shown.find("§") != std::string::npos;
