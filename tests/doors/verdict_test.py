@@ -279,4 +279,4 @@ def test_a_column_that_fails_is_told_first(language):
     for door in told:
         _, badge, sentence = door[0]
         assert badge == text_of("story.column_shear.badge", language).upper()
-        assert column in sentence and "2.42" in sentence
+        assert column in sentence and "2.416" in sentence
