@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import SolverWorker from "./worker?worker&inline";
 
-export interface CaseError { file: string; line: number; column: number; key: string; message: string }
+export interface CaseError { file: string; line: number; column: number; key: string; message: string; values?: Record<string, number | string> }
 export interface Histories {
   time: Float64Array;
   ground: Float64Array;
@@ -23,14 +23,16 @@ export interface BuildingOverview {
 /** [left building, elevation, start, end, peak force, closing speed, restitution] */
 export type ImpactRow = [number, number, number, number, number, number, number | null];
 export interface Overview {
-  title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
+  title: string; version: string; duration: number; spectral: boolean; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
 }
+/** A section of the report. */
+export interface PagePart { id: string; heading: string; markup: string }
 /** What `bentur schema` says of a key in one of its meanings: `unit` in words, "force/length". */
 export interface Key {
   kind: string; form: string; label: { en: string; id: string }; group?: string; with?: string;
-  unit?: string; words?: string[]; when?: Record<string, string[]>;
+  unit?: string; each?: string; words?: string[]; when?: Record<string, string[]>;
   number?: {
     type?: string; minimum?: number; exclusiveMinimum?: boolean;
     maximum?: number; exclusiveMaximum?: boolean; not?: object;
@@ -48,16 +50,18 @@ interface Common { id: number; text: string; language: string; files?: Files }
 export type Request = Common & (
   | { kind: "run"; step: number | null }
   | { kind: "take"; what: Take }
+  | { kind: "contacts" }
   | { kind: "units"; length: string; force: string }
   | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; motion: string; histories: Histories; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; motion: string; histories: Histories; tables: PagePart[]; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
   | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }
   | { kind: "progress"; done: number }
   | ({ kind: "result" } & Result)
   | { kind: "text"; text: string }
+  | { kind: "contacts"; counts: number[] }
   | { kind: "curve"; curve: CurvePoint[]; done: number });
 
 type Wanted = Pick<Request, "kind"> & { [key: string]: unknown };

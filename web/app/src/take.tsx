@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { FilePicker } from "./edit";
+import { Message } from "./edit";
 import { linked, toFragment } from "./link";
 import { caseOf, historiesSvg, Stale } from "./results";
 import type { Result } from "./solver";
-import { ownRecord, result, stale, take, text } from "./state";
+import { ownRecord, result, stale, take, text, type Told } from "./state";
 import { say } from "./texts";
 
 function save(name: string, content: BlobPart, type: string) {
@@ -95,14 +95,14 @@ async function png(svg: string): Promise<Blob> {
 
 export function Take() {
   const now = result.value;
-  const [said, tell] = useState("");
-  const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch((error: Error) => tell(error.message)); };
+  const [said, tell] = useState<Told | null>(null);
+  const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch(tell); };
   const link = () => {
     const given = text.value;
     void toFragment(given).then((fragment) => {
       history.replaceState(null, "", fragment);
       linked.value = given;
-      tell(`${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`);
+      tell({ text: `${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`, english: false });
       return navigator.clipboard?.writeText(location.href);
     }).catch(() => undefined);
   };
@@ -110,24 +110,25 @@ export function Take() {
     <section id="take">
       <h2>{say("take")}</h2>
       <p class="controls">
-        <FilePicker label={say("take.open")} />
         <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("edit.text")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
-        {now && <>
+        {now && !now.overview.spectral && <>
           <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
           <button type="button" disabled={stale.value} data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
           <button type="button" disabled={stale.value} data-take="histories" onClick={() => save("histories.csv", historiesCsv(now), "text/csv")}>{say("take.histories")}</button>
-          <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
-          <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
-          <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
           <button type="button" disabled={stale.value} data-take="svg" onClick={() => save("buildings.svg", stageSvg(now), "image/svg+xml")}>{say("take.svg")}</button>
           <button type="button" disabled={stale.value} data-take="png" onClick={() => void png(stageSvg(now)).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
           <button type="button" disabled={stale.value} data-take="history-svg" onClick={() => save("histories.svg", historiesSvg(now), "image/svg+xml")}>{say("take.history.svg")}</button>
           <button type="button" disabled={stale.value} data-take="history-png" onClick={() => void png(historiesSvg(now)).then((blob) => save("histories.png", blob, "image/png"))}>{say("take.history.png")}</button>
         </>}
+        {now && <>
+          <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
+          <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
+          <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
+        </>}
       </p>
       <Stale word="take.stale" />
-      <p role="status">{said}</p>
+      <p role="status">{said && <Message one={said} />}</p>
       <p class="note">{say("take.note")}</p>
     </section>
   );
