@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # release.sh ROOT VERSION: writes the version where it stands, commits that, and puts into build/release-VERSION what is
 # published: the source archive, from which the program is built and run here, the wheels that ./dev wheels has made of the
-# same version, and their checksums. It says what is left to do; it sends nothing anywhere.
+# same version, the studio, and their checksums. It says what is left to do; it sends nothing anywhere.
 set -euo pipefail
 say() { echo "release: $*" >&2; }
 root=$1 version=${2:-}
@@ -38,6 +38,12 @@ if ls build/wheels/bentur-"$version"-*.whl >/dev/null 2>&1; then
 else
   say "no wheels of $version: ./dev wheels makes them, then ./dev release $version again"
 fi
+if "$scratch/bentur-$version/web/build.sh" page >"$out/studio.log" 2>&1; then
+  cp "$scratch/bentur-$version/build/web/bentur-studio.html" "$out"
+else
+  say "no studio: $(tail -n 1 "$out/studio.log")"
+fi
+rm "$out/studio.log"
 (cd "$out" && sha256sum -- * >SHA256SUMS && sha512sum "bentur-$version.tar.gz")
 ls "$out"
 say "left to do: git tag -a v$version, push it, and publish build/release-$version with the entry of CHANGELOG.md"

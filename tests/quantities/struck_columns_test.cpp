@@ -242,9 +242,8 @@ TEST(StruckColumns, TheReportHasASectionOfThem) {
     const std::string page = report_html(the_run(), {.language = language, .version = "1"});
     EXPECT_NE(page.find("<section id=\"columns\">"), std::string::npos) << language;
     EXPECT_NE(page.find(language == "en" ? "column of West" : "kolom West"), std::string::npos) << "list of impacts";
-    EXPECT_NE(page.find("\"nodes\":[{\"elevation\":3.0,\"left\":true},{\"elevation\":6.0,\"left\":true}]"),
-              std::string::npos)
-        << "the animation bends them";
+    // The animation bends them: in a column of West stands, between its floors, what the struck node moves.
+    for (const char* const struck : {"[3.0,0,", "[6.0,0,"}) EXPECT_NE(page.find(struck), std::string::npos) << struck;
   }
   Case c = the_case();
   c.gaps[0].elevations = {8.5};

@@ -34,7 +34,7 @@ export async function open(browser, address, { slow = false, ...options } = {}) 
   }
   const complaints = [], requests = [];
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("pageerror", (error) => complaints.push(String(error.stack ?? error)));
   page.on("request", (request) => { if (!/^(file|blob|data):/.test(request.url())) requests.push(request.url()); });
   await page.goto(address);
   return { page, complaints, requests, close: () => context.close() };

@@ -214,17 +214,18 @@ test("what is too large is refused at once, with its size", () => {
   const base = read("free-impact.toml");
   const ones = (n) => `[1${",1".repeat(n - 1)}]`;
   const frame = (floors, bays, how) => `[[building]]\nname = "A"\ndamping = 0.05\n[building.frame]\nelastic_modulus = 1.0\nstorey_heights = ${ones(floors)}\nbay_widths = ${ones(bays)}\ncolumns = [{ area = 1, inertia = 1, mass = 1 }]\nbeams = [{ area = 1, inertia = 1, mass = 1 }]\ncondensation = "${how}"\n`;
-  for (const [text, size] of [
-    [base.replace(/stick = .*/, `stick = { storey_heights = ${ones(10000)}, masses = ${ones(10000)}, stiffnesses = ${ones(10000)} }`), "10001 modes"],
-    [`[[building]]\nname = "A"\ndamping = 0.05\n[building.generic]\nstoreys = 1000000\nstorey_height = 3\nfloor_mass = 1\nperiod = 1\nsystem = "wall"\n`, "1000000 modes"],
-    [frame(100, 5, "none"), "700 modes"],
-    [frame(300, 10, "static"), "3600 sways and rotations"],
-    [`[[building]]\nname = "W"\nrigid = true\nelevations = ${ones(100000)}\n`, "100000 elevations"],
-    ['[[building]]\nname = "W"\nrigid = true\n'.repeat(5000), "5000 buildings"],
+  for (const [text, word, size] of [
+    [base.replace(/stick = .*/, `stick = { storey_heights = ${ones(10000)}, masses = ${ones(10000)}, stiffnesses = ${ones(10000)} }`), "modes", 10001],
+    [`[[building]]\nname = "A"\ndamping = 0.05\n[building.generic]\nstoreys = 1000000\nstorey_height = 3\nfloor_mass = 1\nperiod = 1\nsystem = "wall"\n`, "modes", 1000000],
+    [frame(100, 5, "none"), "modes", 700],
+    [frame(300, 10, "static"), "joints", 3600],
+    [`[[building]]\nname = "W"\nrigid = true\nelevations = ${ones(100000)}\n`, "elevations", 100000],
+    ['[[building]]\nname = "W"\nrigid = true\n'.repeat(5000), "buildings", 5000],
   ]) {
     const { ok, errors } = JSON.parse(one.open(text, "case.toml"));
     assert.equal(ok, false);
-    assert.ok(errors[0].message.includes(size) && errors[0].line > 0, errors[0].message);
+    assert.deepEqual([errors[0].message, errors[0].values.n], [word, size]);
+    assert.ok(errors[0].line > 0 && errors[0].values.most < size);
   }
 });
 
@@ -290,6 +291,58 @@ test("a run can be stopped", () => {
   const stopped = JSON.parse(one.solve(0, () => false));
   assert.equal(stopped.ok, false);
   assert.equal(stopped.errors[0].message, "stopped");
+});
+
+/** A section of a page that `bentur report` wrote. */
+const sectionOf = (page, id) => new RegExp(`<section id="${id}"><h2>[^<]*</h2>\n([^]*?)</section>\n`).exec(page)[1];
+// How much energy is not accounted for is round-off, and nothing else.
+const withoutResidual = (markup) => markup.replace(/\d\.\d\u00a0×\u00a010[⁻⁰¹²³⁴-⁹]+/g, "");
+
+test("the tables are those of the report", () => {
+  const ids = new Set();
+  for (const name of ["struck-column.toml", "yielding-pair.toml", "row-of-three.toml", "isolated-moat.toml"]) {
+    solved(read(name), name);
+    for (const language of ["en", "id"]) {
+      const page = execFileSync(process.env.BENTUR, ["report", `${source}/examples/${name}`, "--lang", language, "-o", "-"], { encoding: "utf8", maxBuffer: 2 ** 28 });
+      const { ok, tables } = JSON.parse(one.tables(language));
+      assert.ok(ok);
+      for (const { id, markup } of tables) {
+        assert.equal(withoutResidual(markup), withoutResidual(sectionOf(page, id)), `${name} ${id}`);
+        ids.add(id);
+      }
+    }
+  }
+  assert.deepEqual([...ids].sort(), ["columns", "gaps", "peaks"]);
+});
+
+test("gaps by a spectrum are those of bentur gap", () => {
+  const file = `${source}/examples/gaps/design-spectrum.toml`;
+  const told = (...options) => execFileSync(process.env.BENTUR, options, { encoding: "utf8" });
+  const opened = JSON.parse(one.open(readFileSync(file, "utf8"), "case.toml"));
+  assert.deepEqual(opened.errors, []);
+  assert.ok(JSON.parse(one.solve(null, null)).ok);
+  const mine = JSON.parse(one.gaps()), theirs = JSON.parse(told("gap", "--json", file));
+  const values = difference({ ...mine, case: null }, { ...theirs, case: null });
+  assert.ok(values.size < 1e-12, `${values.path} ${values.size}`);
+  for (const language of ["en", "id"]) {
+    const { spectral, gaps, statements } = JSON.parse(one.overview(language));
+    assert.ok(spectral);
+    assert.ok(gaps[0].needed > gaps[0].width);
+    const said = told("gap", file, "--lang", language).replace(/\s+/g, " ");
+    for (const { text } of statements) assert.ok(said.includes(spaced(text)), text);
+    const pages = [told("report", file, "--lang", language, "-o", "-"), one.report(language)];
+    for (const { id, markup } of JSON.parse(one.tables(language)).tables) {
+      for (const page of pages) assert.equal(markup, sectionOf(page, id), id);
+    }
+  }
+  assert.deepEqual([one.summary(), one.impacts(), one.motion("en")], ["", "", ""]);
+});
+
+test("a gap's contact points are counted", () => {
+  for (const [name, counts] of [["two-frames-si.toml", [6]], ["row-of-three.toml", [4, 4]], ["struck-column.toml", [10]]]) {
+    JSON.parse(one.open(read(name), name));
+    assert.deepEqual(JSON.parse(one.contacts()).counts, counts, name);
+  }
 });
 
 test("the report is that of the command line, without figures", () => {

@@ -2,7 +2,7 @@
 // BENTUR_SOURCE the repository.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { after, before, test } from "node:test";
 import { createRequire } from "node:module";
@@ -182,7 +182,7 @@ test("in a file with CRLF a mistake is gone to where it is", async () => {
   await on(async (page) => {
     await solved(page);
     const text = (await page.inputValue(editor)).replace("width = 0.05", "widht = 0.05");
-    await page.setInputFiles("#take input[type=file]", { name: "crlf.toml", mimeType: "text/plain", buffer: Buffer.from(text.replaceAll("\n", "\r\n")) });
+    await page.setInputFiles(".cases input[type=file]", { name: "crlf.toml", mimeType: "text/plain", buffer: Buffer.from(text.replaceAll("\n", "\r\n")) });
     await solved(page, "errors");
     await page.locator(".errors li", { hasText: "widht" }).getByRole("button").click();
     assert.equal(await page.locator(editor).evaluate((area) => area.selectionStart), text.indexOf("widht"));
@@ -192,7 +192,7 @@ test("in a file with CRLF a mistake is gone to where it is", async () => {
 test("a case file is opened, and its form and its text are one", async () => {
   await on(async (page) => {
     await solved(page);
-    await page.setInputFiles("#take input[type=file]", `${source}/examples/generic-neighbour.toml`);
+    await page.setInputFiles(".cases input[type=file]", `${source}/examples/generic-neighbour.toml`);
     await page.waitForFunction((at) => document.querySelector(at).value.includes("period_formula"), editor);
     // The example's record lies in ../data there, and here too.
     await solved(page);
@@ -239,13 +239,15 @@ test("the form says of every number what the schema says, and slides no further"
     for (const text of texts) {
       const value = getStaticTOMLValue(parseTOML(text));
       const sections = [...new Set(["building", "gap", "link", "excitation", ...Object.keys(schema.properties)])]; // as the form has them
-      const wanted = sections.flatMap((name) => (name in value ? numbersOf(schema, { [name]: value[name] }) : []));
+      const wanted = sections.flatMap((name) => (name in value ? numbersOf(schema, { [name]: value[name] }) : []))
+        .filter(({ told, structure }) => !(structure === "Generic" && told.label.en === "Storeys")); // which are counted by buttons
       assert.ok(wanted.length > 120, `${wanted.length}`);
       for (const language of ["en", "id"]) {
         await page.selectOption("#language", language);
         await write(page, text);
         const labelled = ({ label, structure }) => label.slice(typeof label[1] === "number" ? 2 : 1).filter((part) => !part.en || part.en !== structure)
-          .map((part) => (typeof part === "number" ? ` ${part}` : `: ${part[language] ?? part}`)).join("").replace(/^: /, "");
+          .map((part) => (typeof part === "number" ? ` ${part}` : `: ${part[language] ?? part}`)).join("").replace(/^: /, "")
+          .replace(/(^|: )([^:]+): (?=[^:]*\2)/gi, "$1"); // what the next word says too
         const shown = await page.$$eval(".field:has(input[type=range])", (all) => all.map((one) => {
           const slider = one.querySelector("input[type=range]");
           const [min, max, step] = ["min", "max", "step"].map((name) => Number(slider[name]));
@@ -428,7 +430,7 @@ test("what the page says itself is Indonesian there", async () => {
       }
     }
     // Titles and names are the case's own.
-    const own = /^(bentur studio|English|Bahasa Indonesia|kgf|lbf|kip|El Centro 1940|Eight and five storeys, floors that strike columns|.*(Light|Heavy|West wall|Clinic|East wall|(Eight|Five) storeys|after Jankowski|in its moat)\b.*)$/;
+    const own = /^(bentur studio|ABS|SRSS|DDC|FEMA P-154|ASCE 41-17|English|Bahasa Indonesia|kgf|lbf|kip|El Centro 1940|Eight and five storeys, floors that strike columns|.*(Light|Heavy|West wall|Clinic|East wall|(Eight|Five) storeys|after Jankowski|in its moat)\b.*)$/;
     assert.deepEqual([...words.id].filter((word) => words.en.has(word) && !own.test(word)), []);
   });
 });
@@ -512,7 +514,7 @@ test("hostile texts give a message and the page goes on", async () => {
     assert.match(await page.textContent(".errors"), /width = -1/);
     await write(page, good.replace("width = 0.05", "width = 1e9"), "fine", true);
     // A million lines are refused before they come in.
-    await page.setInputFiles("#take input[type=file]", { name: "long.toml", mimeType: "text/plain", buffer: Buffer.from("\n".repeat(1e6)) });
+    await page.setInputFiles(".cases input[type=file]", { name: "long.toml", mimeType: "text/plain", buffer: Buffer.from("\n".repeat(1e6)) });
     await page.waitForFunction(() => /50000 lines/.test(document.querySelector(".errors").textContent));
     await write(page, good.replaceAll('"Tower"', JSON.stringify(name)));
     assert.equal(await page.evaluate(() => window.pwned), undefined);
@@ -537,7 +539,7 @@ test("hostile records give a message and the page goes on", async () => {
       "ten million lines.csv": "0.1\n".repeat(1e7),
     })) {
       writeFileSync(`${folder}/${what}`, content);
-      await page.setInputFiles("#take input[type=file]", `${folder}/${what}`);
+      await page.setInputFiles(".cases input[type=file]", `${folder}/${what}`);
       await solved(page, "errors");
       assert.ok((await page.textContent(".errors")).trim().length > 10, what);
       await write(page, good);
@@ -1039,5 +1041,162 @@ test("where nothing may be kept the page works, and a large record is asked for 
     await drop(page, "large.AT2", at2(0.01));
     await solved(page);
     assert.equal((await page.textContent(".errors")).trim(), "");
+  });
+});
+
+test("a storey or a bay more and then fewer is the same case, of every example", async () => {
+  const names = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
+  await on(async (page) => {
+    await solved(page);
+    await page.click("text=Form");
+    const grown = { storey: 0, bay: 0 };
+    for (const name of names) {
+      const text = readFileSync(`${source}/examples/${name}`, "utf8");
+      if (await page.inputValue(editor) !== text) await write(page, text, "fine", true);
+      const buttons = page.locator('.count button[aria-label*="one more"]');
+      for (let k = 0; k < await buttons.count(); ++k) {
+        const label = await buttons.nth(k).getAttribute("aria-label");
+        const storeys = async () => JSON.parse(await download(page, "summary")).buildings.reduce((sum, one) => sum + one.peak_drift_ratio.length, 0);
+        const before = await storeys();
+        await buttons.nth(k).click();
+        await page.waitForFunction(([at, was]) => document.querySelector(at).value !== was, [editor, text]);
+        await solved(page); // it is a case
+        assert.equal(await storeys(), before + (label.startsWith("Storeys") ? 1 : 0), `${name}: ${label}`);
+        ++grown[label.startsWith("Storeys") ? "storey" : "bay"];
+        await page.locator(`.count button[aria-label="${label.replace("more", "fewer")}"]`).nth(0).click();
+        await stands(page, text);
+        await solved(page);
+        assert.equal((await page.textContent(".errors")).trim(), "");
+      }
+    }
+    assert.ok(grown.storey > 10 && grown.bay > 5, JSON.stringify(grown));
+  });
+});
+
+test("where a storey fewer is no case it is said why, and the case stays", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const text = readFileSync(`${source}/examples/linked-pair.toml`, "utf8");
+    await write(page, text);
+    await page.click("text=Form");
+    await page.getByRole("button", { name: "Storeys: one fewer, Low" }).click();
+    await page.waitForFunction(() => document.querySelector(".errors .error"));
+    assert.match(await page.textContent(".errors"), /9\.6/); // the level of a link
+    assert.equal(await page.inputValue(editor), text);
+  });
+});
+
+test("lists of contact points follow storeys", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const text = (await page.inputValue(editor)).replace("width = 0.05", "width = [0.05, 0.05, 0.05, 0.05, 0.05, 0.06]");
+    await write(page, text);
+    await page.click("text=Form");
+    await page.getByRole("button", { name: "Storeys: one more, Annex" }).click(); // the lower one
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("0.05, 0.06, 0.06]"), editor);
+    await solved(page);
+    await page.getByRole("button", { name: "Storeys: one fewer, Tower" }).click();
+    await page.getByRole("button", { name: "Storeys: one fewer, Tower" }).click();
+    await solved(page);
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("width = [0.05, 0.05, 0.05, 0.05, 0.05, 0.06]"), editor);
+  });
+});
+
+test("a spectrum is answered with the gap it needs, and it is said why nothing moves", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const file = `${source}/examples/gaps/design-spectrum.toml`;
+    await page.setInputFiles(".cases input[type=file]", file);
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("spectrum"), editor);
+    await solved(page);
+    assert.equal((await page.textContent(".errors")).trim(), "");
+    const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["gap", "--json", file]));
+    const mine = JSON.parse(await download(page, "gaps"));
+    assert.ok(difference({ ...mine, case: null }, { ...theirs, case: null }).size < 1e-12);
+    assert.match(await page.textContent("#motion"), /no course in time: nothing moves/);
+    assert.match(await page.textContent("#tables [data-table=gaps]"), /SRSS.*ABS|ABS.*SRSS/);
+    assert.match(await page.textContent("#tables [data-table=peaks]"), /CQC/);
+    for (const none of ["#histories", "#impacts", "#compare", ".stage", '[data-take="summary"]', '[data-take="svg"]']) assert.equal(await page.locator(none).count(), 0, none);
+    assert.match(await download(page, "report"), /CQC/);
+    await page.locator("#gap").evaluate((range) => { // a wider gap is wide enough
+      range.value = range.max;
+      range.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    await page.waitForSelector('.verdict [data-kind="spectral_enough"]');
+    await solved(page);
+    await page.evaluate(axe);
+    assert.deepEqual((await page.evaluate(() => window.axe.run(document))).violations.map((one) => [one.id, one.nodes.map((node) => node.html.slice(0, 120))]), []);
+    await page.click('[data-case="frames"]'); // and it moves again
+    await solved(page);
+    assert.equal(await page.locator(".stage").count(), 1);
+  });
+});
+
+test("what the verdict tells is shown in numbers", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const shown = async (name, id) => {
+      await write(page, readFileSync(`${source}/examples/${name}`, "utf8"));
+      await page.evaluate(() => { for (const one of document.querySelectorAll("#tables details")) one.open = true; });
+      await page.waitForSelector(`[data-table="${id}"] table`);
+      return (await page.textContent(`[data-table="${id}"]`)).replaceAll("\u00a0", " ");
+    };
+    assert.match(await shown("struck-column.toml", "columns"), /19\.4.*Office.*2\.42/s);
+    assert.match(await page.textContent('[data-table="peaks"]'), /Acceleration.*Storey shear/s);
+    assert.match(await page.textContent('[data-table="gaps"]'), /ABS.*SRSS.*DDC/s);
+    assert.match(await shown("yielding-pair.toml", "peaks"), /[Dd]uctility/);
+  });
+});
+
+for (const [width, height] of [[1366, 768], [390, 844], [844, 390]]) {
+  test(`what is pressed is large enough for a finger, ${width} × ${height}`, async () => {
+    await on(async (page) => {
+      await solved(page);
+      await page.click('[data-case="yielding"]');
+      await solved(page);
+      await page.click("#compare button");
+      await page.evaluate(() => { for (const one of document.querySelectorAll("details")) one.open = true; });
+      await page.waitForSelector(".form");
+      await write(page, (await page.inputValue(editor)).replace(/^duration = .*$/m, "duration = -1"), "errors");
+      const small = await page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, textarea, label.button, a:not(.skip)")]
+        .filter((one) => one.checkVisibility()).map((one) => [one.outerHTML.slice(0, 100), one.getBoundingClientRect().toJSON()])
+        .filter(([, { width, height }]) => width < 24 || height < 24).map(([html, box]) => `${html} ${box.width} × ${box.height}`));
+      assert.deepEqual(small, []);
+      assert.ok(await page.locator("#impacts td button").count() > 10);
+    }, { viewport: { width, height } });
+  });
+}
+
+test("no label says a word twice", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.click("text=Form");
+    for (const language of ["en", "id"]) {
+      await page.selectOption("#language", language);
+      for (const text of [null, readFileSync(`${source}/web/test/every-unit.toml`, "utf8")]) {
+        if (text) await write(page, text);
+        const labels = await page.$$eval(".field label > span", (all) => all.map((one) => one.firstChild.textContent.toLowerCase().split(": ")));
+        assert.ok(labels.length > 10);
+        assert.deepEqual(labels.filter((parts) => parts.some((part, i) => i > 0 && part.includes(parts[i - 1]))), []);
+      }
+    }
+  });
+});
+
+test("errors are told in the page's language, what is English is marked", async () => {
+  await on(async (page) => {
+    await solved(page);
+    const good = await page.inputValue(editor);
+    await page.selectOption("#language", "id");
+    await write(page, good.replace("duration = 20.0", "duration = -1"), "errors");
+    const line = good.split("\n").findIndex((one) => one.startsWith("duration")) + 1;
+    const said = page.locator(".errors li");
+    assert.equal((await said.textContent()).replace(/analysis.*/, "").trim(), `Baris ${line}, kolom 12 Durasi:`);
+    assert.match(await said.locator('[lang="en"]').textContent(), /^analysis\.duration = -1, must be/);
+    await write(page, good.replace(/storey_heights = \[.*?\]/, `storey_heights = [1${",1".repeat(499)}]`), "errors", true); // for a page alone
+    assert.match(await said.textContent(), /2500 goyangan.*melebihi batas 1500/);
+    assert.equal(await said.locator('[lang="en"]').count(), 0);
+    await write(page, good.replace("width = 0.05", "widht = 0.05"), "errors");
+    assert.equal(await said.locator('[lang="en"]').count(), await said.count()); // of a key that is none
   });
 });

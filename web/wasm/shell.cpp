@@ -23,18 +23,17 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
-#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/html/spectral_report.h"
 #include "bentur/report/kinds/kinds.h"
-#include "bentur/report/story_text.h"
 #include "bentur/solve/effort.h"
+#include "shell_answers.h"
 
 namespace bentur::web {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 const fs::path folder = "/case";
@@ -43,18 +42,10 @@ const fs::path folder = "/case";
 constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
 constexpr double most_memory = 300e6;  // [byte]
 constexpr std::size_t most_text = std::size_t{1} << 20;
-const char* const text_too_long = "the case is longer than 1 MiB, which is more than a page reads";
 constexpr double most_modes = 400;    // of all buildings: their cubes take a second or two
 constexpr double most_joints = 1500;  // sways and rotations of a frame, before it is condensed
 constexpr double most_levels = 1000;  // of a wall
 constexpr std::size_t most_buildings = 100;
-
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Json failure(const std::string& message, int line = 0, int column = 0, const std::string& key = "") {
-  return {{"ok", false},
-          {"errors", {{{"file", ""}, {"line", line}, {"column", column}, {"key", key}, {"message", message}}}}};
-}
 
 Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
   Json list = Json::array();
@@ -106,9 +97,7 @@ std::optional<Json> too_large(const TomlValue& root) {
   if (buildings == nullptr) return std::nullopt;
   if (buildings->items.size() > most_buildings) {
     const TomlValue& first = buildings->items[most_buildings];
-    return failure(fmt::format("the case has {} buildings, over the limit of {} of a page; bentur run takes more",
-                               buildings->items.size(), most_buildings),
-                   first.line, first.column);
+    return too_much("buildings", {{"n", buildings->items.size()}, {"most", most_buildings}}, first.line, first.column);
   }
   double modes = 0, most = 0;
   const TomlValue* largest = nullptr;
@@ -120,95 +109,18 @@ std::optional<Json> too_large(const TomlValue& root) {
     const Size size = size_of(building);
     const bool tall = size.levels > most_levels;
     if (tall || size.joints > most_joints) {
-      return failure(
-          fmt::format("building \"{}\" has {:.0f} {}, over the limit of {:.0f} of a page; bentur run takes more",
-                      name(building), tall ? size.levels : size.joints, tall ? "elevations" : "sways and rotations",
-                      tall ? most_levels : most_joints),
-          building.line, building.column);
+      return too_much(tall ? "elevations" : "joints",
+                      {{"name", name(building)},
+                       {"n", tall ? size.levels : size.joints},
+                       {"most", tall ? most_levels : most_joints}},
+                      building.line, building.column);
     }
     modes += size.modes;
     if (size.modes > most) most = size.modes, largest = &building;
   }
   if (!(modes > most_modes)) return std::nullopt;
-  return failure(fmt::format("the buildings have {:.0f} modes together, \"{}\" {:.0f} of them, over the limit of "
-                             "{:.0f} of a page; bentur run takes more",
-                             modes, name(*largest), most, most_modes),
-                 largest->line, largest->column);
-}
-
-/// What may go wrong becomes an answer.
-template <typename Work>
-std::string guarded(const Work& work) {
-  try {
-    return text_of(work());
-  } catch (const std::bad_alloc&) {
-    return text_of(failure("there is not enough memory for this case in a browser; bentur run has more"));
-  } catch (const InvalidParameter& error) {
-    return text_of(failure(error.what(), 0, 0, error.parameter()));
-  } catch (const std::exception& error) {
-    return text_of(failure(error.what()));
-  }
-}
-
-/// The largest displacement over that without contact, of floors that move; 0 where none does.
-double largest_amplification(const Response& response) {
-  double largest = 0;
-  for (const BuildingPeaks& peaks : response.buildings) {
-    for (Eigen::Index floor = 0; floor < peaks.displacement.size(); ++floor) {
-      const double alone = peaks.displacement_no_contact(floor);
-      if (alone > 0) largest = std::max(largest, peaks.displacement(floor) / alone);
-    }
-  }
-  return largest;
-}
-
-double largest_force(const Response& response) {
-  double largest = 0;
-  for (const PointSummary& point : response.points) largest = std::max(largest, point.peak_force);
-  return largest;
-}
-
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-Json list(const Eigen::VectorXd& values) {
-  Json all = Json::array();
-  for (const double value : values) all.push_back(number_or_null(value));
-  return all;
-}
-
-Json gap_overview(const RunResults& run, Eigen::Index gap) {
-  const GapOutcome found = gap_outcome(run.problem, run.response, gap);
-  Json one = {
-      {"name", gap_name(run.problem, gap)}, {"width", found.governing.width}, {"needed", found.governing.gap_needed}};
-  if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
-    const PointSummary& worst = run.response.points[*found.hardest];
-    one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
-  }
-  return one;
-}
-
-/// What is to be said of the run, in words, the gravest first.
-Json statements_of(const RunResults& run, const Words& say) {
-  Json all = Json::array();
-  for (const SaidStatement& one : said(run_story(run).statements, say)) {
-    all.push_back({{"kind", one.kind},
-                   {"severity", severity_name(one.severity)},
-                   {"gap", one.gap ? Json(gap_name(run.problem, *one.gap)) : Json()},
-                   {"badge", one.badge},
-                   {"text", one.text}});
-  }
-  return all;
-}
-
-/// The figures that tell something of the run, with their captions.
-Json kinds_of(const RunResults& run, const Words& say) {
-  Json all = Json::array();
-  if (run.response.histories.time.empty()) return all;
-  for (const FigureKind& kind : figure_kinds(run)) {
-    if (!kind.tells) continue;
-    all.push_back({{"kind", kind.name}, {"caption", say("figure." + kind.name)}, {"overTime", kind.over_time}});
-  }
-  return all;
+  return too_much("modes", {{"n", modes}, {"name", name(*largest)}, {"of", most}, {"most", most_modes}}, largest->line,
+                  largest->column);
 }
 
 }  // namespace
@@ -227,8 +139,8 @@ void Studio::put_file(const std::string& path, const std::string& bytes) {
 
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
-    case_.reset(), problem_.reset(), run_.reset(), free_.reset();
-    if (text.size() > most_text) return failure(text_too_long);
+    case_.reset(), problem_.reset(), run_.reset(), spectral_.reset(), free_.reset();
+    if (text.size() > most_text) return too_much("text");
     const fs::path path = folder / "cases" / file;
     Diagnostics diagnostics;
     const std::optional<TomlValue> root = parse_toml(text, path.string(), diagnostics);
@@ -237,7 +149,7 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     ReadCase read =
         read_case_parts(TomlView(*root, "", path.string(), diagnostics), path.parent_path(), diagnostics, memo_.get());
     if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
-    Problem problem = read.problem();
+    Problem problem = read.c.excitation.spectrum ? make_still_problem(read.c, read.made_buildings()) : read.problem();
     read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};
     read.c.given = std::make_shared<const TomlValue>(*root);
     if (auto& record = read.c.excitation.record) {
@@ -252,9 +164,18 @@ std::string Studio::open(const std::string& text, const std::string& file) {
   });
 }
 
+std::string Studio::contacts() const {
+  return guarded([&]() -> Json {
+    if (!problem_) return failure("no case is open");
+    std::vector<int> counts(problem_->buildings.size() - 1);
+    for (const ContactPoint& point : problem_->points) ++counts[static_cast<std::size_t>(point.left)];
+    return {{"ok", true}, {"errors", Json::array()}, {"counts", counts}};
+  });
+}
+
 std::string Studio::in_units(const std::string& text, const std::string& length, const std::string& force) const {
   return guarded([&]() -> Json {
-    if (text.size() > most_text) return failure(text_too_long);
+    if (text.size() > most_text) return too_much("text");
     Diagnostics diagnostics;
     const std::optional<std::string> made = text_in_units(text, "", length, force, diagnostics);
     if (!made) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), "")}};
@@ -278,9 +199,13 @@ std::string Studio::record_unit(const std::string& path) const {
 
 std::string Studio::solve(const emscripten::val& output_step, const emscripten::val& progress) {
   return guarded([&]() -> Json {
-    run_.reset();
+    run_.reset(), spectral_.reset();
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
+    if (c.excitation.spectrum) {
+      spectral_ = spectral_gaps(*problem_, *c.excitation.spectrum, c.code, c.units);
+      return {{"ok", true}, {"errors", Json::array()}, {"seconds", 0}};
+    }
     SolveOptions options = solve_options(c);
     const bool fine = output_step.isNull();
     options.output_step = fine ? report_output_step(*problem_) : output_step.as<double>();
@@ -291,17 +216,9 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     const Effort needed = effort(*problem_, c.analysis.solver, options);
     if (const std::string refused = beyond_limits(c, *problem_, needed); !refused.empty()) return failure(refused);
     if (needed.certain_steps > most_steps) {
-      return failure(
-          fmt::format("a run takes {:.3g} steps or more, over the limit of {:.3g} of a page. Is a motion so "
-                      "fast meant? bentur run may take longer",
-                      needed.certain_steps, most_steps));
+      return too_much("steps", {{"n", needed.certain_steps}, {"most", most_steps}});
     }
-    if (needed.memory > most_memory) {
-      return failure(
-          fmt::format("a run takes {:.3g} MB of memory, over the limit of a page. Make the duration shorter, "
-                      "or take bentur run",
-                      needed.memory / 1e6));
-    }
+    if (needed.memory > most_memory) return too_much("memory.run", {{"n", std::ceil(needed.memory / 1e6)}});
     Response response = bentur::solve(*problem_, c.analysis.solver, options);
     if (response.status == Status::stopped) return failure("stopped");
     if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
@@ -319,63 +236,19 @@ std::string Studio::summary() const { return run_ ? summary_json(*run_, BENTUR_V
 
 std::string Studio::impacts() const { return run_ ? impacts_csv(run_->view()) : ""; }
 
-std::string Studio::gaps() const { return run_ ? gap_json(*run_, BENTUR_VERSION) : ""; }
+std::string Studio::gaps() const {
+  if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, BENTUR_VERSION);
+  return run_ ? gap_json(*run_, BENTUR_VERSION) : "";
+}
 
-std::string Studio::modes() const { return run_ ? modes_json(run_->problem.buildings, run_->c.units) : ""; }
+std::string Studio::modes() const { return problem_ ? modes_json(problem_->buildings, case_->units) : ""; }
 
 std::string Studio::motion(const std::string& language) const { return run_ ? motion_json(*run_, language) : ""; }
 
 std::string Studio::report(const std::string& language) const {
-  return run_ ? report_html(*run_, {.language = language, .version = BENTUR_VERSION}) : "";
-}
-
-std::string Studio::overview(const std::string& language) const {
-  return guarded([&]() -> Json {
-    if (!run_) return failure("nothing was run");
-    const RunResults& run = *run_;
-    const Words say(language);
-    Json gaps = Json::array();
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left));
-    Json buildings = Json::array();
-    for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
-      const Building& building = run.problem.buildings[b];
-      const BuildingPeaks& peaks = run.response.buildings[b];
-      buildings.push_back({{"name", building.name},
-                           {"rigid", building.is_rigid()},
-                           {"elevations", building.model.elevations},
-                           {"heights", building.model.storey_heights},
-                           {"yields", peaks.yielding.ductility.size() > 0},
-                           {"displacement", list(peaks.displacement)},
-                           {"alone", list(peaks.displacement_no_contact)},
-                           {"drift", list(peaks.drift_ratio)}});
-    }
-    Json impacts = Json::array();
-    for (const Impact& one : run.response.impacts) {
-      if (impacts.size() == most_impacts) break;
-      const ContactPoint& point = run.problem.points[one.point];
-      const std::optional<double> e = one.restitution();
-      impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,
-                         e ? number_or_null(*e) : Json()});
-    }
-    Json points = Json::array();
-    for (const ContactPoint& point : run.problem.points) {
-      points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
-    }
-    return {{"ok", true},
-            {"title", run.c.title},
-            {"version", BENTUR_VERSION},
-            {"duration", run.problem.duration},
-            {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
-            {"gaps", gaps},
-            {"buildings", buildings},
-            {"points", points},
-            {"impacts", impacts},
-            {"impactCount", run.response.impacts.size()},
-            {"force", largest_force(run.response)},
-            {"amplification", largest_amplification(run.response)},
-            {"figures", kinds_of(run, say)},
-            {"statements", statements_of(run, say)}};
-  });
+  const ReportOptions options{.language = language, .version = BENTUR_VERSION};
+  if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
+  return run_ ? report_html(*run_, options) : "";
 }
 
 std::string Studio::at_width(int gap, double width) {
@@ -420,6 +293,8 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .function("motion", &Studio::motion)
       .function("report", &Studio::report)
       .function("overview", &Studio::overview)
+      .function("tables", &Studio::tables)
+      .function("contacts", &Studio::contacts)
       .function("histories", &Studio::histories)
       .function("draw", &Studio::draw)
       .function("figureFile", &Studio::figure_file)

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bentur/io/file_identity.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -31,6 +32,10 @@ class Studio {
   /// @return {ok, errors}
   [[nodiscard]] std::string open(const std::string& text, const std::string& file);
 
+  /// How many contact points each gap of the case that is open has, by the building to its left. @return {ok, errors,
+  /// counts}
+  [[nodiscard]] std::string contacts() const;
+
   /// A case's text with its numbers in other units, text_in_units(). @return {ok, errors, text}
   [[nodiscard]] std::string in_units(const std::string& text, const std::string& length,
                                      const std::string& force) const;
@@ -44,10 +49,11 @@ class Studio {
 
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
-  /// answers false the run ends. @return {ok, errors, seconds}
+  /// answers false the run ends. A case with a spectrum has its gaps computed instead: it has no impacts, motion and
+  /// histories. @return {ok, errors, seconds}
   [[nodiscard]] std::string solve(const emscripten::val& output_step, const emscripten::val& progress);
 
-  // Of the run. @throws nothing; empty before there is one.
+  // Of the run, or the gaps by a spectrum. @throws nothing; empty before there is one.
   [[nodiscard]] std::string summary() const;                            ///< summary.json
   [[nodiscard]] std::string impacts() const;                            ///< impacts.csv
   [[nodiscard]] std::string gaps() const;                               ///< as bentur gap --json
@@ -56,6 +62,8 @@ class Studio {
   [[nodiscard]] std::string report(const std::string& language) const;  ///< report.html
   /// What the page tells first, JSON, with the report's sentences in that language.
   [[nodiscard]] std::string overview(const std::string& language) const;
+  /// The report's tables: [{id, heading, markup}].
+  [[nodiscard]] std::string tables(const std::string& language) const;
   [[nodiscard]] emscripten::val histories() const;  ///< {time, ground, opening, force, buildings}
 
   /// A figure of one of the kinds that overview() lists, or "gap-curve", which `wanted` has the points of.
@@ -79,6 +87,7 @@ class Studio {
   std::optional<Case> case_;
   std::optional<Problem> problem_;
   std::optional<RunResults> run_;
+  std::optional<SpectralGaps> spectral_;
   GroundMotion motion_;  // of the figures that were made last, which another width of the gap leaves their spectrum
   FigureData figures_;
   std::unique_ptr<FreeResponse> free_;

@@ -2,24 +2,43 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
-import { type Key, type Node, schema } from "./solver";
+import { type CaseError, type Key, type Node, schema } from "./solver";
 import {
-  addFile, change, errors, found, gap, inUnits, load, loads, problem, result, text, told, tooLong, travel, type, width,
+  addFile, change, complain, errors, found, gap, grow, inUnits, load, loads, problem, result, text, type Told, told, tooLong, travel, type, width,
 } from "./state";
 import { canRedo, canUndo } from "./steps";
+import { count, type Part } from "./storeys";
 import { number, say } from "./texts";
 import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
+
+/** What went wrong; what is said in English only is marked so. */
+export const Message = ({ one: { text: said, english } }: { one: Told }) => (english ? <span lang="en">{said}</span> : <>{said}</>);
+
+/** What people call the key that an error is of, `gap[0].contact.stiffness`; nothing where there is no such key. */
+function keyName(key: string) {
+  const path = key.replace(/\[(?:"(?:[^"\\]|\\.)*"|\d+)\]/g, "").split(".");
+  return keyAt(...path) && nameOf(...path);
+}
+
+function ErrorLine({ one, goTo }: { one: CaseError; goTo: (line: number, column: number) => void }) {
+  const name = one.key && keyName(one.key);
+  return (
+    <li>
+      {one.line > 0 && one.file === "" && <button type="button" onClick={() => goTo(one.line, one.column)}>{say("errors.at", { line: one.line, column: one.column })}</button>}
+      {one.file !== "" && <strong>{one.file}{one.line > 0 && `, ${say("errors.at", { line: one.line, column: one.column })}`}</strong>}
+      {name && <> <strong>{name}</strong>:</>} <Message one={told(one)} />
+    </li>
+  );
+}
 
 export function Errors({ goTo }: { goTo: (line: number, column: number) => void }) {
   const list = errors.value;
   return (
     <div class="errors" role="alert">
-      {problem.value && <p class="error">{problem.value()}</p>}
+      {problem.value && <p class="error"><Message one={problem.value()} /></p>}
       {list.length > 0 && <>
         <h2>{say("errors")}: {list.length}</h2>
-        <ul>{list.slice(0, 30).map((one, i) => (
-          <li key={i}>{one.line > 0 && one.file === "" ? <button type="button" onClick={() => goTo(one.line, one.column)}>{say("errors.at", { line: one.line, column: one.column })}</button>
-            : one.file !== "" && <strong>{one.file}{one.line > 0 && `:${one.line}:${one.column}`}</strong>} {told(one)}</li>))}</ul>
+        <ul>{list.slice(0, 30).map((one, i) => <ErrorLine key={i} one={one} goTo={goTo} />)}</ul>
       </>}
     </div>
   );
@@ -41,7 +60,7 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
   const lines = useMemo(() => shown.split("\n").length, [shown]);
   const wrong = new Set(errors.value.filter((one) => one.file === "").map((one) => one.line));
   const height = area.current ? parseFloat(getComputedStyle(area.current).lineHeight) || 19 : 19;
-  const first = Math.floor(top / height), last = Math.min(lines, first + 60);
+  const first = Math.min(Math.floor(top / height), lines - 1), last = Math.min(lines, first + 60); // a text may end above what was in sight
   return (
     <div class="editor">
       <div class="gutter" aria-hidden="true" style={{ minWidth: `${String(lines).length + 1.5}ch` }}>
@@ -88,11 +107,20 @@ function NumberField({ at, from, title }: { at: Leaf; from: number; title: strin
   );
 }
 
+/** How many storeys or bays a building has, and one more or fewer. */
+function Count({ building, part, title }: { building: number; part: Part; title: string }) {
+  const n = count(found.value!, building, part);
+  if (n === undefined) return null;
+  const name = part === "bay" ? say("form.bays") : nameOf("building", "generic", "storeys");
+  const button = (by: 1 | -1) => <button type="button" disabled={n + by < 1 || errors.value.length > 0} aria-label={say(by > 0 ? "form.more.of" : "form.fewer.of", { what: name, name: title })} onClick={() => grow(building, part, by)}>{by > 0 ? "+" : "−"}</button>;
+  return <p class="count"><span>{name}: <output>{n}</output></span> {button(-1)}{button(1)}</p>;
+}
+
 const MOST = 96; // fields of one group
 
 function Group({ path, title }: { path: Path; title: string }) {
   const numbers = (found.value?.leaves ?? []).filter((one) =>
-    under(one.path, path) && typeof one.value === "number" && Number.isFinite(one.value));
+    under(one.path, path) && typeof one.value === "number" && Number.isFinite(one.value) && !same(one.path, [...path, "generic", "storeys"])); // those are counted
   const name = leaf(found.value, [...path, "name"]);
   return (
     <fieldset>
@@ -106,6 +134,7 @@ function Group({ path, title }: { path: Path; title: string }) {
         for (const one of places) made = put(made, one, next);
         change(made);
       }} /></label></div>}
+      {path[0] === "building" && <>{(["storey", "bay"] as const).map((part) => <Count key={part} building={path[1] as number} part={part} title={title} />)}</>}
       {numbers.slice(0, MOST).map((one) =>
         <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} from={path.length} title={title} />)}
       {numbers.length > MOST && <p class="note">{say("form.more", { n: numbers.length - MOST })}</p>}
@@ -200,7 +229,7 @@ export async function openFile(file: File) {
   const isCase = /\.toml$/i.test(file.name);
   const most = isCase ? CASE : RECORD;
   if (file.size > most * 2 ** 20) {
-    problem.value = () => say("error.file", { name: file.name.slice(0, 60), size: most });
+    complain("error.file", { name: file.name.slice(0, 60), size: most });
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());

@@ -15,7 +15,7 @@ const letters = (bytes: Uint8Array) => {
 
 export function keep({ text, files }: Work) {
   let left = MOST;
-  const all = files.map(([name, bytes]) => [name, (left -= bytes.length) >= 0 ? letters(bytes) : null]);
+  const all = files.filter(([name]) => text.includes(name)).map(([name, bytes]) => [name, (left -= bytes.length) >= 0 ? letters(bytes) : null]);
   try {
     localStorage.setItem(KEY, JSON.stringify({ text, files: all }));
   } catch { /* it is not kept */ }

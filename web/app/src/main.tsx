@@ -3,13 +3,14 @@ import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { cases } from "./cases";
 import { beginDrawing } from "./drawing";
-import { Editor, Errors, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
+import { Editor, Errors, FilePicker, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
 import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./motion";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
-import { begin, isOwn, load, pinned, problem, result, stale, standing, startAnew, text } from "./state";
+import { begin, complain, isOwn, load, pinned, result, stale, standing, startAnew, text } from "./state";
 import "./style.css";
+import { Tables } from "./tables";
 import { Take } from "./take";
 import { language, languages, say, type Word } from "./texts";
 import { choice } from "./theme";
@@ -27,7 +28,7 @@ function Head() {
             {(["auto", "light", "dark"] as const).map((one) => <option key={one} value={one} selected={one === choice.value}>{say(`theme.${one}`)}</option>)}</select></label>
         </p></div>
       <p class="lead">{say("lead")}</p>
-      <nav aria-label={say("cases")} class="cases">{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={text.value === one.text} onClick={() => load(one.text)}>{say(`case.${one.id}` as Word)}</button>)}
+      <nav aria-label={say("cases")} class="cases"><FilePicker label={say("open")} />{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={text.value === one.text} onClick={() => load(one.text)}>{say(`case.${one.id}` as Word)}</button>)}
         {isOwn.value && <button type="button" onClick={startAnew}>{say("anew")}</button>}</nav>
     </header>
   );
@@ -48,7 +49,7 @@ function App() {
   const area = useRef<HTMLTextAreaElement>(null);
   const dropping = useSignal(false);
   const formOpen = useSignal(false); // a closed form costs nothing
-  const now = result.value;
+  const now = result.value, spectral = now?.overview.spectral;
   return (
     <div class={`page${dropping.value ? " dropping" : ""}`}
       onDragOver={(event) => { event.preventDefault(); dropping.value = true; }}
@@ -64,7 +65,8 @@ function App() {
       <main id="results" class={stale.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <Bar />
         <div class="lives">
-          {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+          {spectral && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><p class="still">{say("motion.none")}</p></section>}
+          {now && !spectral && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
             <div class={pinned.value ? "motions" : ""}>
               <div>{pinned.value && <h3>{say("now")}: {caseOf(now.overview)}</h3>}
                 <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
@@ -83,9 +85,12 @@ function App() {
           </section>
         </div>
         {now && <div class="found">
+          {!spectral && <>
           <Figures now={now} />
           <Impacts now={now} />
           <Comparison now={now} />
+          </>}
+          <Tables now={now} />
         </div>}
         <Take />
       </main>
@@ -98,7 +103,7 @@ effect(() => { document.documentElement.lang = language.value; });
 const fromAddress = () => fromFragment(location.hash).then((given) => {
   if (given !== null) load(given);
   linked.value = given === null ? null : text.value;
-}).catch(() => { problem.value = () => say("error.link"); });
+}).catch(() => complain("error.link"));
 void fromAddress().then(begin).then(beginDrawing);
 addEventListener("hashchange", () => void fromAddress());
 effect(() => {

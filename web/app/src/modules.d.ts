@@ -22,12 +22,15 @@ declare module "*/bentur_web.mjs" {
     motion(language: string): string;
     report(language: string): string;
     overview(language: string): string;
+    tables(language: string): string;
+    contacts(): string;
     histories(): import("./solver").Histories;
     draw(kind: string, language: string, wanted: import("./solver").Wanted): import("./solver").Drawn;
     figureFile(kind: string, language: string, wanted: import("./solver").Wanted): string;
     atWidth(gap: number, width: number): string;
   }
-  export default function createBentur(): Promise<{ Studio: new () => Studio }>;
+  export const deflated: string; // the solver, in base64: vite.config.ts
+  export default function createBentur(module: { wasmBinary: ArrayBuffer }): Promise<{ Studio: new () => Studio }>;
 }
 declare module "*/report/html/motion.js" {
   export interface Motion {

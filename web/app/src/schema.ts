@@ -26,24 +26,27 @@ function keysAt(path: Path): (Key & { description: string } | undefined)[] {
   });
 }
 
-export const keyAt = (...path: string[]) => keysAt(path)[path.length - 1];
+/** What is said of the key of a value, which may be in a list. */
+export const keyOf = (path: Path) => keysAt(path)[path.length - 1];
+export const keyAt = (...path: string[]) => keyOf(path);
 
 /** What people call a key. */
 export const nameOf = (...path: string[]) =>
   keyAt(...path)?.label[language.value] ?? path[path.length - 1];
 
-/** The key of a number and what it is called, from a step of its path on. */
+/** The key of a number and what it is called, from a step of its path on; what a word says again is said once. */
 export function fieldOf(path: Path, from: number) {
-  const keys = keysAt(path);
-  let label = "";
+  const keys = keysAt(path), words: string[] = [];
   path.forEach((step, i) => {
     const key = keys[i];
     if (i < from || key?.group === "structure") return;
-    if (typeof step === "number") label += ` ${step + 1}`;
-    else label += `${label && ": "}${key?.label[language.value] ?? step}`;
+    const word = key?.label[language.value] ?? String(step), last = words.length - 1;
+    if (typeof step === "number") words[Math.max(last, 0)] = `${words[last] ?? ""} ${step + 1}`;
+    else if (word.toLowerCase().includes(words[last]?.toLowerCase())) words[last] = word;
+    else words.push(word);
   });
   const key = keys.filter((one) => one !== undefined).pop();
-  return { label, key: key?.kind === "table" ? undefined : key };
+  return { label: words.join(": "), key: key?.kind === "table" ? undefined : key };
 }
 
 /** A slider's ends: a part of one has all of its range, another number what lies below a multiple of

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import SolverWorker from "./worker?worker&inline";
 
-export interface CaseError { file: string; line: number; column: number; key: string; message: string }
+export interface CaseError { file: string; line: number; column: number; key: string; message: string; values?: Record<string, number | string> }
 export interface AxisPlace { label: string; from: number; to: number; logarithmic: boolean }
 /** A frame of a figure [px of its SVG], and what is drawn there. */
 export interface PanelPlace {
@@ -36,15 +36,17 @@ export interface BuildingOverview {
 /** [left building, elevation, start, end, peak force, closing speed, restitution] */
 export type ImpactRow = [number, number, number, number, number, number, number | null];
 export interface Overview {
-  title: string; version: string; duration: number; units: { length: string; force: string }; gaps: GapOverview[];
+  title: string; version: string; duration: number; spectral: boolean; units: { length: string; force: string }; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
   figures: { kind: string; caption: string; overTime: boolean }[];
 }
+/** A section of the report. */
+export interface PagePart { id: string; heading: string; markup: string }
 /** What `bentur schema` says of a key in one of its meanings: `unit` in words, "force/length". */
 export interface Key {
   kind: string; form: string; label: { en: string; id: string }; group?: string; with?: string;
-  unit?: string; words?: string[]; when?: Record<string, string[]>;
+  unit?: string; each?: string; words?: string[]; when?: Record<string, string[]>;
   number?: {
     type?: string; minimum?: number; exclusiveMinimum?: boolean;
     maximum?: number; exclusiveMaximum?: boolean; not?: object;
@@ -63,10 +65,11 @@ export type Request = Common & (
   | { kind: "run"; step: number | null; draw: Draw }
   | { kind: "draw"; draw: Draw }
   | { kind: "take"; what: Take; draw?: Draw }
+  | { kind: "contacts" }
   | { kind: "units"; length: string; force: string }
   | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
-export type Result = { overview: Overview; motion: string; drawn: Record<string, Drawn>; milliseconds: number; fine: boolean };
+export type Result = { overview: Overview; motion: string; drawn: Record<string, Drawn>; tables: PagePart[]; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (
   | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }
@@ -75,6 +78,7 @@ export type Answer = { id: number } & (
   | { kind: "drawn"; drawn: Record<string, Drawn> }
   | { kind: "histories"; histories: Histories; overview: Overview }
   | { kind: "text"; text: string }
+  | { kind: "contacts"; counts: number[] }
   | { kind: "curve"; curve: CurvePoint[]; done: number });
 
 type AnyRequest = Pick<Request, "kind"> & { [key: string]: unknown };

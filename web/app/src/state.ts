@@ -5,7 +5,8 @@ import { forget, keep, kept } from "./kept";
 import { take as takeDrawn, wanted, wantedNow } from "./drawing";
 import { type Answer, type CaseError, type CurvePoint, type Files, type Result, Solver, type Take } from "./solver";
 import { record, step } from "./steps";
-import { language, say, type Word } from "./texts";
+import { grown, type Part, withoutPoints, withPoints } from "./storeys";
+import { hasWord, language, number, say, type Word } from "./texts";
 import { leaf, outline, widths, withWidth } from "./toml";
 
 const before = kept();
@@ -23,7 +24,12 @@ export const curveDone = signal(1);
 export const pinned = signal<Result | null>(null);
 export const time = signal(0);
 /** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
-export const problem = signal<(() => string) | null>(before?.lost.length ? () => say("error.unkept", { name: before.lost.join(", ") }) : null);
+export const problem = signal<(() => Told) | null>(null);
+if (before?.lost.length) complain("error.unkept", { name: before.lost.join(", ") });
+/** Says that in the page's own words. */
+export function complain(word: Word, values: Record<string, string | number> = {}) {
+  problem.value = () => ({ text: say(word, values), english: false });
+}
 /** How many cases were loaded: sliders then start anew. */
 export const loads = signal(0);
 const solvedWith = signal<Files>([]);
@@ -42,10 +48,15 @@ export const standing = computed(() => {
   return errors.value.length > 0 ? "errors" : result.value === null ? "" : result.value.fine ? "fine" : "rough";
 });
 
-const OWN = new Set(["cancelled", "limit", "worker"]);
+/** What went wrong in words; those of the library are English. */
+export interface Told { text: string; english: boolean }
 
-/** What went wrong, in the page's words where it is the page that says so. */
-export const told = (one: CaseError) => (OWN.has(one.message) ? say(`error.${one.message}` as Word) : one.message);
+/** In the page's words where it is the page that says so. */
+export function told(one: CaseError): Told {
+  const word = `error.${one.message}`, values = Object.entries(one.values ?? {});
+  return hasWord(word) ? { text: say(word, Object.fromEntries(values.map(([name, value]) => [name, typeof value === "number" ? number(value) : value]))), english: false }
+    : { text: one.message, english: true };
+}
 
 export const found = computed(() => outline(text.value));
 /** The record that the case names and a link has no room for. */
@@ -90,7 +101,7 @@ function run(fine: boolean) {
         if (gap.value >= answer.overview.gaps.length) gap.value = 0;
       });
       if (text.value === wanted && files.value === used) {
-        if (!fine) settle = window.setTimeout(() => run(true), 250);
+        if (!answer.fine) settle = window.setTimeout(() => run(true), 250);
         else drawCurve(wanted);
       }
     }
@@ -100,7 +111,7 @@ function run(fine: boolean) {
 /** The curve belongs to the case without its gap's width: a drag of the slider does not make it anew. */
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
-  if (!overview || widths(outline(wanted), gap.value).length === 0) return;
+  if (!overview || overview.spectral || widths(outline(wanted), gap.value).length === 0) return;
   const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
   if (key === curveText && files.value === curveFiles) return;
   [curveText, curveFiles] = [key, files.value];
@@ -118,15 +129,17 @@ let hand = "";
 
 /** Another text; changes `by` the same hand are undone together, steps.ts. */
 export function change(next: string, by = "") {
-  hand = by;
-  text.value = next;
+  batch(() => {
+    hand = by;
+    text.value = next;
+    problem.value = null;
+  });
 }
 
 /** A text that is being typed becomes the case when one stops for a moment; what has come in its place by then stays. */
 export function type(next: string) {
-  const base = typed.value?.base ?? text.value;
   clearTimeout(typed.value?.timer);
-  typed.value = { base, next, timer: window.setTimeout(settleTyping, 150) };
+  typed.value = { base: text.value, next, timer: window.setTimeout(settleTyping, 150) };
 }
 
 function settleTyping() {
@@ -169,7 +182,7 @@ const MOST_LINES = 50000; // browsers lay out all lines of a text field at once:
 export function tooLong(next: string): boolean {
   let lines = 0;
   for (let at = next.indexOf("\n"); at >= 0 && lines <= MOST_LINES; at = next.indexOf("\n", at + 1)) ++lines;
-  if (lines > MOST_LINES) problem.value = () => say("error.lines", { n: MOST_LINES });
+  if (lines > MOST_LINES) complain("error.lines", { n: MOST_LINES });
   return lines > MOST_LINES;
 }
 
@@ -215,11 +228,26 @@ export function addFile(name: string, bytes: Uint8Array, then: (unit: string) =>
   }));
 }
 
+let growing = Promise.resolve();
+
+/** One storey or bay more or fewer, one after the other; where that is no case, why. */
+export function grow(building: number, part: Part, by: 1 | -1) {
+  growing = growing.then(() => new Promise((done) => {
+    const was = text.value, next = grown(was, building, part, by);
+    behind.ask({ kind: "contacts", text: withoutPoints(next), language: language.value }, (answer) => batch(() => {
+      done();
+      if (answer.kind === "refused") problem.value = () => told(answer.errors[0]);
+      if (answer.kind !== "contacts" || text.value !== was) return;
+      change(withPoints(next, answer.counts));
+    }));
+  }));
+}
+
 function answerTo<Kind extends Answer["kind"]>(kind: Kind, request: object): Promise<Extract<Answer, { kind: Kind }>> {
   return new Promise((resolve, reject) => {
     behind.ask({ kind: "take", text: text.value, language: language.value, ...request }, (answer) => {
       if (answer.kind === kind) resolve(answer as Extract<Answer, { kind: Kind }>);
-      if (answer.kind === "refused") reject(new Error(told(answer.errors[0])));
+      if (answer.kind === "refused") reject(told(answer.errors[0]));
     });
   });
 }

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
-import { FilePicker } from "./edit";
+import { Message } from "./edit";
 import { linked, toFragment } from "./link";
 import { caseOf, Stale } from "./results";
 import { png, save } from "./save";
 import type { Histories, Overview, Result } from "./solver";
-import { ownRecord, result, stale, take, takeHistories, text } from "./state";
+import { ownRecord, result, stale, take, takeHistories, text, type Told } from "./state";
 import { say } from "./texts";
 
 function historiesCsv({ histories, overview }: { histories: Histories; overview: Overview }): string {
@@ -67,14 +67,14 @@ function stageSvg(now: Result): string {
 
 export function Take() {
   const now = result.value;
-  const [said, tell] = useState("");
-  const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch((error: Error) => tell(error.message)); };
+  const [said, tell] = useState<Told | null>(null);
+  const fetched = (what: Parameters<typeof take>[0], name: string, type: string) => () => { take(what).then((content) => save(name, content, type)).catch(tell); };
   const link = () => {
     const given = text.value;
     void toFragment(given).then((fragment) => {
       history.replaceState(null, "", fragment);
       linked.value = given;
-      tell(`${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`);
+      tell({ text: `${say("take.linked")}${ownRecord.value ? ` ${say("take.link.record")}` : ""}`, english: false });
       return navigator.clipboard?.writeText(location.href);
     }).catch(() => undefined);
   };
@@ -82,22 +82,23 @@ export function Take() {
     <section id="take">
       <h2>{say("take")}</h2>
       <p class="controls">
-        <FilePicker label={say("take.open")} />
         <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("edit.text")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
-        {now && <>
+        {now && !now.overview.spectral && <>
           <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
           <button type="button" disabled={stale.value} data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
-          <button type="button" disabled={stale.value} data-take="histories" onClick={() => { takeHistories().then((all) => save("histories.csv", historiesCsv(all), "text/csv")).catch((error: Error) => tell(error.message)); }}>{say("take.histories")}</button>
-          <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
-          <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
-          <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
+          <button type="button" disabled={stale.value} data-take="histories" onClick={() => { takeHistories().then((all) => save("histories.csv", historiesCsv(all), "text/csv")).catch((error: Told) => tell(error)); }}>{say("take.histories")}</button>
           <button type="button" disabled={stale.value} data-take="svg" onClick={() => save("buildings.svg", stageSvg(now), "image/svg+xml")}>{say("take.svg")}</button>
           <button type="button" disabled={stale.value} data-take="png" onClick={() => void png(stageSvg(now)).then((blob) => save("buildings.png", blob, "image/png"))}>{say("take.png")}</button>
         </>}
+        {now && <>
+          <button type="button" disabled={stale.value} data-take="gaps" onClick={fetched("gaps", "gaps.json", "application/json")}>{say("take.gaps")}</button>
+          <button type="button" disabled={stale.value} data-take="modes" onClick={fetched("modes", "modes.json", "application/json")}>{say("take.modes")}</button>
+          <button type="button" disabled={stale.value} data-take="report" onClick={fetched("report", "report.html", "text/html")}>{say("take.report")}</button>
+        </>}
       </p>
       <Stale word="take.stale" />
-      <p role="status">{said}</p>
+      <p role="status">{said && <Message one={said} />}</p>
       <p class="note">{say("take.note")}</p>
     </section>
   );

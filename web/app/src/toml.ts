@@ -5,7 +5,9 @@ import { parseTOML, type AST } from "toml-eslint-parser";
 export type Path = (string | number)[];
 export interface Leaf { path: Path; value: unknown; range: [number, number]; text: string }
 export interface Table { path: Path; range: [number, number] }
-export interface Outline { leaves: Leaf[]; tables: Table[]; lists: Table[]; pairs: Table[] }
+export interface List extends Table { items: [number, number][] }
+export interface Outline { leaves: Leaf[]; tables: Table[]; lists: List[]; pairs: Table[] }
+export interface Edit { range: [number, number]; made: string }
 
 const LONGEST = 200000; // characters that a form is made of
 
@@ -25,7 +27,7 @@ function outlineOf(text: string): Outline | null {
       if (path.length > 12) return;
       if (node.type === "TOMLValue") found.leaves.push({ path, value: node.value, range: node.range, text: text.slice(...node.range) });
       else if (node.type === "TOMLArray") {
-        found.lists.push({ path, range: node.range });
+        found.lists.push({ path, range: node.range, items: node.elements.map((one) => one.range) });
         node.elements.forEach((one, i) => value(one, [...path, i]));
       } else node.body.forEach((one) => pair(one, path));
     };
@@ -50,6 +52,10 @@ function outlineOf(text: string): Outline | null {
 export const same = (a: Path, b: Path) => a.length === b.length && a.every((key, i) => key === b[i]);
 export const under = (path: Path, parent: Path) => parent.every((key, i) => key === path[i]);
 export const leaf = (found: Outline | null, path: Path) => found?.leaves.find((one) => same(one.path, path));
+
+/** The text with other words at some places. */
+export const apply = (text: string, edits: Edit[]) => [...edits].sort((a, b) => b.range[0] - a.range[0])
+  .reduce((all, { range, made }) => all.slice(0, range[0]) + made + all.slice(range[1]), text);
 
 /** A number as a case has it: no more digits than mean something. */
 export function decimal(value: number): string {

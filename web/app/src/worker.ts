@@ -1,16 +1,24 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
-import createBentur, { type Studio } from "@repo/build/web/bentur_web.mjs";
-import type { Answer, CaseError, CurvePoint, Draw, Drawn, Request, Schema } from "./solver";
+import createBentur, { deflated, type Studio } from "@repo/build/web/bentur_web.mjs";
+import type { Answer, CaseError, CurvePoint, Draw, Drawn, Overview, Request, Schema } from "./solver";
 import { trueTitle } from "./title";
 
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
-const ready: Promise<Studio> = createBentur().then((module) => {
+
+function inflated(): Promise<ArrayBuffer> {
+  const bytes = Uint8Array.from(atob(deflated), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).arrayBuffer();
+}
+
+const ready: Promise<Studio> = inflated().then((wasmBinary) => createBentur({ wasmBinary })).then((module) => {
   const studio = new module.Studio();
   const schema: Schema = JSON.parse(studio.schema());
   metres = schema.units.length;
   post({ id: 0, kind: "schema", schema });
   return studio;
 });
+/** What a case has not that is not run. */
+const still = { figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, amplification: 0 };
 let metres: Record<string, number> = {};
 let opened = "";
 let stop = 0; // curves up to this number are no longer wanted
@@ -45,27 +53,33 @@ async function answer(request: Request): Promise<void> {
     opened = result.ok ? request.text : "";
     if (!result.ok) return refused(result);
   }
+  if (request.kind === "contacts") {
+    const found = JSON.parse(studio.contacts());
+    return found.ok ? post({ id, kind: "contacts", counts: found.counts }) : refused(found);
+  }
   if (request.kind === "run") {
-    let told = started;
+    let heard = started;
     const solved = JSON.parse(studio.solve(request.step, (done) => {
       const now = performance.now();
-      if (now - told > 200) post({ id, kind: "progress", done });
-      if (now - told > 200) told = now;
+      if (now - heard > 200) post({ id, kind: "progress", done });
+      if (now - heard > 200) heard = now;
       return true;
     }));
     if (!solved.ok) return refused(solved);
-    const overview = JSON.parse(studio.overview(request.language));
-    if (!overview.ok) return refused(overview);
+    const told = JSON.parse(studio.overview(request.language));
+    if (!told.ok) return refused(told);
+    const overview: Overview & { statements: { gap: unknown }[] } = { ...still, ...told };
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
     const metre = metres[overview.units.length];
-    overview.title = clip(trueTitle(overview.title, overview.gaps.map((one: { width: number }) => one.width * metre)));
-    const gaps = overview.gaps.map((one: { name: string }) => one.name);
-    for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(one.gap);
+    overview.title = clip(trueTitle(overview.title, overview.gaps.map((one) => one.width * metre)));
+    const gaps = overview.gaps.map((one) => one.name);
+    for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(String(one.gap));
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
-    const made = drawn(request.draw);
-    return post({ id, kind: "result", overview, motion: studio.motion(request.language), drawn: made,
-      milliseconds: performance.now() - started, fine: request.step === null }, buffers(made));
+    const made = overview.spectral ? {} : drawn(request.draw);
+    const { tables } = JSON.parse(studio.tables(request.language));
+    return post({ id, kind: "result", overview, motion: studio.motion(request.language), drawn: made, tables,
+      milliseconds: performance.now() - started, fine: overview.spectral || request.step === null }, buffers(made));
   }
   if (request.kind === "take") {
     const isDrawn = request.what === "report" || request.what === "figure" || request.what === "histories";

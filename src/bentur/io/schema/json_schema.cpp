@@ -182,6 +182,7 @@ Schema told_of(const Key& key) {
   if (key.kind <= Key::Kind::whole || key.kind == Key::Kind::by_building) told["number"] = one_number(key);
   if (const std::string without = default_text(key); !without.empty()) told["default"] = without;
   if (key.dimension != dimension::none) told["dimension"] = key.dimension.form();
+  if (!key.each.empty() && key.count == 0) told["each"] = key.each;
   const std::string own_unit(key.own_unit), unit = key.dimension.text("length", "force");
   if (!own_unit.empty() || !unit.empty()) told["unit"] = own_unit.empty() ? unit : own_unit;
   if (!key.words.empty()) told["words"] = key.words;

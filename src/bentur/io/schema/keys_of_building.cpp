@@ -137,8 +137,8 @@ const KeyTable& frame_keys() {
            .list(),
        Key::number("bay_widths", dimension::length, Range::size, {"Bay widths", "Lebar bentang"}, "left to right")
            .list(),
-       Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}, "one for all, or one per storey").list(),
-       Key::sub_table("beams", section_keys(), {"Beams", "Balok"}, "one for all, or one per floor").list(),
+       Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}).list("one for all, or one per storey"),
+       Key::sub_table("beams", section_keys(), {"Beams", "Balok"}).list("one for all, or one per floor"),
        Key::number("floor_masses", dimension::mass, Range::not_negative, {"Floor masses", "Massa lantai"},
                    "added to the floor's sway (slab, live load)")
            .for_each("one per floor")

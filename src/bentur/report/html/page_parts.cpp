@@ -16,11 +16,26 @@ html::Report part_of(const RunResults& results, const Words& say) {
 
 }  // namespace
 
+std::vector<PagePart> html::parts(const std::vector<PageSection>& sections) {
+  std::vector<PagePart> all;
+  for (const auto& [id, heading, content] : sections) {
+    if (!content.str().empty()) all.push_back({id, heading, content.str()});
+  }
+  return all;
+}
+
 std::string motion_json(const RunResults& results, const std::string& language) {
   const Words say(language);
   std::vector<Eigen::Index> listed(std::min(results.response.impacts.size(), most_impacts));
   std::iota(listed.begin(), listed.end(), Eigen::Index{0});
   return html::animation_json(part_of(results, say), listed);
+}
+
+std::vector<PagePart> table_parts(const RunResults& results, const std::string& language) {
+  const Words say(language);
+  html::Report report = part_of(results, say);
+  report.gap_tables = gap_tables_of(results);
+  return html::parts({html::gap_section(report), html::peaks_section(report), html::columns_section(report)});
 }
 
 }  // namespace bentur

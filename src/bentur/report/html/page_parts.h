@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "bentur/model/run_results.h"
 
@@ -16,5 +17,14 @@ constexpr std::size_t most_impacts = 1500;
 /// The response must have histories.
 /// @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::string motion_json(const RunResults& results, const std::string& language);
+
+/// A section of a report. No text of a case can bring a tag, an attribute or a script into its markup.
+struct PagePart {
+  std::string id, heading, markup;
+};
+
+/// The tables of a run as its report has them: the gap each level needs, simulated and by every rule, what contact and
+/// floors reach, and struck columns. @throws InvalidParameter for an unknown language.
+[[nodiscard]] std::vector<PagePart> table_parts(const RunResults& results, const std::string& language);
 
 }  // namespace bentur

@@ -11,6 +11,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/file_identity.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/page.h"
@@ -276,6 +277,25 @@ TEST(Report, TextOfACaseCannotBringInMarkupOrScript) {
       }
     }
   }
+}
+
+TEST(Report, ThePolicyLetsInTheOwnScriptAndStyleAlone) {
+  const std::string page = run(example("m12-el-centro")).page("en");
+  const auto between = [&](const std::string& opens, const std::string& closes) {
+    const std::size_t from = page.find(opens) + opens.size();
+    return page.substr(from, page.find(closes, from) - from);
+  };
+  const std::string policy = between("Content-Security-Policy\" content=\"", "\"");
+  for (const auto& [directive, text] :
+       {std::pair{"script-src", between("<script>", "</script>")}, {"style-src", between("<style>", "</style>")}}) {
+    std::string bytes;
+    for (std::size_t i = 0; i < 64; i += 2) {
+      bytes += static_cast<char>(std::stoi(sha256(text).substr(i, 2), nullptr, 16));
+    }
+    EXPECT_TRUE(has(policy, fmt::format("{} 'sha256-{}';", directive, html::base64(bytes)))) << policy;
+  }
+  EXPECT_FALSE(has(policy, "unsafe"));
+  EXPECT_FALSE(has(between("<body>", "<script>"), " style="));  // which no hash lets in
 }
 
 TEST(Report, FiguresStandInlineInThePagesOwnStyle) {

@@ -61,14 +61,27 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
   return {"peaks", say("spectral.peaks"), content};
 }
 
+/// @param none of a case that is not run
+Report report_of(const Case& c, const Problem& problem, const Response& none, const SpectralGaps& spectral,
+                 const Words& say) {
+  return {{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {}, spectral.levels};
+}
+
 }  // namespace
+
+std::vector<PagePart> table_parts(const Case& c, const Problem& problem, const SpectralGaps& spectral,
+                                  const std::string& language) {
+  const Words say(language);
+  const Response none;
+  const Report report = report_of(c, problem, none, spectral, say);
+  return html::parts({spectral_gap_section(report), spectral_peaks_section(report, spectral)});
+}
 
 std::string spectral_report_html(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                                  const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const Report report{{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {},
-                      spectral.levels};
+  const Report report = report_of(c, problem, none, spectral, say);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"spectrum", "the spectrum"}},

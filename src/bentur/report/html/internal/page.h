@@ -18,7 +18,7 @@ struct PageBody {
 };
 
 /// A whole page with the style of reports and, where asked for, their script. Its Content-Security-Policy
-/// lets it fetch nothing and run no other script.
+/// lets it fetch nothing and have no script and no style but these, which it names by their hashes.
 [[nodiscard]] std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script);
 
 /// The figures, or why there are none.

@@ -57,6 +57,9 @@ constexpr std::size_t rows_in_print = 30;
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] PageSection input_section(const Report& report);
 
+/// Sections for a page that is no report; those without content are not among them.
+[[nodiscard]] std::vector<PagePart> parts(const std::vector<PageSection>& sections);
+
 // What the sections share.
 
 /// A table in words.

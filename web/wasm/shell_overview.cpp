@@ -1,0 +1,171 @@
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/story/story.h"
+#include "bentur/report/html/page_parts.h"
+#include "bentur/report/html/spectral_report.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/story_text.h"
+#include "shell.h"
+#include "shell_answers.h"
+
+namespace bentur::web {
+
+double largest_amplification(const Response& response) {
+  double largest = 0;
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (Eigen::Index floor = 0; floor < peaks.displacement.size(); ++floor) {
+      const double alone = peaks.displacement_no_contact(floor);
+      if (alone > 0) largest = std::max(largest, peaks.displacement(floor) / alone);
+    }
+  }
+  return largest;
+}
+
+double largest_force(const Response& response) {
+  double largest = 0;
+  for (const PointSummary& point : response.points) largest = std::max(largest, point.peak_force);
+  return largest;
+}
+
+namespace {
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json list(const Eigen::VectorXd& values) {
+  Json all = Json::array();
+  for (const double value : values) all.push_back(number_or_null(value));
+  return all;
+}
+
+Json gap_overview(const RunResults& run, Eigen::Index gap) {
+  const GapOutcome found = gap_outcome(run.problem, run.response, gap);
+  Json one = {
+      {"name", gap_name(run.problem, gap)}, {"width", found.governing.width}, {"needed", found.governing.gap_needed}};
+  if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
+    const PointSummary& worst = run.response.points[*found.hardest];
+    one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
+  }
+  return one;
+}
+
+/// The same by a spectrum.
+Json gap_overview(const Problem& problem, const SpectralGaps& spectral, Eigen::Index gap) {
+  std::vector<LevelSeparation> levels = spectral.levels;
+  std::erase_if(levels, [&](const LevelSeparation& one) { return one.level.gap != gap; });
+  const GoverningLevel found = governing_level(levels, 0).value_or(GoverningLevel{});
+  return {{"name", gap_name(problem, gap)}, {"width", found.width}, {"needed", found.gap_needed}};
+}
+
+/// What is to be said, in words, the gravest first.
+Json statements_of(const Problem& problem, const Story& story, const Words& say) {
+  Json all = Json::array();
+  for (const SaidStatement& one : said(story.statements, say)) {
+    all.push_back({{"kind", one.kind},
+                   {"severity", severity_name(one.severity)},
+                   {"gap", one.gap ? Json(gap_name(problem, *one.gap)) : Json()},
+                   {"badge", one.badge},
+                   {"text", one.text}});
+  }
+  return all;
+}
+
+Json buildings_of(const RunResults& run) {
+  Json buildings = Json::array();
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const BuildingPeaks& peaks = run.response.buildings[b];
+    buildings.push_back({{"name", building.name},
+                         {"rigid", building.is_rigid()},
+                         {"elevations", building.model.elevations},
+                         {"heights", building.model.storey_heights},
+                         {"yields", peaks.yielding.ductility.size() > 0},
+                         {"displacement", list(peaks.displacement)},
+                         {"alone", list(peaks.displacement_no_contact)},
+                         {"drift", list(peaks.drift_ratio)}});
+  }
+  return buildings;
+}
+
+Json impacts_of(const RunResults& run) {
+  Json impacts = Json::array();
+  for (const Impact& one : run.response.impacts) {
+    if (impacts.size() == most_impacts) break;
+    const ContactPoint& point = run.problem.points[one.point];
+    const std::optional<double> e = one.restitution();
+    impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,
+                       e ? number_or_null(*e) : Json()});
+  }
+  return impacts;
+}
+
+/// The figures that tell something of the run, with their captions.
+Json kinds_of(const RunResults& run, const Words& say) {
+  Json all = Json::array();
+  if (run.response.histories.time.empty()) return all;
+  for (const FigureKind& kind : figure_kinds(run)) {
+    if (!kind.tells) continue;
+    all.push_back({{"kind", kind.name}, {"caption", say("figure." + kind.name)}, {"overTime", kind.over_time}});
+  }
+  return all;
+}
+
+/// What there is of any case that is right.
+Json overview_of(const Case& c, const Problem& problem, const Json& gaps, const Story& story, const Words& say) {
+  return {{"ok", true},
+          {"title", c.title},
+          {"version", BENTUR_VERSION},
+          {"duration", problem.duration},
+          {"units", {{"length", c.units.length}, {"force", c.units.force}}},
+          {"gaps", gaps},
+          {"statements", statements_of(problem, story, say)}};
+}
+
+}  // namespace
+
+std::string Studio::overview(const std::string& language) const {
+  return guarded([&]() -> Json {
+    const Words say(language);
+    Json gaps = Json::array();
+    if (spectral_) {
+      for (const Gap& gap : gaps_of(*problem_)) gaps.push_back(gap_overview(*problem_, *spectral_, gap.left));
+      Json all = overview_of(*case_, *problem_, gaps, spectral_story(*case_, *problem_, *spectral_), say);
+      all["spectral"] = true;
+      return all;
+    }
+    if (!run_) return failure("nothing was run");
+    const RunResults& run = *run_;
+    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left));
+    Json points = Json::array();
+    for (const ContactPoint& point : run.problem.points) {
+      points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
+    }
+    Json all = overview_of(run.c, run.problem, gaps, run_story(run), say);
+    all["spectral"] = false;
+    all["buildings"] = buildings_of(run);
+    all["points"] = points;
+    all["impacts"] = impacts_of(run);
+    all["impactCount"] = run.response.impacts.size();
+    all["force"] = largest_force(run.response);
+    all["amplification"] = largest_amplification(run.response);
+    all["figures"] = kinds_of(run, say);
+    return all;
+  });
+}
+
+std::string Studio::tables(const std::string& language) const {
+  return guarded([&]() -> Json {
+    std::vector<PagePart> parts;
+    if (spectral_)
+      parts = table_parts(*case_, *problem_, *spectral_, language);
+    else if (run_)
+      parts = table_parts(*run_, language);
+    Json all = Json::array();
+    for (const PagePart& one : parts) all.push_back({{"id", one.id}, {"heading", one.heading}, {"markup", one.markup}});
+    return {{"ok", true}, {"errors", Json::array()}, {"tables", all}};
+  });
+}
+
+}  // namespace bentur::web
