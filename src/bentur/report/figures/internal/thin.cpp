@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 
 #include "bentur/report/figures/internal/ticks.h"
@@ -19,7 +20,7 @@ Points thinned(const std::vector<double>& x, const std::vector<double>& y, int c
     return std::min(columns - 1, static_cast<int>((x[i] - x.front()) / span * columns));
   };
   // Of values that differ by round-off alone the first is taken, on every machine.
-  double least = INFINITY, most = -INFINITY;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double one : y) {
     if (std::isfinite(one)) least = std::min(least, one), most = std::max(most, one);
   }
