@@ -28,14 +28,30 @@ def test_of_a_run(name, result):
     ax = getattr(bentur.plot, name)(result)
     assert "[m]" in ax.get_xlabel() + ax.get_ylabel() or "[kN]" in ax.get_ylabel()
     drawn = [line for line in ax.get_lines() if len(line.get_xdata()) > 2]
-    assert drawn and {line.get_color() for line in drawn} <= {*bentur.plot.TONES, bentur.plot.PALE}
+    assert drawn and {line.get_color() for line in drawn} <= {*bentur.plot.TONES}
     assert ax.figure.get_size_inches()[0] == pytest.approx(8.8 / 2.54)
     matplotlib.pyplot.close(ax.figure)
 
 
-def test_the_palette_is_that_of_the_figures():
-    colours = (ROOT / "src/bentur/report/figures/internal/colours.h").read_text()
-    assert all(f'"{tone}"' in colours for tone in (*bentur.plot.TONES, bentur.plot.PALE))
+def test_a_figure_of_a_run_is_that_of_the_program(result, program, tmp_path):
+    """The same bytes: `bentur plot` draws from the file that the run has saved."""
+    result.save(tmp_path / "out")
+    assert {"overview", "force", "opening", "modes"} <= set(result.figures)
+    for kind in ("opening", "force", "envelope"):
+        drawn = tmp_path / f"{kind}.svg"
+        subprocess.run([program, "plot", tmp_path / "out", kind, "-o", drawn], check=True, capture_output=True)
+        assert result.plot(kind).save(tmp_path / f"mine-{kind}.svg").read_text() == drawn.read_text()
+    assert "Waktu" in result.plot("force", language="id")._repr_svg_()
+    part = result.plot("opening", start=1, end=2, width=12)
+    assert 'width="453.5' in part.svg and part.svg != result.plot("opening", width=12).svg
+    with pytest.raises(ValueError, match="did you mean \"force\""):
+        result.plot("fource")
+    with pytest.raises(ValueError, match="must end in .svg"):
+        result.plot("force").save("force.pdf")
+
+
+def test_a_report_has_its_figures(result):
+    assert result.report().count("<figure") > 4
 
 
 def test_force_is_the_exact_course(result):

@@ -51,6 +51,12 @@ TEST(Loops, TheSoilUnderAFoundation) {
   expect_spring_and_dashpot(soil.rocking, foundation.row(1), foundation.row(3), step_of(run));
 }
 
+/// Equal to the bit; of what is not there no file tells how long it would be.
+bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (a.size() == 0 || b.size() == 0) return a.size() == b.size();
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
+
 TEST(Loops, AreReadBackFromTheHistories) {
   for (const char* const text : {test::linked, test::every_kind}) {
     const RunResults run = test::drawn_run(text);
@@ -59,11 +65,10 @@ TEST(Loops, AreReadBackFromTheHistories) {
     const RunResults read = read_run(file);
     for (const auto part : {&Response::histories, &Response::course}) {
       const Histories &given = run.response.*part, &found = read.response.*part;
-      EXPECT_EQ(found.link_deformation, given.link_deformation);
-      EXPECT_EQ(found.link_force, given.link_force);
+      EXPECT_TRUE(same(found.link_deformation, given.link_deformation));
+      EXPECT_TRUE(same(found.link_force, given.link_force));
       for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
-        ASSERT_EQ(found.foundation.at(b).rows(), given.foundation.at(b).rows());
-        EXPECT_EQ(found.foundation[b], given.foundation[b]);
+        EXPECT_TRUE(same(found.foundation.at(b), given.foundation.at(b)));
       }
     }
   }

@@ -26,6 +26,28 @@ Floats = NDArray[np.float64]
 _FIRST_SCREEN = "<style>section:not(#verdict):not(#motion), footer, nav { display: none } body { zoom: 0.72; padding-top: 1rem }</style>"
 
 
+class Picture:
+    """A figure as SVG. Notebooks show it; PDF and PNG are made of it by ``rsvg-convert`` or a browser."""
+
+    def __init__(self, svg: str) -> None:
+        #: The whole file, as text.
+        self.svg = svg
+
+    def save(self, file: str | Path) -> Path:
+        """Writes the SVG; one that is there is replaced.
+
+        :raises ValueError: where the name does not end in ``.svg``.
+        """
+        path = Path(file)
+        if path.suffix != ".svg":
+            raise ValueError(f'file = "{file}", must end in .svg')
+        path.write_text(self.svg, encoding="utf-8")
+        return path
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
 class Result:
     """A run: summary, impacts, histories.
 
@@ -179,13 +201,45 @@ class Result:
         histories = netcdf(*self._file) if len(self._values("time")) else None
         return [into / name for name in self._run.save(self.case._made, into, histories, is_histories, force)]
 
+    @property
+    def figures(self) -> dict[str, str]:
+        """The kinds of figure that the run can give (docs/figures.md), each with what it shows."""
+        return dict(self._drawn_from.figure_kinds())
+
+    def plot(
+        self,
+        kind: str = "overview",
+        *,
+        language: str = "en",
+        width: float = 8.8,
+        start: float | None = None,
+        end: float | None = None,
+        gap: int | None = None,
+        elevation: float | None = None,
+    ) -> Picture:
+        """A figure of the run, as ``bentur plot`` draws it; notebooks show it.
+
+        :param kind: one of :attr:`figures`.
+        :param language: ``"en"`` or ``"id"``.
+        :param width: of the figure [cm]; 8.8 is a journal's column, 17 a page.
+        :param start: of histories: first time [s].
+        :param end: of histories: last time [s].
+        :param gap: counted from 0; else the one that is hit hardest.
+        :param elevation: of the contact point [length]; else the one that is hit hardest.
+        :raises ValueError: where the run cannot give it, naming what it can.
+        """
+        return Picture(self._drawn_from.figure_svg(kind, language, width, start, end, gap, elevation))
+
+    @property
+    def _drawn_from(self) -> _core.Run:
+        return self._run if len(self._values("time")) else self._at_report_step
+
     def report(self, language: str = "en") -> str:
-        """The report of the run as one HTML page, without figures: ``bentur report`` has these.
+        """The report of the run as one HTML page, as ``bentur report`` writes it.
 
         :param language: ``"en"`` or ``"id"``.
         """
-        run = self._run if len(self._values("time")) else self._at_report_step
-        return run.report_html(language)
+        return self._drawn_from.report_html(language)
 
     @cached_property
     def _at_report_step(self) -> _core.Run:

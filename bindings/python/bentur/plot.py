@@ -1,4 +1,5 @@
-"""Figures with matplotlib, in the palette and size of the program's own (docs/figures.md).
+"""Figures with matplotlib, to be changed further, in the palette and size of the program's own, which
+:meth:`bentur.Result.plot` draws.
 
 Each function draws into `ax`, or makes a figure of a journal's column, and returns the axes, to be changed further and
 saved: ``bentur.plot.force(result).figure.savefig("force.pdf")``.
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _core
 from ._errors import imported
 
 if TYPE_CHECKING:
@@ -21,8 +23,9 @@ if TYPE_CHECKING:
     from ._functions import Spectrum
     from ._result import Result
 
+_palette = dict(_core.palette())
 #: Dark to light, so that they differ in print without colour too.
-BLACK, BLUE, ORANGE, GREY, PALE = "#000000", "#1f5fa8", "#b4540a", "#5f6b76", "#d9d9d9"
+BLACK, BLUE, ORANGE, GREY = (_palette[name] for name in ("ink", "blue", "orange", "grey"))
 TONES = (BLUE, ORANGE, BLACK, GREY)
 LINES = ("-", "--", "-.", ":")
 #: Width of a journal's column [in]; the figures of the program are 8.8 cm wide.

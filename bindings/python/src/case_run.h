@@ -26,6 +26,7 @@ struct PyCase {
 /// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.
 struct PyRun {
   RunResults results;
+  bool has_figures = false;  ///< results.figures is there
 };
 
 void bind_case(pybind11::module_& module);

@@ -14,7 +14,9 @@
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
+#include "bentur/report/words.h"
 #include "bentur/solve/effort.h"
 #include "bentur/structure/modes.h"
 #include "case_run.h"
@@ -150,6 +152,40 @@ std::string modes(const PyCase& given, bool jacobi) {
   return modes_json(buildings, given.c.units);
 }
 
+/// The run with what figures show beyond histories.
+const RunResults& with_figures(PyRun& run) {
+  RunResults& results = run.results;
+  if (!run.has_figures) results.figures = figure_data(results);
+  run.has_figures = true;
+  return results;
+}
+
+/// Kinds of figure that the run can give, each with what it shows.
+std::vector<std::pair<std::string, std::string>> kinds_of(PyRun& run) {
+  std::vector<std::pair<std::string, std::string>> kinds;
+  for (const FigureKind& kind : figure_kinds(with_figures(run))) kinds.emplace_back(kind.name, kind.shows);
+  return kinds;
+}
+
+/// @throws ValueError naming what the run can give.
+std::string drawn(PyRun& run, const std::string& kind, const std::string& language, double width,
+                  std::optional<double> start, std::optional<double> end, std::optional<std::size_t> gap,
+                  std::optional<double> elevation) {
+  FigureOptions options;
+  options.say = figure_words(language);
+  options.language = language;
+  options.width = width;
+  options.from = start;
+  options.to = end;
+  options.gap = gap;
+  options.elevation = elevation;
+  try {
+    return figure_svg(make_figure(with_figures(run), kind, options));
+  } catch (const NoFigure& error) {
+    throw py::value_error(error.what());
+  }
+}
+
 }  // namespace
 
 void bind_run(py::module_& module) {
@@ -179,12 +215,15 @@ void bind_run(py::module_& module) {
            })
       .def(
           "report_html",
-          [](const PyRun& run, const std::string& language) {
-            const py::gil_scoped_release unlocked;
-            return report_html(run.results, {.language = language, .version = BENTUR_VERSION});
+          [](PyRun& run, const std::string& language) {
+            return report_html(with_figures(run), {.language = language, .version = BENTUR_VERSION});
           },
-          py::arg("language") = "en");
+          py::arg("language") = "en")
+      .def("figure_kinds", &kinds_of)
+      .def("figure_svg", &drawn, py::arg("kind"), py::arg("language"), py::arg("width"), py::arg("start"),
+           py::arg("end"), py::arg("gap"), py::arg("elevation"));
 
+  module.def("palette", &palette);
   module.def("solve", &solved, py::arg("case"), py::arg("output_step"), py::arg("progress"));
   module.def(
       "gap_json",

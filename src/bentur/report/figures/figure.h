@@ -122,6 +122,9 @@ struct PanelPlace {
 /// @return one for each panel, in their order. @throws InvalidParameter as figure_svg().
 [[nodiscard]] std::vector<PanelPlace> panel_places(const Figure& figure);
 
+/// The colours of figures on paper, each with its name: "blue", "#1f5fa8".
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> palette();
+
 /// The colours of figures as CSS, on paper and on a dark screen. `by_attribute`: dark where the root element of the
 /// page has data-theme="dark", else where the system is.
 [[nodiscard]] std::string figure_style(bool by_attribute = false);

@@ -12,6 +12,12 @@ Tone tone_of(std::size_t index) {
   return tones[index % std::size(tones)];
 }
 
+std::vector<std::pair<std::string, std::string>> palette() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Colour& one : colours) all.emplace_back(one.name, one.paper);
+  return all;
+}
+
 std::string figure_style(bool by_attribute) {
   std::string light, dark, rules;
   const auto add = [&](const Colour& one) {
