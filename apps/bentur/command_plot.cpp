@@ -95,11 +95,24 @@ void expect_picture(const std::filesystem::path& file, const OutputRules& rules)
   expect_figure(file.parent_path(), name, {format}, rules);
 }
 
+void tell_letters(const std::vector<NamedFigure>& figures) {
+  std::string letters;
+  for (const NamedFigure& one : figures) {
+    if (letters.empty()) letters = letters_beyond_font(one.figure);
+  }
+  if (letters.empty()) return;
+  message(
+      fmt::format("DejaVu Sans, which the figures are measured by, has no \"{}\": another font draws them where there "
+                  "is one, else boxes stand in their place",
+                  letters));
+}
+
 void write_picture(const std::filesystem::path& file, const Figure& figure, const OutputRules& rules) {
   expect_picture(file, rules);
   const std::string name = file.stem().string();
   write_figures(file.parent_path(), {{name, figure}}, {file.extension().string().substr(1)}, rules);
   message(fmt::format("Wrote {}, and {}.dat and {}.gp beside it to restyle it", file.string(), name, name));
+  tell_letters({{name, figure}});
 }
 
 void add_plot_command(CLI::App& app) {

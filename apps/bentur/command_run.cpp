@@ -17,6 +17,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "commands.h"
 #include "output.h"
+#include "picture.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -259,11 +260,13 @@ class RunOutput {
   void write_pictures(const RunResults& run) const {
     const std::filesystem::path pictures = folder() / "figures";
     try {
-      const std::vector<std::string> names = write_run_figures(pictures, run, arguments_.figures, rules_);
+      const std::vector<NamedFigure> figures = run_figures(run);
+      write_figures(pictures, figures, arguments_.figures, rules_);
       if (arguments_.quiet) return;
       std::string list;
-      for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+      for (const NamedFigure& one : figures) list += (list.empty() ? "" : ", ") + one.name;
       message(fmt::format("Wrote the figures {} into {}", list, pictures.string()));
+      tell_letters(figures);
     } catch (const NoConverter& error) {
       message(fmt::format("bentur: {}; all else is in {}", error.what(), pictures.string()));
     }

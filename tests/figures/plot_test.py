@@ -103,6 +103,16 @@ class Run(Figures):
                                delta=1e-3 * hardest["peak_penetration"])
         self.assertAlmostEqual(max(row[1] for row in force), hardest["peak_force"], delta=1e-3 * hardest["peak_force"])
 
+    def test_letters_that_the_font_has_not_are_said(self):
+        text = (SOURCE / "examples/free-impact.toml").read_text().replace('"Left"', "Left").replace("Left", '"北の建物"')
+        (self.folder / "case.toml").write_text(text)
+        said = self.bentur(0, "run", "case.toml", "-o", "out", "--figures", "svg").stderr
+        self.assertIn('has no "北の建物"', said)
+        self.assertIn("北の建物", (self.folder / "out/figures/envelope.svg").read_text())
+        self.assertIn('has no "北の建物"', self.bentur(0, "plot", "out", "envelope").stderr)
+        self.bentur(0, "run", SOURCE / "examples/m12-el-centro.toml", "-o", "usual", "--figures", "svg")
+        self.assertNotIn("has no", self.bentur(0, "plot", "usual", "envelope").stderr)
+
     def test_the_area_under_every_force_is_the_impulse(self):
         """Of every impact that is drawn, of laws with short and with long contacts, in the whole run and in a part of it."""
         for name in "m12-el-centro", "kelvin-voigt-pair", "restitution-asked", "yielding-pair", "isolated-moat":

@@ -113,6 +113,10 @@ struct Figure {
 /// finding, to readers who do not see it.
 [[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
 
+/// The letters of a figure that DejaVu Sans, the font it names first, has not, each once; most machines have some other
+/// font for them, and where none has, boxes stand in their place.
+[[nodiscard]] std::string letters_beyond_font(const Figure& figure);
+
 /// Where the frame of a panel stands in figure_svg() [px], from the upper left corner, and the values at its ends.
 struct PanelPlace {
   double left = 0, top = 0, width = 0, height = 0;

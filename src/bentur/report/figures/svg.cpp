@@ -11,6 +11,7 @@
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/figures/internal/visible.h"
 #include "bentur/report/utf8.h"
 
@@ -363,5 +364,26 @@ std::string figure_svg(const Figure& figure) { return Drawing(figure).file(); }
 std::string figure_element(const Figure& figure, std::string_view label) { return Drawing(figure).element(label); }
 
 std::vector<PanelPlace> panel_places(const Figure& figure) { return Drawing(figure).places(); }
+
+std::string letters_beyond_font(const Figure& figure) {
+  std::string all;
+  const auto add = [&](const std::string& text) {
+    const std::string plain = plain_text(text);
+    for (const auto& [bytes, code] : characters(plain)) {
+      if (!is_in_font(code) && all.find(bytes) == std::string::npos) all += bytes;
+    }
+  };
+  for (const Panel& panel : figure.panels) {
+    for (const std::string& text : {panel.title, panel.note, panel.events.label}) add(text);
+    for (const Axis* axis : {&panel.x, &panel.y}) {
+      add(axis->label);
+      for (const std::string& name : axis->names) add(name);
+    }
+    for (const Curve& curve : panel.curves) add(curve.label);
+    for (const RuleLine& rule : panel.rules) add(rule.label);
+    if (panel.map) add(panel.map->label);
+  }
+  return all;
+}
 
 }  // namespace bentur

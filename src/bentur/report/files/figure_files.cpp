@@ -42,16 +42,10 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
   for (const std::string& format : formats) expect("." + format, ResultKind::picture);
 }
 
-std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const RunResults& results,
-                                           const std::vector<std::string>& formats, const OutputRules& rules) {
+std::vector<NamedFigure> run_figures(const RunResults& results) {
   std::vector<NamedFigure> figures;
-  std::vector<std::string> names;
-  for (const FigureKind& kind : figure_kinds(results)) {
-    figures.push_back({kind.name, make_figure(results, kind.name)});
-    names.push_back(kind.name);
-  }
-  write_figures(folder, figures, formats, rules);
-  return names;
+  for (const FigureKind& kind : figure_kinds(results)) figures.push_back({kind.name, make_figure(results, kind.name)});
+  return figures;
 }
 
 void remove_run_figures(const std::filesystem::path& folder, const OutputRules& rules) {

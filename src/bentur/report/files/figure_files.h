@@ -27,9 +27,8 @@ void write_figures(const std::filesystem::path& folder, const std::vector<NamedF
 void expect_figure(const std::filesystem::path& folder, const std::string& name,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 
-/// Writes all figures that a run can give. @return their names. @throws as write_figures().
-std::vector<std::string> write_run_figures(const std::filesystem::path& folder, const RunResults& results,
-                                           const std::vector<std::string>& formats, const OutputRules& rules);
+/// All figures that a run can give, each called by its kind.
+[[nodiscard]] std::vector<NamedFigure> run_figures(const RunResults& results);
 
 /// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure
 /// by bentur (io/output/result_kind.h) stays, and so does an input.
