@@ -1,6 +1,6 @@
 """report.py FOLDER ROOT [--docs]: tables and figure of one run of `./dev bench`, from the files it left in FOLDER.
 
-Prints results.md, writes it and the figure's data and script (gnuplot) into FOLDER; with --docs also puts both into
+Prints results.md, writes it and the figure's description, data and script into FOLDER; with --docs also puts both into
 ROOT/docs. Times are processor times of one core; those at an accuracy are interpolated on logarithms between the two
 settings on either side of it, the last time a solver's error comes below. See bench/README.md.
 """
@@ -13,19 +13,21 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "tools"))
+from monograph_figures import draw  # noqa: E402
 from wrap import wrapped  # noqa: E402
 
 OURS = ["exact", "exact after free response", "exact of frames"]
 GENERIC = ["cvode", "arkode order 5", "arkode order 8", "odeint dopri5"]
 OPENSEES = ["opensees frames", "opensees matrices"]
 ACCURACIES = [1e-3, 1e-6, 1e-9]
-COLOURS = {"adaptive": "#0072B2", "runge-kutta": "#56B4E9", "cvode": "#D55E00", "arkode order 5": "#E69F00",
-           "arkode order 8": "#CC79A7", "odeint dopri5": "#009E73", "odeint all peaks": "#7CB342", "opensees frames": "#000000",
-           "opensees matrices": "#888888"}
+STYLES = {solver: {"tone": tone, "line": line, "mark": mark} for solver, tone, line, mark in (
+    ("adaptive", "blue", "solid", "disc"), ("runge-kutta", "blue", "dashed", "circle"), ("cvode", "orange", "solid", "square"),
+    ("arkode order 5", "orange", "dashed", "triangle"), ("arkode order 8", "purple", "solid", "diamond"),
+    ("odeint dopri5", "green", "solid", "disc"), ("odeint all peaks", "green", "dashed", "circle"),
+    ("opensees frames", "black", "solid", "square"), ("opensees matrices", "grey", "dashed", "cross"))}
 
 
 def read(path):
@@ -211,49 +213,26 @@ def machine(folder):
             "Load of the machine when the run ended: " + f"{os.getloadavg()[0]:.1f}.\n\n")
 
 
-def figure(folder, cases):
-    """Work-precision: error of the peak force against time. Data and script stand beside the figure."""
-    folder = folder / "figure"
-    folder.mkdir(exist_ok=True)
-    names = list(cases)
-    columns = 3 if len(names) > 2 else len(names)
-    rows = math.ceil(len(names) / columns)
-    height = 360 * rows + 100  # the legend stands below
+def figure(program, folder, cases):
+    """Work-precision: error of the peak force against time, drawn by `bentur plot`."""
     times = [t for case in cases.values() for of in case.values() for t in Runs(of).times]
-    decades = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
-    script = [f"set terminal svg size 1200,{height} font 'sans,12' background '#ffffff'",
-              "set output 'work-precision.svg'", "set encoding utf8",
-              f"set multiplot layout {rows},{columns} margins 0.07,0.98,{160 / height:.3f},{1 - 40 / height:.3f} "
-              f"spacing 0.08,{110 / height:.3f}",
-              "set logscale xy", "set format x '10^{%T}'", "set format y '10^{%T}'", "set grid lc '#dddddd'",
-              "set xlabel 'time [s]'", "set ylabel 'relative error of peak force'", "set yrange [1e-13:1]", f"set xrange [1e{decades[0]}:1e{decades[1]}]"]
-    for number, name in enumerate(names):
-        case = cases[name]
-        plots = []
-        for index, (solver, colour) in enumerate(COLOURS.items()):
-            if solver not in case:
-                continue
-            data = f"{name}-{solver.replace(' ', '-')}.txt"
-            runs = Runs(case[solver])
-            lines = [f"{t:.6e} {max(e, 1e-13):.6e}" for t, e in zip(runs.times, runs.errors) if e < 1]
-            (folder / data).write_text(f"# {name}, {solver}: time [s], relative error of the peak force\n" +
-                                       "\n".join(lines) + "\n")
-            plots.append(f"'{data}' with linespoints lc rgb '{colour}' pt {index + 4} ps 0.5 title '{solver}'")
+    ends = 10.0 ** math.floor(math.log10(min(times))), 10.0 ** math.ceil(math.log10(max(times)))
+    panels = []
+    for name, case in cases.items():
+        curves = []
+        for solver, style in STYLES.items():
+            if solver in case:
+                runs = Runs(case[solver])
+                seen = [(t, max(e, 1e-13)) for t, e in zip(runs.times, runs.errors) if e < 1]
+                curves.append({"label": solver, "x": [t for t, _ in seen], "y": [e for _, e in seen], **style})
         exact = time_of(case, "exact")
-        (folder / f"{name}-exact.txt").write_text(f"{exact:.6e} 1e-13\n{exact:.6e} 1\n")
-        plots.append(f"'{name}-exact.txt' with lines lw 2 lc rgb '#c00000' title 'exact'")
-        script += [f"set title '{name}'", "set key at screen 0.5, screen 0.02 center bottom vertical maxrows 2 Left reverse samplen 2 width 2"
-                   if number + 1 == len(names) else "unset key",
-                   "plot " + ", \\\n  ".join(plots)]
-    script.append("unset multiplot")
-    (folder / "work-precision.gp").write_text("\n".join(script) + "\n")
-    gnuplot = shutil.which("gnuplot")
-    if not gnuplot:
-        print("bench: gnuplot is not installed (Debian: gnuplot-nox), so no figure; data and script are in " + str(folder),
-              file=sys.stderr)
-        return None
-    subprocess.run([gnuplot, "work-precision.gp"], cwd=folder, check=True)
-    return folder / "work-precision.svg"
+        curves.append({"label": "exact", "x": [exact, exact], "y": [1e-13, 1], "tone": "red", "width": 2})
+        panels.append({"title": name, "curves": curves, "height": 5,
+                       "x": {"label": "Time [s]", "logarithmic": True, "from": ends[0], "to": ends[1]},
+                       "y": {"label": "Relative error of peak force [–]", "logarithmic": True, "from": 1e-13, "to": 1}})
+    picture = folder / "work-precision.svg"
+    draw(program, picture, panels, columns=min(3, len(panels)), width=26)
+    return picture
 
 
 def main():
@@ -274,17 +253,14 @@ def main():
     text = wrapped(text)
     (folder / "results.md").write_text(text)
     print(text)
-    svg = figure(folder, cases)
-    if svg:
-        print(f"bench: {svg}", file=sys.stderr)
+    svg = figure(root / "build/release/apps/bentur/bentur", folder, cases)
+    print(f"bench: {svg}", file=sys.stderr)
     if "--docs" in sys.argv:
         page = root / "docs/performance.md"
         old = page.read_text()
         begin, end = "<!-- bench -->\n", "<!-- /bench -->"
         page.write_text(old[:old.index(begin) + len(begin)] + "\n" + text + old[old.index(end):])
-        if svg:
-            (root / "docs/figures").mkdir(exist_ok=True)
-            shutil.copyfile(svg, root / "docs/figures/work-precision.svg")
+        shutil.copyfile(svg, root / "docs/figures/work-precision.svg")
 
 
 main()

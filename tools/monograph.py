@@ -39,6 +39,12 @@ def floors(histories, building):
     return [(names[k], series(histories, f"displacement_{building}", k)) for k in range(count)]
 
 
+def make(runs, output, name, panels, **size):
+    """A figure of these panels, as OUTPUT/NAME.svg."""
+    draw(runs.bentur, runs.folder / f"{name}.svg", panels, **size)
+    shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")
+
+
 def plot(runs, output, results, kind, name, *options):
     """A figure of bentur plot, as OUTPUT/NAME.svg."""
     runs.call("plot", f"{results}/histories.nc", kind, "-o", f"{name}.svg", *options)
@@ -51,10 +57,6 @@ def history_figures(runs, output):
     first = {"harmonic": 1, "El Centro": 8}
     seen = {}
 
-    def make(name, panels, **size):
-        draw(runs.folder, name, panels, **size)
-        shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")
-
     for motion in MOTIONS:
         case = f"m12-{SUFFIX[motion]}"
         runs.run(case, f"{case}-free", FREE)
@@ -62,8 +64,8 @@ def history_figures(runs, output):
         free, touching = runs.histories(f"{case}-free"), runs.histories(f"{case}-touching")
         for k, histories in enumerate((free, touching)):
             for building in (1, 2):
-                make(f"figure-b{first[motion] + 2 * k + building - 1:02}",
-                     [Panel(floors(histories, building), time, displacement, x_range=(0, 10), solid=True)])
+                panel = Panel(floors(histories, building), time, displacement, x_range=(0, 10), solid=True)
+                make(runs, output, f"figure-b{first[motion] + 2 * k + building - 1:02}", [panel])
         for k, elevation in enumerate((100, 200, 300)):
             name = f"figure-b{first[motion] + 4 + k:02}"
             plot(runs, output, f"{case}-touching", "opening", f"{name}-opening", "--elevation", elevation)
@@ -71,22 +73,19 @@ def history_figures(runs, output):
         ground = series(touching, "ground_acceleration")
         if motion == "harmonic":
             amplitude = 1.0 / max(abs(value) for _, value in ground)
-            make("figure-4-05", [Panel([("", [(t, -a * amplitude) for t, a in ground])], time, "Displacement [cm]", x_range=(0, 10)),
-                                 Panel([("", ground)], time, "Acceleration [cm/s²]", x_range=(0, 10))], height=3.0)
-            make("figure-4-07", [Panel([("", series(touching, "displacement_1", 1))], time, displacement, x_range=(0, 10))])
+            moved = [(t, -a * amplitude) for t, a in ground]
+            make(runs, output, "figure-4-05", [Panel([("", moved)], time, "Displacement [cm]", x_range=(0, 10)),
+                                               Panel([("", ground)], time, "Acceleration [cm/s²]", x_range=(0, 10))], height=3.0)
+            make(runs, output, "figure-4-07", [Panel([("", series(touching, "displacement_1", 1))], time, displacement, x_range=(0, 10))])
             plot(runs, output, f"{case}-touching", "impact", "figure-4-09")
         else:
-            make("figure-4-06", [Panel([("", ground)], time, "Acceleration [cm/s²]", x_range=(0, 10))])
+            make(runs, output, "figure-4-06", [Panel([("", ground)], time, "Acceleration [cm/s²]", x_range=(0, 10))])
     return seen
 
 
 def curve_figures(runs, found, output):
     """4.8, B.15, B.16 and the curves without a number, against the gap over the gap needed."""
     share = "Gap / gap needed [–]"
-
-    def make(name, panels):
-        draw(runs.folder, name, panels, columns=2)
-        shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")
 
     def panel(motion, reading, values, y, title):
         lines = [(NAMES[pair], list(zip(c.relative(), values(c)))) for pair in PAIRS for c in [found[pair, motion, reading]]]
@@ -97,8 +96,9 @@ def curve_figures(runs, found, output):
 
     for name, values, y in (("figure-4-08", force, "Peak force / its largest [–]"),
                             ("contact-duration", lambda c: c.durations(), "Time in contact [s]")):
-        make(name, [panel(motion, reading, values, y, f"{motion}, {monograph_page.READING[reading]}")
-                    for reading in ("periods", "sections") for motion in MOTIONS])
+        panels = [panel(motion, reading, values, y, f"{motion}, {monograph_page.READING[reading]}")
+                  for reading in ("periods", "sections") for motion in MOTIONS]
+        make(runs, output, name, panels, columns=2)
     for floor, name in ((0, "figure-b15"), (1, "figure-b16"), (2, "amplification-third-floor")):
         panels = []
         for motion in MOTIONS:
@@ -111,7 +111,7 @@ def curve_figures(runs, found, output):
                 panels.append(Panel(lines, share, "Amplification [–]", f"{motion}, {title}", x_range=(0, 1), rule=1))
             for panel in panels[-2:]:  # a pair has one scale
                 panel.y_range = tuple(end(one.y_range[i] for one in panels[-2:]) for i, end in enumerate((min, max)))
-        make(name, panels)
+        make(runs, output, name, panels, columns=2)
 
 
 def period_figures(runs, output):
@@ -121,12 +121,10 @@ def period_figures(runs, output):
     for (varied, motion), record in by_period.items():
         lines.setdefault(motion, []).append((float(varied[0]) / 0.164, record["gap_needed"]))
     order = ["harmonic", "El Centro", "harmonic, no delay", "El Centro, no delay"]
-    draw(runs.folder, "equal-periods", [Panel([(key, lines[key]) for key in order],
-                                              "First period of Model 2 / that of Model 1 [–]", "Gap needed [cm]")])
+    make(runs, output, "equal-periods", [Panel([(key, lines[key]) for key in order],
+                                               "First period of Model 2 / that of Model 1 [–]", "Gap needed [cm]")])
     twins = [(float(varied[-1]), record["gap_needed"]) for (varied, _), record in by_delay.items()]
-    draw(runs.folder, "twins", [Panel([("", twins)], "Delay [s]", "Gap needed [cm]")])
-    for name in ("equal-periods", "twins"):
-        shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")
+    make(runs, output, "twins", [Panel([("", twins)], "Delay [s]", "Gap needed [cm]")])
     return lines, twins
 
 

@@ -10,7 +10,9 @@
 #include "arguments.h"
 #include "bentur/core/errors.h"
 #include "bentur/files/netcdf.h"
+#include "bentur/io/input_file.h"
 #include "bentur/report/files/figure_files.h"
+#include "bentur/report/files/figure_json.h"
 #include "bentur/report/files/picture.h"
 #include "bentur/report/studies/file_kinds.h"
 #include "commands.h"
@@ -53,7 +55,28 @@ void list_kinds(const NetcdfReader& results) {
   print(text);
 }
 
+/// A figure that the user describes.
+void draw_own(const PlotArguments& arguments) {
+  const std::filesystem::path file = arguments.results;
+  Diagnostics diagnostics;
+  std::optional<Figure> figure;
+  if (const std::optional<std::string> text = read_input(file, figure_input, diagnostics)) {
+    figure = figure_from_json(*text, file.string(), diagnostics);
+  }
+  if (!figure) throw Failure(diagnostics);
+  if (!arguments.kind.empty() || arguments.list) {
+    throw Failure(exit_bad_input, fmt::format("bentur plot: {} is one figure, without kinds", file.string()));
+  }
+  try {
+    write_picture(arguments.output.empty() ? file.stem().string() + ".svg" : arguments.output, *figure,
+                  {.inputs = {file}, .force = arguments.force});
+  } catch (const InvalidParameter& error) {
+    throw Failure(exit_bad_input, fmt::format("{}: error: {}", file.string(), error.what()));
+  }
+}
+
 void run(const PlotArguments& arguments) {
+  if (std::filesystem::path(arguments.results).extension() == ".json") return draw_own(arguments);
   std::error_code ignored;
   std::filesystem::path file = arguments.results;
   if (std::filesystem::is_directory(file, ignored)) file /= "histories.nc";  // as bentur run -o has left it
@@ -111,7 +134,7 @@ void write_picture(const std::filesystem::path& file, const Figure& figure, cons
   expect_picture(file, rules);
   const std::string name = file.stem().string();
   write_figures(file.parent_path(), {{name, figure}}, {file.extension().string().substr(1)}, rules);
-  message(fmt::format("Wrote {}, and {}.dat and {}.gp beside it to restyle it", file.string(), name, name));
+  message(fmt::format("Wrote {}, and {}-data.csv and {}.py beside it to restyle it", file.string(), name, name));
   tell_letters({{name, figure}});
 }
 
@@ -120,7 +143,7 @@ void add_plot_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("plot", "Draw a figure from results");
   command
       ->add_option("RESULTS", arguments->results,
-                   "histories.nc of a run or the folder it is in, or the results of a sweep")
+                   "histories.nc of a run or the folder it is in, the results of a sweep, or a figure in JSON")
       ->required()
       ->check(not_empty());
   command->add_option("KIND", arguments->kind, "what to draw; --list shows the kinds");

@@ -226,7 +226,7 @@ class Foreign(Outputs):
             self.bentur(*command, place, "--force")
             self.assertNotEqual(place.read_bytes(), MINE.encode())
         for _, command in self.picture_writers():
-            for ending in ".svg", ".dat", ".gp":
+            for ending in ".svg", "-data.csv", ".py":
                 place = self.folder / f"picture{ending}"
                 place.write_text(MINE)
                 self.assertIn("--force", self.refused(*command, "picture.svg"))
@@ -362,12 +362,12 @@ class OldFigures(Outputs):
         self.assertFalse(figures.exists())
         self.bentur("run", "case.toml", "-q", "-o", "out", "--figures", "svg")
         (figures / "mine.svg").write_text(MINE)
-        (figures / "loop.gp").unlink()
-        (figures / "loop.gp").write_text(MINE)  # not bentur's any more, and so the others of its name
+        (figures / "loop.py").unlink()
+        (figures / "loop.py").write_text(MINE)  # not bentur's any more, and so the others of its name
         self.bentur("run", "case.toml", "-q", "-o", "out")
-        self.assertEqual(sorted(file.name for file in figures.iterdir()), ["loop.dat", "loop.gp", "loop.svg", "mine.svg"])
+        self.assertEqual(sorted(file.name for file in figures.iterdir()), ["loop-data.csv", "loop.py", "loop.svg", "mine.svg"])
         self.assertIn("figures/loop", self.refused("run", "case.toml", "-q", "-o", "out", "--figures", "svg"))
-        self.assertEqual((figures / "loop.gp").read_text(), MINE)
+        self.assertEqual((figures / "loop.py").read_text(), MINE)
 
 
 if __name__ == "__main__":

@@ -50,6 +50,28 @@ def test_a_figure_of_a_run_is_that_of_the_program(result, program, tmp_path):
         result.plot("force").save("force.pdf")
 
 
+@pytest.mark.parametrize("name", ["isolated-moat", "sweep"])
+def test_scripts_beside_figures_draw_and_complain_of_nothing(name, program, tmp_path):
+    if name == "sweep":
+        study = f'case = "{ROOT}/examples/m12-el-centro.toml"\n' + "".join(
+            f'[[vary]]\nparameter = "{what}"\nfrom = 0.1\nto = 0.3\ncount = 4\n' for what in ("gap[0].width", "building[1].calibrate_period"))
+        (tmp_path / "study.toml").write_text(study)
+        subprocess.run([program, "sweep", tmp_path / "study.toml", "-o", tmp_path / "s.nc", "-q"], check=True)
+        for kind in ("peak-force", "amplification"):
+            subprocess.run([program, "plot", tmp_path / "s.nc", kind, "-o", tmp_path / f"{kind}.svg"], check=True, capture_output=True)
+    else:
+        subprocess.run([program, "run", f"{ROOT}/examples/{name}.toml", "-q", "-o", tmp_path, "--figures", "svg"], check=True)
+    scripts = sorted(tmp_path.rglob("*.py"))
+    assert len(scripts) == 2 if name == "sweep" else len(scripts) > 5
+    for script in scripts:
+        script.with_suffix(".svg").unlink()
+    every = "import runpy, sys, matplotlib.pyplot as plt\nfor one in sys.argv[1:]:\n sys.argv = [one]\n runpy.run_path(one)\n plt.close()"
+    drawn = subprocess.run([sys.executable, "-W", "error", "-c", every, *scripts], capture_output=True, text=True)
+    assert (drawn.returncode, drawn.stderr) == (0, "")
+    for script in scripts:
+        assert "<path" in script.with_suffix(".svg").read_text(), script
+
+
 def test_a_report_has_its_figures(result):
     assert result.report().count("<figure") > 4
 

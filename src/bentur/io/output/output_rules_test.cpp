@@ -61,14 +61,14 @@ TEST_F(OutputRulesTest, ALinkIsFollowedToItsEnd) {
 }
 
 TEST_F(OutputRulesTest, WhatStandsBesideAScriptIsAFigure) {
-  write("a.gp", std::string(figure_script_mark) + " (gnuplot)\n");
-  write("a.dat", "1 2\n");
-  write("b.gp", "plot sin(x)\n");
-  write("b.dat", "1 2\n");
-  EXPECT_NO_THROW(static_cast<void>(target("a.dat", ResultKind::figure_data)));
-  EXPECT_NO_THROW(static_cast<void>(target("a.gp", ResultKind::figure_script)));
-  EXPECT_THROW(static_cast<void>(target("b.dat", ResultKind::figure_data)), RefusedOutput);
-  EXPECT_THROW(static_cast<void>(target("b.gp", ResultKind::figure_script)), RefusedOutput);
+  write("a.py", std::string(figure_script_mark) + ", by matplotlib\n");
+  write("a-data.csv", "1 2\n");
+  write("b.py", "print()\n");
+  write("b-data.csv", "1 2\n");
+  EXPECT_NO_THROW(static_cast<void>(target("a-data.csv", ResultKind::figure_data)));
+  EXPECT_NO_THROW(static_cast<void>(target("a.py", ResultKind::figure_script)));
+  EXPECT_THROW(static_cast<void>(target("b-data.csv", ResultKind::figure_data)), RefusedOutput);
+  EXPECT_THROW(static_cast<void>(target("b.py", ResultKind::figure_script)), RefusedOutput);
 }
 
 }  // namespace

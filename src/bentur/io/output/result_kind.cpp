@@ -82,10 +82,15 @@ bool is_result(const fs::path& file, ResultKind kind) {
       return beginning(file, 1024).find(report_mark) != std::string::npos;
     case ResultKind::figure_script:
       return beginning(file, figure_script_mark.size()) == figure_script_mark;
-    case ResultKind::figure_data:
+    case ResultKind::figure_data: {
+      const std::string name = file.filename().string();
+      return name.ends_with(figure_data_ending) &&
+             is_result(file.parent_path() / (name.substr(0, name.size() - figure_data_ending.size()) + ".py"),
+                       ResultKind::figure_script);
+    }
     case ResultKind::picture: {
       fs::path script = file;
-      return is_result(script.replace_extension(".gp"), ResultKind::figure_script);
+      return is_result(script.replace_extension(".py"), ResultKind::figure_script);
     }
     case ResultKind::schema: {
       const FoundJson schema = json_of(file);

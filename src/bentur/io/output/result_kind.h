@@ -15,8 +15,8 @@ enum class ResultKind {
   ida,            ///< results of bentur ida
   spectrum,       ///< a response spectrum as CSV
   report,         ///< HTML
-  figure_script,  ///< NAME.gp
-  figure_data,    ///< NAME.dat beside it
+  figure_script,  ///< NAME.py, of a figure
+  figure_data,    ///< NAME-data.csv beside it
   picture,        ///< NAME.svg, .pdf or .png beside it
   schema,         ///< a JSON Schema for editors
   example         ///< a case or record built into the program
@@ -27,6 +27,8 @@ enum class ResultKind {
 
 /// Begins every script of a figure.
 inline constexpr std::string_view figure_script_mark = "# Draws the figure whose data stand beside this script";
+/// Ends the name of its data, whose beginning is that of the script.
+inline constexpr std::string_view figure_data_ending = "-data.csv";
 /// Stands in the head of every report.
 inline constexpr std::string_view report_mark = "<meta name=\"generator\" content=\"bentur";
 

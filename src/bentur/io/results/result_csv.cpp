@@ -9,16 +9,6 @@
 namespace bentur {
 namespace {
 
-/// A text field, quoted where it must be.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + "\"";
-}
-
 /// "peak_force [kgf]".
 std::string heading(const Quantity& quantity, const Units& units) {
   std::string unit = unit_text(quantity.units, units);
@@ -31,6 +21,15 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::form
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
 std::string impacts_csv(const RunView& run) {
   const std::vector<const Quantity*> columns = quantities_of(Owner::impact);
   std::string csv = fmt::format("left,right,elevation [{}],struck", run.units.length);
@@ -40,9 +39,9 @@ std::string impacts_csv(const RunView& run) {
     const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));
     const auto left = static_cast<std::size_t>(point.left);
     const std::optional<StruckColumn> struck = struck_column(run.problem, point);
-    csv +=
-        fmt::format("{},{},{},{}", field(run.problem.buildings[left].name), field(run.problem.buildings[left + 1].name),
-                    csv_number(point.elevation), struck ? field(run.problem.buildings[struck->building].name) : "");
+    csv += fmt::format("{},{},{},{}", csv_field(run.problem.buildings[left].name),
+                       csv_field(run.problem.buildings[left + 1].name), csv_number(point.elevation),
+                       struck ? csv_field(run.problem.buildings[struck->building].name) : "");
     for (const Quantity* quantity : columns) csv += "," + csv_number(value_of(*quantity, run, {i, 0}));
     csv += "\n";
   }

@@ -6,6 +6,9 @@
 
 namespace bentur {
 
+/// A text as one field, quoted where it must be (RFC 4180).
+[[nodiscard]] std::string csv_field(const std::string& text);
+
 /// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF). Every
 /// quantity of an impact is a column, behind those that say where it was; one that is not known stays empty.
 [[nodiscard]] std::string impacts_csv(const RunView& run);

@@ -133,8 +133,8 @@ struct PanelPlace {
 /// page has data-theme="dark", else where the system is.
 [[nodiscard]] std::string figure_style(bool by_attribute = false);
 
-/// What is needed to draw the figure in another style: gnuplot's script and the data it reads, NAME.dat. It writes
-/// NAME.svg, or NAME.pdf, NAME.png where the variable `format` says so. The same figure gives the same texts.
+/// What is needed to draw the figure in another style: a script in Python with matplotlib and the table it reads,
+/// NAME-data.csv, whose columns stand side by side, each below what it is. The same figure gives the same texts.
 /// @throws InvalidParameter as figure_svg().
 struct FigureText {
   std::string data, script;

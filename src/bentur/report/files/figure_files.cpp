@@ -15,8 +15,8 @@ void write_figures(const std::filesystem::path& folder, const std::vector<NamedF
   std::optional<NoConverter> missing;
   for (const auto& [name, figure] : figures) {
     const FigureText text = figure_text(figure, name);
-    files.add(name + ".dat", text.data, ResultKind::figure_data);
-    files.add(name + ".gp", text.script, ResultKind::figure_script);
+    files.add(name + std::string(figure_data_ending), text.data, ResultKind::figure_data);
+    files.add(name + ".py", text.script, ResultKind::figure_script);
     for (const std::string& format : formats) {
       if (missing && format != "svg") continue;
       try {
@@ -37,8 +37,8 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
   const auto expect = [&](const std::string& ending, ResultKind kind) {
     static_cast<void>(output_target(folder / (name + ending), kind, rules));
   };
-  expect(".dat", ResultKind::figure_data);
-  expect(".gp", ResultKind::figure_script);
+  expect(std::string(figure_data_ending), ResultKind::figure_data);
+  expect(".py", ResultKind::figure_script);
   for (const std::string& format : formats) expect("." + format, ResultKind::picture);
 }
 
@@ -52,9 +52,10 @@ void remove_run_figures(const std::filesystem::path& folder, const OutputRules& 
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored)) return;
   for (const std::string& name : run_figure_names()) {
-    if (!is_result(folder / (name + ".gp"), ResultKind::figure_script)) continue;
-    for (const char* ending : {".dat", ".svg", ".pdf", ".png", ".gp"}) {  // the script last: by it the others are known
-      const std::filesystem::path file = folder / (name + ending);
+    if (!is_result(folder / (name + ".py"), ResultKind::figure_script)) continue;
+    // The script last: by it the others are known.
+    for (const std::string_view ending : {figure_data_ending, {".svg"}, {".pdf"}, {".png"}, {".py"}}) {
+      const std::filesystem::path file = folder / (name + std::string(ending));
       if (!rules.is_input(file)) std::filesystem::remove(file, ignored);
     }
   }

@@ -17,9 +17,9 @@ struct NamedFigure {
   Figure figure;
 };
 
-/// Draws the figures and writes NAME.svg, .pdf, .png for each format, all or none, and NAME.dat and NAME.gp to restyle
-/// it. @throws std::runtime_error naming the file, or with what rsvg-convert says. Where that is missing all else is
-/// written all the same, and then NoConverter is thrown. RefusedOutput by the rules.
+/// Draws the figures and writes NAME.svg, .pdf, .png for each format, all or none, and NAME-data.csv and NAME.py to
+/// restyle it. @throws std::runtime_error naming the file, or with what rsvg-convert says. Where that is missing all
+/// else is written all the same, and then NoConverter is thrown. RefusedOutput by the rules.
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 

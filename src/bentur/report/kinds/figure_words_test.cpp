@@ -71,7 +71,7 @@ TEST(FigureWords, LevelsAreNeverInPowersOfTen) {
       }
       for (const Panel& panel : figure.panels) {
         if (panel.y.label != "Level z [mm]") continue;
-        EXPECT_NE(figure_text(figure, "x").script.find("'Level z [mm]'"), std::string::npos);
+        EXPECT_NE(figure_text(figure, "x").script.find("\"Level z [mm]\""), std::string::npos);
       }
     }
     EXPECT_TRUE(told);

@@ -18,18 +18,6 @@ std::string plain_text(std::string_view text) {
   return result;
 }
 
-std::string gnuplot_string(std::string_view text) {
-  std::string result = "'";
-  for (const char c : plain_text(text)) {
-    if (c == '\'') {
-      result += R"('."\047".')";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
-}
-
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
 
 }  // namespace bentur

@@ -8,11 +8,6 @@ namespace bentur {
 /// A text made safe to be shown: one line, no control characters, and nothing that XML forbids in a text.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
-/// The same as a gnuplot string. Between single quotes gnuplot substitutes nothing: no commands, macros or escapes. A
-/// single quote is set between two such strings, as its number: doubled, gnuplot takes it for an end where a text
-/// begins with it.
-[[nodiscard]] std::string gnuplot_string(std::string_view text);
-
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 

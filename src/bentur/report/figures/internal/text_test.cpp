@@ -20,13 +20,6 @@ TEST(Text, OneLineThatXmlAllows) {
             "a b c d");
 }
 
-TEST(Text, QuotesStandApartAndNothingElseChanges) {
-  EXPECT_EQ(gnuplot_string("it's"), R"('it'."\047".'s')");
-  EXPECT_EQ(gnuplot_string("'; x"), R"(''."\047".'; x')");
-  EXPECT_EQ(gnuplot_string("`x` $(y) \\n \" @a ^b _c {d}"), "'`x` $(y) \\n \" @a ^b _c {d}'");
-  EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
-}
-
 TEST(Text, CutKeepsWhatFits) {
   EXPECT_EQ(cut_to("δ₁ a", text_width("δ₁ a")), "δ₁ a");
   EXPECT_EQ(cut_to("δ₁ abcd", text_width("δ₁ …")), "δ₁ …");
