@@ -3,7 +3,7 @@
 import json
 import subprocess
 
-TONES = [("black", "solid"), ("orange", "dashed"), ("blue", "dash-dot"), ("grey", "dotted")]
+TONES = [("black", "solid"), ("teal", "dashed"), ("purple", "dash-dot"), ("grey", "dotted")]
 
 
 class Panel:

@@ -28,7 +28,7 @@ def test_of_a_run(name, result):
     ax = getattr(bentur.plot, name)(result)
     assert "[m]" in ax.get_xlabel() + ax.get_ylabel() or "[kN]" in ax.get_ylabel()
     drawn = [line for line in ax.get_lines() if len(line.get_xdata()) > 2]
-    assert drawn and {line.get_color() for line in drawn} <= {*bentur.plot.TONES}
+    assert drawn and {line.get_color() for line in drawn} <= {*bentur.plot.BUILDINGS, *bentur.plot.TONES}
     assert ax.figure.get_size_inches()[0] == pytest.approx(8.8 / 2.54)
     matplotlib.pyplot.close(ax.figure)
 

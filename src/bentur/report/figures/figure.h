@@ -14,11 +14,11 @@ namespace bentur {
 
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
-/// Dark to light, so that they differ in print without colour too: black, blue, orange, grey; pale ones are for areas,
-/// green and purple for what there are many of, red for blows and for what is not enough.
-enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange, green, purple, red };
-/// That of building number `index` in every picture, and of the curves of a list in turn.
-[[nodiscard]] Tone tone_of(std::size_t index);
+/// Blue, orange, green, purple, magenta and olive are buildings; black, teal and grey all that is not, red blows and
+/// what is not enough; pale ones are for areas.
+enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange, green, purple, red, teal, magenta, olive };
+/// That of building number `index` in every picture, and of nothing else.
+[[nodiscard]] Tone building_tone(std::size_t index);
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
 constexpr double page_width = 17;     ///< [cm]

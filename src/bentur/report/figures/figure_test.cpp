@@ -182,7 +182,8 @@ double contrast(const std::string& a, const std::string& b) {
 }
 
 TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
-  for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red}) {
+  for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red,
+                          Tone::teal, Tone::magenta, Tone::olive}) {
     const Colour& one = colour(tone);
     EXPECT_GE(contrast(one.paper, paper.paper), 4.5) << one.name;
     EXPECT_GE(contrast(one.dark, paper.dark), 4.5) << one.name;

@@ -7,8 +7,8 @@
 
 namespace bentur {
 
-Tone tone_of(std::size_t index) {
-  constexpr Tone tones[] = {Tone::black, Tone::orange, Tone::blue, Tone::green, Tone::purple, Tone::grey};
+Tone building_tone(std::size_t index) {
+  constexpr Tone tones[] = {Tone::blue, Tone::orange, Tone::green, Tone::purple, Tone::magenta, Tone::olive};
   return tones[index % std::size(tones)];
 }
 

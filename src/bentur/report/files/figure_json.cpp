@@ -170,7 +170,8 @@ class Reader {
 
   void read(const Json& node, const std::string& where, Tone& to) {
     word(node, where, to,
-         {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red"});
+         {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red", "teal",
+          "magenta", "olive"});
   }
 
   void read(const Json& node, const std::string& where, Line& to) {

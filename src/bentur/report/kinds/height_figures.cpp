@@ -169,7 +169,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
     end_round(panel.x, largest);
     const Curve with{.label = word(options, has_impacts ? "with contact" : "largest displacement"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
-                        .tone = Tone::orange,
+                        .tone = Tone::grey,
                         .line = Line::dashed,
                         .mark = Mark::circle,
                         .width = 1.2};
@@ -192,7 +192,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
     const std::vector<double> values = of_floors(run, amplification, b);
     most.take(run, b, values);
     Curve curve = at_floors(building, values);
-    tell_apart(curve, static_cast<std::size_t>(b));
+    tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -227,7 +227,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       const std::vector<double> values = of_floors(run, quantity, b);
       most.take(run, b, values);
       Curve curve = of_storeys ? over_storeys(building, values) : at_floors(building, values);
-      tell_apart(curve, static_cast<std::size_t>(b));
+      tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
       if (of_storeys) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
@@ -261,7 +261,7 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
       const double period = 2 * std::numbers::pi / building.modes.omega(mode);
       const std::string text = period < 99.95 ? fmt::format("{:#.3g}", period) : fmt::format("{:.0f}", period);
       Curve style{.label = fmt::format("{} {} s", names[mode], text)};
-      tell_apart(style, static_cast<std::size_t>(mode));
+      tell_apart(style, static_cast<std::size_t>(mode), building_tone(shown[b]));
       panel.curves.push_back(over_height(building, shapes.col(mode), style));
     }
   }

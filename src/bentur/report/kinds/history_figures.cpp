@@ -253,7 +253,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
     return Curve{.label = run.problem.buildings[b].name,
                  .x = course_of(run).time,
                  .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor)),
-                 .tone = tone_of(b)};
+                 .tone = building_tone(b)};
   };
   const std::vector<Building>& buildings = run.problem.buildings;
   const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.left + 1].is_rigid();
@@ -309,7 +309,6 @@ Figure opening_figure(const RunResults& run, const FigureOptions& options) {
     panel.curves.push_back({.label = word(options, "closest"),
                             .x = {closest.time},
                             .y = {closest.value},
-                            .tone = Tone::orange,
                             .line = Line::none,
                             .mark = Mark::circle});
   }
@@ -402,7 +401,7 @@ Figure column_shear_figure(const RunResults& run, const FigureOptions& options) 
       {.label = word(options, "Shear V"),
        .symbol = "V",
        .form = "F",
-       .rows = {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::orange}}},
+       .rows = {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::teal}}},
        .largest = run.response.points[i].column->shear,
        .capacity = run.problem.points[i].column_shear_capacity});
 }
@@ -413,9 +412,9 @@ Figure column_moment_figure(const RunResults& run, const FigureOptions& options)
                        {.label = word(options, "Moment M"),
                         .symbol = "M",
                         .form = "F L",
-                        .rows = {{2, {.label = word(options, "bottom"), .tone = Tone::blue, .line = Line::dashed}},
+                        .rows = {{2, {.label = word(options, "bottom"), .tone = Tone::grey, .line = Line::dashed}},
                                  {3, {.label = word(options, "where struck")}},
-                                 {5, {.label = word(options, "top"), .tone = Tone::orange}}},
+                                 {5, {.label = word(options, "top"), .tone = Tone::teal}}},
                         .largest = run.response.points[i].column->moment,
                         .capacity = run.problem.points[i].column_moment_capacity});
 }
@@ -435,16 +434,15 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
       .x = {.label = word(options, "Time t [s]"), .from = asked.from, .to = asked.to},
       .y = {.label = with_unit(word(options, "Energy E"), shown_unit(run, "F L"))},
       .height = 5,
-      .curves = {
-          part(energy.input, {.label = word(options, "input"), .width = 1.2}),
-          part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::orange}),
-          part(energy.damping,
-               {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
-          part(energy.contact_stored + energy.contact_lost,
-               {.label = word(options, "contact"), .tone = Tone::blue, .line = Line::dash_dot, .width = 1.2})}};
+      .curves = {part(energy.input, {.label = word(options, "input"), .width = 1.2}),
+                 part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::teal}),
+                 part(energy.damping,
+                      {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
+                 part(energy.contact_stored + energy.contact_lost,
+                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})}};
   if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
     panel.curves.push_back(
-        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::orange, .line = Line::dashed}));
+        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dashed}));
   }
   const auto at_end = [&](const Eigen::VectorXd& sum) {
     return shown_value(run, sum.size() > 0 ? sum(sum.size() - 1) : 0, "F L");

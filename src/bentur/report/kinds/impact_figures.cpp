@@ -134,7 +134,7 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   Curve closing = part(0, deepest + 1, {.label = word(options, "closing")});
   Curve parting = part(
       deepest, course.end,
-      {.label = word(options, "parting") + ": " + obtained, .tone = Tone::orange, .line = Line::dashed, .width = 1.3});
+      {.label = word(options, "parting") + ": " + obtained, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
   if (!impact.open_ended) {  // what is left comes back without force
     parting.x.push_back(0);
     parting.y.push_back(0);

@@ -53,6 +53,28 @@ TEST(Pictures, AxesHaveTwoNumbersAtLeast) {
   }
 }
 
+TEST(Pictures, TheToneOfABuildingIsUsedForNothingElse) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
+    const std::vector<Building>& buildings = run->problem.buildings;
+    std::size_t of_buildings = 0;
+    for (const FigureKind& kind : figure_kinds(*run)) {
+      const Figure figure = make_figure(*run, kind.name);
+      for (const Panel& panel : figure.panels) {
+        for (const Curve& curve : panel.curves) {
+          for (std::size_t b = 0; b < 6; ++b) {
+            if (curve.tone != building_tone(b)) continue;
+            ASSERT_LT(b, buildings.size()) << kind.name;
+            const bool is_named = (curve.label + panel.title).find(buildings[b].name) != std::string::npos;
+            EXPECT_TRUE(is_named || panel.to_scale) << kind.name << ": " << curve.label << " of " << panel.title;
+            ++of_buildings;
+          }
+        }
+      }
+    }
+    EXPECT_GT(of_buildings, 5U);
+  }
+}
+
 TEST(Pictures, EnvelopesEndOnANumberAndHaveItsHalf) {
   for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
     const Figure figure = make_figure(*run, "envelope");

@@ -52,7 +52,7 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
       Curve place{.label = word(options, "T₁ of {}", mark.name),
                   .x = is_on_curve ? std::vector{mark.period} : mark.periods,
                   .y = is_on_curve ? std::vector{value_at(curves, values, mark.period)} : mark.*ordinates};
-      tell_apart(place, mark.number);
+      tell_apart(place, mark.number, building_tone(mark.number));
       one.rules.push_back({.at = mark.period, .vertical = true, .tone = place.tone, .line = place.line});
       if (!is_on_curve) place.line = Line::none;
       one.curves.push_back(std::move(place));

@@ -127,7 +127,7 @@ class SceneBuilder {
     return point == problem_.points.end() ? 0 : std::min(point->width, widest_gap * height_) - scene_.gaps[b - 1];
   }
 
-  [[nodiscard]] Tone tone_of_building(Index b) const { return tone_of(static_cast<std::size_t>(b)); }
+  [[nodiscard]] Tone tone_of_building(Index b) const { return building_tone(static_cast<std::size_t>(b)); }
 
   /// Level of the ground beside the row: the edge of a moat is as high as its wall.
   [[nodiscard]] double outside(Index b, Index neighbour) const {

@@ -92,7 +92,7 @@ TEST(Scene, HasEverythingOfEveryExample) {
       soils += count(SceneRole::soil);
       for (const SceneShape* slabs : shapes_of(scene, SceneRole::slab, b)) {
         EXPECT_EQ(std::ssize(slabs->lines), building.model.floors());
-        EXPECT_EQ(slabs->tone, tone_of(static_cast<std::size_t>(b)));
+        EXPECT_EQ(slabs->tone, building_tone(static_cast<std::size_t>(b)));
       }
     }
     for (Eigen::Index k = 0; k < std::ssize(run.problem.links); ++k) {

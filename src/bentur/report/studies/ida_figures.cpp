@@ -24,9 +24,7 @@ struct Analysis {
   std::vector<std::vector<std::size_t>> all;  ///< one place for each record, levels and others as chosen
 };
 
-Tone pale_of(Tone tone) {
-  return tone == Tone::blue ? Tone::pale_blue : tone == Tone::orange ? Tone::pale_orange : Tone::pale;
-}
+Tone pale_of(Tone tone) { return tone == Tone::teal ? Tone::pale_blue : Tone::pale; }
 
 Analysis analysis(const SweepData& sweep) {
   Analysis found;

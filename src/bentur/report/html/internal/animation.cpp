@@ -104,7 +104,7 @@ Json building_json(const Report& report, std::size_t b, Eigen::Index stride, con
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
   return {{"name", building.name},
-          {"tone", colour(tone_of(b)).name},
+          {"tone", colour(building_tone(b)).name},
           {"rows", displacement.rows()},
           {"roof", building.model.floors() - 1},
           {"scale", scale},

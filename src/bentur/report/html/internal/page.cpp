@@ -85,8 +85,10 @@ PageSection figures_section(const Words& say, const std::vector<PageFigure>& fig
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string caption = say("figure.number", {{"n", std::to_string(i + 1)}, {"caption", figures[i].caption}});
-    content += element("figure", Html::markup(figures[i].svg) + element("figcaption", caption),
-                       figures[i].wide ? "class=\"broad\"" : "") +
+    // On a phone a wide one keeps its letters and is moved, by keys too.
+    const Html drawing = Html::markup(figures[i].svg);
+    const Html shown = figures[i].wide ? element("div", drawing, "class=\"wide\" tabindex=\"0\"") : drawing;
+    content += element("figure", shown + element("figcaption", caption), figures[i].wide ? "class=\"broad\"" : "") +
                Html::markup("\n");
   }
   return {"figures", say("heading.figures"), element("div", content, "class=\"figures\"")};

@@ -151,9 +151,10 @@ void leave_to_neighbour(Axis& axis) {
   axis.numbers = false;
 }
 
-void tell_apart(Curve& curve, std::size_t index) {
+void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone) {
+  constexpr Tone tones[] = {Tone::black, Tone::teal, Tone::grey};
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  curve.tone = tone_of(index);
+  curve.tone = tone.value_or(tones[index % 3]);
   curve.line = lines[(index + index / 4) % 4];
   if (curve.line == Line::dotted) curve.width = 1.4;
   constexpr std::size_t most_marks = 25;
