@@ -4,7 +4,6 @@
 The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE.
 """
 
-import ast
 import csv
 import json
 import os
@@ -12,12 +11,16 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from figure_script import blocks  # noqa: E402
+
 EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
 WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "modes", "spectrum"]
@@ -27,22 +30,6 @@ NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system(
 
 
 NOTHING = {"PATH": "/nonexistent"}  # no other program can be started
-
-
-def figure_of(script):
-    """What a script says of its figure; nothing of it runs."""
-    return ast.literal_eval(re.search(r"^figure = (\{.*?^\]\})$", script.read_text(), re.M | re.S)[1])
-
-
-def blocks(script):
-    """What is drawn, panel by panel: maps, curves, instants, each as a list of rows."""
-    figure = figure_of(script)
-    with script.with_name(figure["data"]).open(newline="") as file:
-        columns = list(zip(*list(csv.reader(file))[1:]))
-    groups = [group for panel in figure["panels"] for group in
-              [*(one["columns"] for one in panel["map"]), *(one["columns"] for one in panel["curves"]),
-               *([one["column"]] for one in panel["events"])]]
-    return [[[float(cell) for cell in row] for row in zip(*(columns[k] for k in group)) if row[0] != ""] for group in groups]
 
 
 class Figures(unittest.TestCase):

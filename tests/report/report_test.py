@@ -22,7 +22,9 @@ import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(1, str(pathlib.Path(__file__).parents[1] / "support"))
 import browser  # noqa: E402
+from figure_script import blocks  # noqa: E402
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
@@ -419,10 +421,16 @@ class Stills(Reports):
         """Its lines, those at rest first, as lists of points."""
         folder = self.folder / "results"
         subprocess.run([BENTUR, "run", "-q", str(case), "-o", str(folder), "--figures", "svg"], check=True, timeout=300)
-        text = (folder / "figures/scene.dat").read_text()
-        blocks = [[line for line in block.splitlines() if line and not line.startswith("#")] for block in text.split("\n\n\n")]
-        return [[[list(map(float, row.split())) for row in line.split("|")] for line in "|".join(block).split("|NaN NaN|")]
-                for block in blocks]
+        drawn = []
+        for table in blocks(folder / "figures/scene.py"):
+            lines = [[]]
+            for point in table:
+                if math.isnan(point[0]):
+                    lines.append([])
+                else:
+                    lines[-1].append(point)
+            drawn.append(lines)
+        return drawn
 
     def drawn(self, data, motion):
         return self.js(f"(() => {{ const scene = {json.dumps(data['scene'])}, place = benturPlaces(scene, scene.magnification,"
