@@ -32,7 +32,8 @@ double round_125(double value) {
 /// Puts a scene together from the sizes of things.
 class SceneBuilder {
  public:
-  SceneBuilder(const Problem& problem, const Response& response) : problem_(problem), buildings_(problem.buildings) {
+  SceneBuilder(const Problem& problem, const Response& response)
+      : problem_(problem), response_(response), buildings_(problem.buildings) {
     measure(response);
   }
 
@@ -179,21 +180,29 @@ class SceneBuilder {
     scene_.shapes.push_back(std::move(shape));
   }
 
-  /// A footing on upright springs, which let it rock, and one that lets it sway. It is drawn at rest: histories have
-  /// the displacements of floors, not its own.
+  /// The row of a building's foundation; nothing where it has none.
+  [[nodiscard]] std::optional<Index> foundation_row(Index b) const {
+    const Histories& histories = response_.histories;
+    if (histories.foundation.at(b).rows() == 0) return {};
+    return histories.displacement.at(b).rows() + histories.node_displacement.at(b).rows();
+  }
+
+  /// A footing on upright springs, which let it rock, and one that lets it sway. It is drawn swaying; its rocking shows
+  /// in the floors alone.
   void add_soil(Index b) {
     const double breadth = scene_.breadths[b], base = base_level(buildings_[b]);
     const double top = base - footing * height_, middle = (top + ground_[b]) / 2;
     const double size = 0.15 * (top - ground_[b]);
     const auto still = [&](double share, double height) { return at(b, {}, share * breadth, height); };
+    const auto moved = [&](double share, double height) { return at(b, foundation_row(b), share * breadth, height); };
     SceneShape shape{.role = SceneRole::soil, .item = b};
-    shape.lines = {{still(0, base), still(1, base), still(1, top), still(0, top), still(0, base)},
-                   {still(0.35, top), still(0.35, middle)},
+    shape.lines = {{moved(0, base), moved(1, base), moved(1, top), moved(0, top), moved(0, base)},
+                   {moved(0.35, top), moved(0.35, middle)},
                    {still(0.65, middle), still(0.65, ground_[b])}};
     for (const double share : {0.12, 0.88}) {
-      shape.lines.push_back(scene::upright_spring(still(share, top), still(share, ground_[b]), size));
+      shape.lines.push_back(scene::upright_spring(moved(share, top), still(share, ground_[b]), size));
     }
-    for (auto& line : scene::spring(still(0.35, middle), still(0.65, middle), size)) {
+    for (auto& line : scene::spring(moved(0.35, middle), still(0.65, middle), size)) {
       shape.lines.push_back(std::move(line));
     }
     scene_.shapes.push_back(std::move(shape));
@@ -268,7 +277,7 @@ class SceneBuilder {
     double offset = 0;
     for (std::size_t line = 0; line <= bays_[b].size(); ++line) {
       std::vector<ScenePoint> points;
-      if (!model.has_slab) points.push_back(at(b, {}, offset, base_level(buildings_[b])));
+      if (!model.has_slab) points.push_back(at(b, foundation_row(b), offset, base_level(buildings_[b])));
       for (Index floor = 0; floor < model.floors(); ++floor) {
         points.push_back(at(b, floor, offset, model.elevations[floor]));
       }
@@ -288,6 +297,7 @@ class SceneBuilder {
   }
 
   const Problem& problem_;
+  const Response& response_;
   const std::vector<Building>& buildings_;
   double height_ = 1;                      // above the lowest base
   std::vector<std::vector<double>> bays_;  // per building
@@ -313,13 +323,20 @@ const char* role_name(SceneRole role) {
 
 Scene scene_of(const Problem& problem, const Response& response) { return SceneBuilder(problem, response).build(); }
 
+Eigen::MatrixXd scene_rows(const Histories& histories, std::size_t building) {
+  const Eigen::MatrixXd& floors = histories.displacement.at(building);
+  const Eigen::MatrixXd& nodes = histories.node_displacement.at(building);
+  const Eigen::MatrixXd& foundation = histories.foundation.at(building);
+  const Index sway = std::min<Index>(foundation.rows(), 1);
+  Eigen::MatrixXd all(floors.rows() + nodes.rows() + sway, floors.cols());
+  all << floors, nodes, foundation.topRows(sway);
+  return all;
+}
+
 SceneMotion motion_at(const Histories& histories, Index column) {
   SceneMotion motion;
   for (std::size_t b = 0; b < histories.displacement.size(); ++b) {
-    const auto& floors = histories.displacement[b];
-    const auto& nodes = histories.node_displacement.at(b);
-    motion.emplace_back(floors.rows() + nodes.rows());
-    motion.back() << floors.col(column), nodes.col(column);
+    motion.emplace_back(scene_rows(histories, b).col(column));
   }
   return motion;
 }

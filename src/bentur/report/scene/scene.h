@@ -54,7 +54,11 @@ struct Scene {
 /// The response must have histories.
 [[nodiscard]] Scene scene_of(const Problem& problem, const Response& response);
 
-/// Displacements [length] of each building: of its floors, then of the nodes in its columns.
+/// Displacements [length] of a building: of its floors, then of the nodes in its columns, then of its foundation on
+/// soil, which sways; rows × samples.
+[[nodiscard]] Eigen::MatrixXd scene_rows(const Histories& histories, std::size_t building);
+
+/// Of each building a column of these.
 using SceneMotion = std::vector<Eigen::VectorXd>;
 [[nodiscard]] SceneMotion motion_at(const Histories& histories, Eigen::Index column);
 [[nodiscard]] SceneMotion at_rest(const Histories& histories);

@@ -85,21 +85,11 @@ Json scene_json(const Scene& scene) {
           {"contacts", contacts}};
 }
 
-/// Displacements of floors, then of nodes in columns, at the instants of some columns of the histories.
-template <typename Columns>
-Eigen::MatrixXd displacements(const Histories& histories, std::size_t b, const Columns& columns) {
-  const auto floors = histories.displacement.at(b)(Eigen::all, columns);
-  const auto nodes = histories.node_displacement.at(b)(Eigen::all, columns);
-  Eigen::MatrixXd both(floors.rows() + nodes.rows(), floors.cols());
-  both << floors, nodes;
-  return both;
-}
-
 Json building_json(const Report& report, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
   const Building& building = report.problem.buildings[b];
-  const Eigen::MatrixXd displacement = displacements(report.response.histories, b, Eigen::all);
+  const Eigen::MatrixXd displacement = scene_rows(report.response.histories, b);
   Eigen::MatrixXd exact;
-  if (!keys.empty()) exact = displacements(report.response.course, b, keys);
+  if (!keys.empty()) exact = scene_rows(report.response.course, b)(Eigen::all, keys);
   double largest = displacement.size() == 0 ? 0 : displacement.cwiseAbs().maxCoeff();
   if (exact.size() > 0) largest = std::max(largest, exact.cwiseAbs().maxCoeff());
   const double scale = largest > 0 ? largest / 32767 : 1;
