@@ -31,6 +31,16 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 PHONE, A4 = 390, 794  # CSS pixels
 AXE = SOURCE / "build" / "axe" / "node_modules" / "axe-core" / "axe.min.js"  # fetched by ./dev test
 FONTS = "DejaVu Sans", "Liberation Sans"
+SMALLEST = """Math.min(...[...document.querySelectorAll('figure svg')].flatMap(svg =>
+    [...svg.querySelectorAll('text')].map(text => svg.getBoundingClientRect().width && text.textContent.trim() ?
+      parseFloat(getComputedStyle(text).fontSize) * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width : Infinity)))"""
+CUT = """[...document.querySelectorAll('.readout .wide')].flatMap(box => [...box.querySelectorAll('tr')].filter(row => {
+    const end = box.getBoundingClientRect().top + box.clientHeight, place = row.getBoundingClientRect();
+    return place.top < end - 2 && place.bottom > end + 2; }).map(row => row.textContent))"""
+ASTRAY = """[...document.querySelectorAll('.figures figure')].filter((figure, k, all) => { if (!k) return false;
+    const before = all[k - 1].getBoundingClientRect(), now = figure.getBoundingClientRect();
+    return !(now.top >= before.bottom - 1 || (Math.abs(now.top - before.top) < 1 && now.left >= before.right));
+    }).map(figure => figure.textContent)"""
 # Texts that leave their picture, and pairs that lie on one another, of every figure of the page in one font.
 MISPLACED = """(font => { const style = document.createElement('style');
     style.textContent = `figure svg text, figure svg tspan { font-family: '${font}' !important }`;
@@ -169,7 +179,10 @@ class Pages(Reports):
                         self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
                         self.assertEqual(self.js("document.documentElement.lang"), language)
                         self.clean(page)
+                        self.assertGreaterEqual(self.js(SMALLEST), 8, "px of the smallest letter of a figure")
+                        self.assertEqual(self.js(CUT), [], "lines of the read-out that are cut")
                         if width == A4:
+                            self.assertEqual(self.js(ASTRAY), [], "figures that do not follow the one before")
                             self.well_drawn()
                             self.well_worded(page, language)
 
