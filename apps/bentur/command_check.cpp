@@ -21,19 +21,18 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   std::string law;
   int yielding = 0;
-  const auto first = static_cast<std::size_t>(building.model.first_storey());
-  for (std::size_t f = first; f < building.storey_laws.size(); ++f) {
-    const auto& one = building.storey_laws[f];
-    if (one == nullptr) continue;
+  const Eigen::Index first = building.model.first_storey();
+  for (const BuildingElement& element : building.elements) {
+    if (element.storey < first) continue;
     ++yielding;
-    law = one->name();
+    law = element.law->name();
   }
   const std::string bearings =
       building.model.has_slab && building.storey_law(0) != nullptr ? building.name + ": its bearings yield\n" : "";
   if (yielding == 0) return bearings;
   return bearings + fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
-                                count(building.storey_laws.size() - first, "storey", "storeys"), law,
-                                spec.tangent_damping ? ", damping of the tangent stiffness" : "");
+                                count(static_cast<std::size_t>(building.model.floors() - first), "storey", "storeys"),
+                                law, spec.tangent_damping ? ", damping of the tangent stiffness" : "");
 }
 
 void run(const std::string& file, const Words& say) {

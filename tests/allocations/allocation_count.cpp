@@ -59,8 +59,9 @@ Count run_of(const test::LawExample& law, const Solver& solver, double duration,
   Problem problem = test::pair(stick(2e8), stick(8e7), points, duration);
   if (yielding) {
     for (const auto& [building, stiffness] : {std::pair(0, 2e8), std::pair(1, 8e7)}) {
-      problem.buildings[building].storey_laws.assign(
-          3, std::make_shared<KinematicHardening>(stiffness, 0.005 * stiffness, 0.1));
+      Building& one = problem.buildings[building];
+      one.elements =
+          storey_elements(one.model, {3, std::make_shared<KinematicHardening>(stiffness, 0.005 * stiffness, 0.1)});
     }
     problem.links.push_back({0, 1, 1, 1, 0.0, std::make_shared<Cable>(1e6, 0.01)});
     problem.links.push_back({0, 1, 2, 2, 0.0, std::make_shared<SpringDashpot>(0.0, 1e4)});

@@ -72,7 +72,7 @@ TEST_P(AddedElementIn, AStoreySwingsAsItsEnergyTells) {
   const double v = 3 * omega * yield, start = 0.5 * mass * v * v;
   const double first = reached(start), second = reached(kept(first));
   Problem problem = alone(yielding_oscillator(mass, stiffness, yield_force), 6);
-  problem.buildings[0].storey_laws[0] = std::make_shared<OriginOriented>(stiffness, yield_force, hardening);
+  problem.buildings[0].elements[0].law = std::make_shared<OriginOriented>(stiffness, yield_force, hardening);
   problem.initial_velocity[0](0) = v;
   const Response response = solved(problem, GetParam().solver, 0.1);
   const BuildingPeaks& peaks = response.buildings[0];

@@ -43,7 +43,6 @@ Building told_whole(Building building) {
     model.storey_heights.push_back(1);
     model.floor_masses.push_back(dof < floors + nodes ? model.node_masses[dof - floors] : 1);
   }
-  if (!building.storey_laws.empty()) building.storey_laws.resize(static_cast<std::size_t>(n));
   model.node_elevations.clear();
   model.node_masses.clear();
   model.column_forces.resize(0, 0);

@@ -77,7 +77,6 @@ class YieldingGenerator {
       list.push_back(storey);
     }
     Building result = yielding_stick(list);
-    if (elastic && chance(0.5)) result.storey_laws.clear();
     if (damping < 0.25) {
       result.tangent_damping = dashpot;
     } else if (damping > 0.7) {

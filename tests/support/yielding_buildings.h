@@ -50,7 +50,7 @@ inline Building yielding_stick(const std::vector<StickStorey>& storeys) {
     laws.push_back(storey.law);
   }
   Building building = matrix_building(mass.asDiagonal(), chain(springs), chain(dashpots));
-  building.storey_laws = laws;
+  building.elements = storey_elements(building.model, laws);
   return building;
 }
 

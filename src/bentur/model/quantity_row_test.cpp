@@ -117,7 +117,7 @@ TEST_F(SweepRow, YieldingOfBuildingsThatCanAndEveryLink) {
   EXPECT_TRUE((*this)["link_peak_tension"].empty());
   const Problem elastic = problem_;
   const auto law = std::make_shared<KinematicHardening>(32, 1, 0);
-  problem_.buildings[1].storey_laws = {law, nullptr};
+  problem_.buildings[1].elements = storey_elements(problem_.buildings[1].model, {law, nullptr});
   Link link;
   link.right = 2;
   link.law = law;

@@ -18,17 +18,24 @@ void require(bool ok, const std::string& parameter, const Value& value, const st
 constexpr double most_times = 1e15;
 
 /// The law of a storey takes over all of what works against its drift.
-void check_storey_stiffness(const Building& building, const std::string& name) {
+void check_elements(const Building& building, const std::string& name) {
   const Eigen::MatrixXd shears = shear_rows(building.model);
   const Eigen::MatrixXd drifts = drift_rows(building.model);
-  for (Eigen::Index f = 0; f < building.model.floors(); ++f) {
-    const HystereticLaw* law = building.storey_law(f);
-    if (law == nullptr) continue;
+  for (std::size_t i = 0; i < building.elements.size(); ++i) {
+    const BuildingElement& element = building.elements[i];
+    const auto what = fmt::format("{}.elements[{}]", name, i);
+    require(element.law != nullptr, what + ".law", "none", "must be given");
+    const Eigen::Index f = element.storey, last = i > 0 ? building.elements[i - 1].storey : -1;
+    require(f > last && f < building.model.floors(), what + ".storey", f,
+            "must be a storey above that of the one before");
     constexpr double round_off = 1e-9;
-    const double k = law->initial_stiffness();
-    require((shears.row(f) - k * drifts.row(f)).cwiseAbs().maxCoeff() <=
-                round_off * k * drifts.row(f).cwiseAbs().maxCoeff(),
-            fmt::format("{}.storey_laws[{}]", name, f), k,
+    const double k = element.law->initial_stiffness();
+    const auto departs = [&](const Eigen::RowVectorXd& from, const Eigen::RowVectorXd& row) {
+      return (from - row).cwiseAbs().maxCoeff() > round_off * row.cwiseAbs().maxCoeff();
+    };
+    require(element.row.size() == building.model.dofs() && !departs(drifts.row(f), element.row.transpose()),
+            what + ".row", building.name, "must be that of its storey's drift");
+    require(!departs(shears.row(f), k * drifts.row(f)), what, k,
             "must have the stiffness that K has in this storey, and K no other there");
   }
 }
@@ -50,17 +57,14 @@ void check_building(const Building& building, Eigen::Index b, double duration) {
   const double fastest = building.modes.omega.size() > 0 ? building.modes.omega.maxCoeff() : 0.0;
   require(fastest * duration <= most_times, name + ".modes.omega", fastest,
           "must be at most 1e15 over the duration: such vibrations are beyond what numbers can follow");
-  require(building.storey_laws.empty() || std::ssize(building.storey_laws) == building.model.floors(),
-          name + ".storey_laws", fmt::format("{} entries", building.storey_laws.size()),
-          "must be empty or have one entry per storey");
   require(std::isfinite(building.tangent_damping) && building.tangent_damping >= 0.0, name + ".tangent_damping",
           building.tangent_damping, "must be finite and ≥ 0");
   if (building.can_yield()) {
-    require(building.modes.omega.size() == building.model.dofs(), name + ".storey_laws", building.name,
+    require(building.modes.omega.size() == building.model.dofs(), name + ".elements", building.name,
             "must be those of a building with all its modes");
     require((building.modes.omega.array() > 0.0).all(), name + ".modes.omega", building.name,
             "must be > 0 where storeys yield");
-    check_storey_stiffness(building, name);
+    check_elements(building, name);
   }
   require(building.modal_damping.allFinite() && building.modal_damping.norm() * duration <= most_times,
           name + ".modal_damping", building.modal_damping.norm(), "must be finite, and at most 1e15 over the duration");

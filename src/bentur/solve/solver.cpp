@@ -74,12 +74,11 @@ void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& sys
     yielding.residual_drift_ratio.setZero(floors);
     if (building.model.has_slab) yielding.residual_drift_ratio(0) = std::numeric_limits<double>::quiet_NaN();
     yielding.hysteretic_energy.setZero(floors);
-    for (Eigen::Index f = 0; f < floors; ++f) {
-      const HystereticLaw* law = building.storey_law(f);
-      if (law == nullptr) continue;
+    for (const BuildingElement& yielded : building.elements) {
+      const Eigen::Index f = yielded.storey;
       const double of_storey = building.model.storey_heights[f];
       const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
-      yielding.ductility(f) = buildings[b].drift_ratio(f) * height / law->yield_deformation();
+      yielding.ductility(f) = buildings[b].drift_ratio(f) * height / yielded.law->yield_deformation();
       const double residual = run.elements().residual(element, run.state()) / height;
       yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
       yielding.hysteretic_energy(f) = run.elements().energy_lost(element, run.state());
@@ -277,7 +276,8 @@ bool is_mirrored(const Problem& problem) {
          rests(problem.initial_velocity) &&
          std::all_of(problem.links.begin(), problem.links.end(), [&](const Link& link) { return odd(link.law); }) &&
          std::all_of(buildings.begin(), buildings.end(), [&](const Building& building) {
-           return std::all_of(building.storey_laws.begin(), building.storey_laws.end(), odd);
+           return std::all_of(building.elements.begin(), building.elements.end(),
+                              [](const BuildingElement& element) { return element.law->is_odd(); });
          });
 }
 

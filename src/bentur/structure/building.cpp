@@ -1,9 +1,9 @@
 #include "bentur/structure/building.h"
 
 #include <algorithm>
-
 #include <utility>
 
+#include "bentur/core/require.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
 
@@ -15,8 +15,22 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   return {std::move(name), std::move(model), std::move(free_modes), std::move(c)};
 }
 
-bool Building::can_yield() const {
-  return std::any_of(storey_laws.begin(), storey_laws.end(), [](const auto& law) { return law != nullptr; });
+const HystereticLaw* Building::storey_law(Eigen::Index storey) const {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const BuildingElement& element) { return element.storey == storey; });
+  return found == elements.end() ? nullptr : found->law.get();
+}
+
+std::vector<BuildingElement> storey_elements(const StructuralModel& model,
+                                             const std::vector<std::shared_ptr<const HystereticLaw>>& laws) {
+  if (laws.empty()) return {};
+  require_size("laws", laws.size(), model.floors());
+  const Eigen::MatrixXd drifts = drift_rows(model);
+  std::vector<BuildingElement> elements;
+  for (Eigen::Index storey = 0; storey < model.floors(); ++storey) {
+    if (laws[storey]) elements.push_back({drifts.row(storey), laws[storey], storey});
+  }
+  return elements;
 }
 
 Eigen::MatrixXd drift_rows(const StructuralModel& model) {

@@ -80,24 +80,29 @@ struct Modes {
   Eigen::MatrixXd shapes;  ///< Φ [mass^-1/2], one mode a column
 };
 
+/// What of a building yields: a storey, or the bearings below a slab. F of δ takes the place of what K has along its
+/// row: the law's initial stiffness is part of K, and is the whole of the storey's.
+struct BuildingElement {
+  Eigen::VectorXd row;  ///< δ = row · x over the dofs [length]
+  std::shared_ptr<const HystereticLaw> law;
+  Eigen::Index storey = 0;  ///< where it is, 0 the lowest
+};
+
 /// A building as the rest of the program sees it.
 struct Building {
   std::string name;
   StructuralModel model;
   Modes modes;
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s], modes × modes; diagonal 2ζω for classical damping
-  /// Per storey, of its drift Δ_j = x_j − x_{j−1} [length]; none: it stays elastic. Empty: all do. Its initial
-  /// stiffness is part of K, and is the whole of the storey's.
-  std::vector<std::shared_ptr<const HystereticLaw>> storey_laws = {};
+  std::vector<BuildingElement> elements =
+      {};  ///< from the lowest storey up; of others there is none: they stay elastic
   /// β of C = αM + βK where the dashpot of a storey that yields is to follow its stiffness: β k_tangent. 0: it does
   /// not.
   double tangent_damping = 0;
 
   /// The law of storey `storey` (0 the lowest); none: it stays elastic.
-  [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const {
-    return storey_laws.empty() ? nullptr : storey_laws.at(storey).get();
-  }
-  [[nodiscard]] bool can_yield() const;
+  [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const;
+  [[nodiscard]] bool can_yield() const { return !elements.empty(); }
   /// Moves with the ground (a moat wall): it has no modes.
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
   /// ω₁ [rad/s]; 0 of a free body and of what has no modes.
@@ -108,6 +113,10 @@ struct Building {
   std::vector<double> bays = {};  ///< widths [length], left to right, of pictures alone; empty: not known
 };
 
+/// Elements of the drifts Δ_j = x_j − x_{j−1} of the storeys that have a law; `laws`: one per storey, or none at all.
+/// @throws InvalidParameter when they are neither.
+[[nodiscard]] std::vector<BuildingElement> storey_elements(
+    const StructuralModel& model, const std::vector<std::shared_ptr<const HystereticLaw>>& laws);
 /// Rows over the dofs: drifts of all storeys [-], shears of all storeys [force/length].
 [[nodiscard]] Eigen::MatrixXd drift_rows(const StructuralModel& model);
 [[nodiscard]] Eigen::MatrixXd shear_rows(const StructuralModel& model);

@@ -271,8 +271,8 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   building.modes = moves_below ? modes(whole.mass, whole.stiffness) : fixed_modes;
   building.modal_damping =
       moves_below ? modal_damping(MatrixDamping{structure.damping}, building.modes) : fixed_damping;
+  building.elements = storey_elements(whole, storey_laws);
   building.model = std::move(structure.model);
-  building.storey_laws = std::move(storey_laws);
   building.has_gravity_loads = support.gravity.has_value();
   return building;
 }

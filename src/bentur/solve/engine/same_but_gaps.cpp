@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -30,11 +31,12 @@ bool alike_laws(const Law* a, const Law* b) {
   return a != nullptr && b != nullptr && a->name() == b->name() && a->parameters() == b->parameters();
 }
 
-bool alike_storeys(const Building& a, const Building& b) {
-  for (Eigen::Index f = 0; f < a.model.floors(); ++f) {
-    if (!alike_laws(a.storey_law(f), b.storey_law(f))) return false;
-  }
-  return a.tangent_damping == b.tangent_damping;
+bool alike_elements(const Building& a, const Building& b) {
+  const auto same = [](const BuildingElement& one, const BuildingElement& other) {
+    return alike_laws(one.law.get(), other.law.get()) && alike(one.row, other.row) && one.storey == other.storey;
+  };
+  return std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), same) &&
+         a.tangent_damping == b.tangent_damping;
 }
 
 bool alike(const Link& a, const Link& b) {
@@ -47,7 +49,7 @@ bool alike(const Building& a, const Building& b) {
          alike(a.model.load, b.model.load) && a.model.storey_heights == b.model.storey_heights &&
          alike(a.modes.omega, b.modes.omega) && alike(a.modes.shapes, b.modes.shapes) &&
          alike(a.modal_damping, b.modal_damping) && alike(a.model.drifts, b.model.drifts) &&
-         alike(a.model.shears, b.model.shears) && a.has_gravity_loads == b.has_gravity_loads && alike_storeys(a, b);
+         alike(a.model.shears, b.model.shears) && a.has_gravity_loads == b.has_gravity_loads && alike_elements(a, b);
 }
 
 bool alike(const ContactPoint& a, const ContactPoint& b) {

@@ -110,7 +110,7 @@ TEST(YieldingPair, IsTheElasticOneWithYieldForcesOutOfReach) {
   const Problem elastic = linear_pair(false);
   Problem strong = linear_pair(true);
   for (std::size_t b = 0; b < 2; ++b) {
-    for (auto& law : strong.buildings[b].storey_laws) law = bilinear_law(law->initial_stiffness(), 1e10, 0.03);
+    for (auto& one : strong.buildings[b].elements) one.law = bilinear_law(one.law->initial_stiffness(), 1e10, 0.03);
   }
   for (const Solver& solver : both) {
     const double tolerance = std::holds_alternative<ExactSolver>(solver) ? 1e-12 : 1e-8;

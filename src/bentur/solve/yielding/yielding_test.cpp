@@ -191,7 +191,8 @@ TEST_P(YieldingStorey, StartsOnTheYieldLineAtRest) {
   Problem problem = alone(yielding_oscillator(mass, stiffness, yield_force), 10);
   problem.initial_displacement[0](0) = yield;
   for (int kind = 0; kind < 2; ++kind) {
-    if (kind == 1) problem.buildings[0].storey_laws[0] = std::make_shared<PeakOriented>(stiffness, yield_force, 0, 0.4);
+    if (kind == 1)
+      problem.buildings[0].elements[0].law = std::make_shared<PeakOriented>(stiffness, yield_force, 0, 0.4);
     const Response response = run(problem);
     EXPECT_NEAR(response.buildings[0].yielding.ductility(0), 1, within(10));
     EXPECT_NEAR(response.buildings[0].yielding.residual_drift_ratio(0), 0, within(100 * yield));
@@ -265,7 +266,7 @@ TEST_P(YieldingStorey, FollowsThePeakOrientedRules) {
   // The end: within the unloading below.
   Problem problem =
       alone(yielding_oscillator(mass, stiffness, yield_force, r), first + second + quarters + 0.2 * pi / omega);
-  problem.buildings[0].storey_laws[0] = std::make_shared<PeakOriented>(stiffness, yield_force, r, a);
+  problem.buildings[0].elements[0].law = std::make_shared<PeakOriented>(stiffness, yield_force, r, a);
   problem.initial_velocity[0](0) = v;
   const Response response = run(problem);
   const BuildingPeaks::Yielding& is = response.buildings[0].yielding;

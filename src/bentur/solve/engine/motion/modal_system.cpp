@@ -26,11 +26,11 @@ MatrixXd output_rows(const Building& building, Index size) {
   rows.block(0, 0, floors, modes) = building.modes.shapes.topRows(floors);
   rows.block(floors, 0, floors, modes) = of_dofs(drift_rows(model));
   rows.block(2 * floors, 0, floors, modes) = of_dofs(shear_rows(model));
-  Index force = modes + 1;
   for (Index f = 0; f < floors; ++f) {
     if (model.storey_heights[f] > 0.0) rows.row(floors + f) /= model.storey_heights[f];
-    if (building.storey_law(f) != nullptr) rows(2 * floors + f, force++) = 1.0;
   }
+  Index force = modes + 1;
+  for (const BuildingElement& element : building.elements) rows(2 * floors + element.storey, force++) = 1.0;
   if (columns > 0) rows.block(3 * floors, 0, columns, modes) = of_dofs(model.column_forces);
   if (model.has_soil) rows.block(3 * floors + columns, 0, 2, modes) = building.modes.shapes.bottomRows(2);
   return rows;
@@ -47,7 +47,7 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.begin = begin;
   block.modes = modes;
   block.size = modes + 1;
-  for (const auto& law : building.storey_laws) block.size += law ? 1 : 0;
+  block.size += std::ssize(building.elements);
   block.padded_size = padded(block.size);
   block.floors = building.model.floors();
   block.has_foundation = building.model.has_soil;
@@ -185,14 +185,10 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   storeys = std::ssize(elements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Building& building = problem.buildings[b];
-    if (!building.can_yield()) continue;
-    const MatrixXd drifts = drift_rows(building.model);
     Index force = blocks[b].begin + blocks[b].modes + 1;
-    for (Index f = 0; f < building.model.floors(); ++f) {
-      const HystereticLaw* law = building.storey_law(f);
-      if (law == nullptr) continue;
-      const VectorXd shape = building.modes.shapes.transpose() * drifts.row(f).transpose();
-      elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), law->initial_stiffness(),
+    for (const BuildingElement& element : building.elements) {
+      const VectorXd shape = building.modes.shapes.transpose() * element.row;
+      elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), element.law->initial_stiffness(),
                           building.tangent_damping, force++});
     }
   }

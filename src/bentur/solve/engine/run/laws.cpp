@@ -13,9 +13,7 @@ std::vector<std::shared_ptr<const Law>> laws_of(const Problem& problem, const Mo
     laws.push_back(std::make_shared<DeformationLimit>(problem.collapse_drift * height));
   }
   for (const Building& building : problem.buildings) {
-    for (const auto& law : building.storey_laws) {
-      if (law) laws.push_back(law);
-    }
+    for (const BuildingElement& element : building.elements) laws.push_back(element.law);
   }
   return laws;
 }

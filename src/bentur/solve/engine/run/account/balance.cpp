@@ -141,11 +141,8 @@ double force_imbalance(const Problem& problem, const ModalSystem& system, const 
     if (building.is_rigid()) continue;
     const ModalSystem::Block& block = system.blocks[b];
     const Eigen::MatrixXd& shapes = building.modes.shapes;
-    if (building.can_yield()) {
-      const Eigen::MatrixXd drifts = drift_rows(building.model);
-      for (Index f = 0; f < building.model.floors(); ++f) {
-        if (building.storey_law(f) != nullptr) push(static_cast<Index>(b), drifts.row(f), -forces(element++));
-      }
+    for (const BuildingElement& yielding : building.elements) {
+      push(static_cast<Index>(b), yielding.row, -forces(element++));
     }
     const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
     const VectorXd x = shapes * modes(state.q);
