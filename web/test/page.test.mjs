@@ -358,6 +358,8 @@ test("from a change to the new curves", async () => {
     await page.click('[data-case="monograph"]');
     await solved(page);
     await curveDone(page);
+    await page.locator("#figures").evaluate((one) => one.scrollIntoView());
+    await page.waitForSelector('[data-figure="opening"] svg');
     const times = await page.evaluate(async () => {
       const slider = document.querySelector("#gap"), main = document.querySelector("main"), all = [];
       for (let k = 0; k < 25; ++k) {
@@ -366,13 +368,14 @@ test("from a change to the new curves", async () => {
         slider.value = String(Number(slider.max) * (0.1 + 0.03 * k));
         slider.dispatchEvent(new Event("input", { bubbles: true }));
         await drawn; // curves are set in the same task
-        all.push(performance.now() - started);
+        all.push([performance.now() - started, Number(main.dataset.ms)]);
         await new Promise((resolve) => setTimeout(resolve, 30));
       }
-      return all.sort((a, b) => a - b);
+      return all;
     });
-    console.log(`# from a change to the new curves ${times[12].toFixed(0)} ms (median), ${times[2].toFixed(0)} to ${times[22].toFixed(0)} ms`);
-    within(times[12], 50, "ms from a change to the curves");
+    const [whole, worker] = [0, 1].map((part) => times.map((one) => one[part]).sort((a, b) => a - b));
+    console.log(`# from a change to the new curves ${whole[12].toFixed(0)} ms (median), ${whole[2].toFixed(0)} to ${whole[22].toFixed(0)} ms; ${worker[12].toFixed(0)} ms of it solved and drawn`);
+    within(whole[12], 50, "ms from a change to the curves");
   });
 });
 
@@ -453,7 +456,7 @@ test("other units are the same buildings, and back again the same text", async (
     const largest = Math.max(...after.gaps[0].points.map((point) => point.peak_force)) / 1e3; // in kN, as the verdict has it
     const shown = await page.$$eval("#impacts tbody td:nth-child(6)", (all) => all.map((one) => Number(one.textContent)));
     assert.ok(Math.abs(Math.max(...shown) - largest) < 1e-3 * largest, `${Math.max(...shown)} ${largest}`);
-    assert.match(await download(page, "impacts"), /^[^\n]*peak_force[^\n]*\n/);
+    assert.match(await download(page, "impacts"), /,peak_force \[N\],/); // files keep the units of the case
     const field = page.getByRole("spinbutton", { name: "Gap mm", exact: true });
     assert.equal(await field.inputValue(), "2");
     await field.fill("3");
@@ -882,7 +885,10 @@ test("a picture says of which case, when and how much magnified it is, and what 
     await solved(page);
     await page.click('[data-case="monograph"]');
     await solved(page);
-    await page.click('#motion [data-part="play"]'); // it stands still
+    await page.locator("#motion .scrub").evaluate((range) => { // it stands still, behind all impacts
+      range.value = range.max;
+      range.dispatchEvent(new Event("input"));
+    });
     await page.click('#motion [data-part="previous"]');
     const text = async () => [...(await download(page, "svg")).matchAll(/<text[^>]*>([^<]*)<\/text>/g)].map((one) => one[1]).join("\n");
     const shown = (part) => page.textContent(`#motion [data-part="${part}"]`);
@@ -1093,10 +1099,10 @@ test("a storey or a bay more and then fewer is the same case, of every example",
       const text = readFileSync(`${source}/examples/${name}`, "utf8");
       if (await page.inputValue(editor) !== text) await write(page, text, "fine", true);
       const buttons = page.locator('.count button[aria-label*="one more"]');
+      const storeys = async () => JSON.parse(await download(page, "summary")).buildings.reduce((sum, one) => sum + one.peak_drift_ratio.length, 0);
+      const before = await storeys();
       for (let k = 0; k < await buttons.count(); ++k) {
         const label = await buttons.nth(k).getAttribute("aria-label");
-        const storeys = async () => JSON.parse(await download(page, "summary")).buildings.reduce((sum, one) => sum + one.peak_drift_ratio.length, 0);
-        const before = await storeys();
         await buttons.nth(k).click();
         await page.waitForFunction(([at, was]) => document.querySelector(at).value !== was, [editor, text]);
         await solved(page); // it is a case
