@@ -52,11 +52,11 @@ std::string shade(double part, bool ratio) {
 
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
 
-/// A length in pixels, to a hundredth; far outside of every frame where it would have no end.
+/// A length in pixels, to a hundredth; far outside of every frame where it would have no end or is none.
 std::string length(double pixels) {
   constexpr double far = 1e5;
   // By whole numbers: most of the time of a figure goes into these, in WebAssembly even more so.
-  const long hundredths = std::lrint(100 * std::clamp(pixels, -far, far)), size = std::abs(hundredths);
+  const long hundredths = std::lrint(100 * std::fmin(std::fmax(pixels, -far), far)), size = std::labs(hundredths);
   std::string text = hundredths < 0 ? "-" : "";
   text += fmt::format_int(size / 100).str();
   if (size % 100 == 0) return text;
@@ -264,7 +264,8 @@ class Drawing {
         continue;
       }
       data += is_begun ? 'L' : 'M';
-      data += length(px) += ' ';
+      data += length(px);
+      data += ' ';
       data += length(py);
       if (is_area) back.insert(0, fmt::format("L{} {}", length(px), length(upper)));
       is_begun = true;
