@@ -1,6 +1,6 @@
 // The core as a module for node; where it was built is the environment variable BENTUR_WASM.
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
@@ -15,6 +15,13 @@ export async function studio(source) {
   const one = new module.Studio();
   one.putFile("../data/el-centro-1940-ns.csv", readFileSync(`${source}/data/el-centro-1940-ns.csv`));
   return one;
+}
+
+/** Every fourth of the examples, from number `first` on, with those in `also`; all of them where BENTUR_EVERY_EXAMPLE is set,
+ *  as in ./dev soak. */
+export function examples(source, first, also = []) {
+  const all = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
+  return all.filter((name, k) => process.env.BENTUR_EVERY_EXAMPLE || k % 4 === first || also.includes(name));
 }
 
 /** The largest relative difference of two JSON values, numbers within; Infinity where anything else differs. */

@@ -104,11 +104,13 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
   try {
     if (!run_) return drawn;
     const Figure figure = figure_of(*run_, kind, options_of(language, wanted), wanted);
-    drawn.set("svg", figure_element(figure, Words(language)("figure." + kind)));
+    const PlacedFigure placed = placed_figure(figure, Words(language)("figure." + kind));
+    drawn.set("svg", placed.svg);
     drawn.set("width", figure.width);
     val panels = val::array();
-    const std::vector<PanelPlace> places = panel_places(figure);
-    for (std::size_t i = 0; i < places.size(); ++i) panels.call<void>("push", panel_of(figure.panels[i], places[i]));
+    for (std::size_t i = 0; i < placed.panels.size(); ++i) {
+      panels.call<void>("push", panel_of(figure.panels[i], placed.panels[i]));
+    }
     drawn.set("panels", panels);
   } catch (const std::exception& error) {
     drawn.set("error", std::string(error.what()));

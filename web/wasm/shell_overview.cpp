@@ -40,22 +40,14 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-Json gap_overview(const RunResults& run, Eigen::Index gap) {
-  const GapOutcome found = gap_outcome(run.problem, run.response, gap);
-  Json one = {
-      {"name", gap_name(run.problem, gap)}, {"width", found.governing.width}, {"needed", found.governing.gap_needed}};
-  if (found.hardest && run.response.points[*found.hardest].peak_force_time) {
-    const PointSummary& worst = run.response.points[*found.hardest];
-    one["hardest"] = {{"force", worst.peak_force}, {"elevation", run.problem.points[*found.hardest].elevation}};
-  }
-  return one;
-}
-
-/// The same by a spectrum.
-Json gap_overview(const Problem& problem, const SpectralGaps& spectral, Eigen::Index gap) {
+/// Of a gap by a spectrum.
+GoverningLevel governing(const SpectralGaps& spectral, Eigen::Index gap) {
   std::vector<LevelSeparation> levels = spectral.levels;
   std::erase_if(levels, [&](const LevelSeparation& one) { return one.level.gap != gap; });
-  const GoverningLevel found = governing_level(levels, 0).value_or(GoverningLevel{});
+  return governing_level(levels, 0).value_or(GoverningLevel{});
+}
+
+Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel& found) {
   return {{"name", gap_name(problem, gap)}, {"width", found.width}, {"needed", found.gap_needed}};
 }
 
@@ -89,25 +81,27 @@ Json buildings_of(const RunResults& run) {
   return buildings;
 }
 
-Json impacts_of(const RunResults& run) {
+Json impacts_of(const RunResults& run, const ShownUnits& shown) {
   Json impacts = Json::array();
   for (const Impact& one : run.response.impacts) {
     if (impacts.size() == most_impacts) break;
     const ContactPoint& point = run.problem.points[one.point];
     const std::optional<double> e = one.restitution();
-    impacts.push_back({point.left, point.elevation, one.start, one.end, one.peak_force, one.closing_speed,
+    impacts.push_back({point.left, point.elevation, one.start, one.end, shown.force * one.peak_force, one.closing_speed,
                        e ? number_or_null(*e) : Json()});
   }
   return impacts;
 }
 
-/// The figures that tell something of the run, with their captions.
+/// Every figure that the run can give, with its caption; those that do not tell something of it are given away alone.
 Json kinds_of(const RunResults& run, const Words& say) {
   Json all = Json::array();
   if (run.response.histories.time.empty()) return all;
   for (const FigureKind& kind : figure_kinds(run)) {
-    if (!kind.tells) continue;
-    all.push_back({{"kind", kind.name}, {"caption", say("figure." + kind.name)}, {"overTime", kind.over_time}});
+    all.push_back({{"kind", kind.name},
+                   {"caption", say("figure." + kind.name)},
+                   {"tells", kind.tells},
+                   {"overTime", kind.over_time}});
   }
   return all;
 }
@@ -130,25 +124,30 @@ std::string Studio::overview(const std::string& language) const {
     const Words say(language);
     Json gaps = Json::array();
     if (spectral_) {
-      for (const Gap& gap : gaps_of(*problem_)) gaps.push_back(gap_overview(*problem_, *spectral_, gap.left));
+      for (const Gap& gap : gaps_of(*problem_))
+        gaps.push_back(gap_overview(*problem_, gap.left, governing(*spectral_, gap.left)));
       Json all = overview_of(*case_, *problem_, gaps, spectral_story(*case_, *problem_, *spectral_), say);
       all["spectral"] = true;
       return all;
     }
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
-    for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(gap_overview(run, gap.left));
+    for (const Gap& gap : gaps_of(run.problem)) {
+      gaps.push_back(gap_overview(run.problem, gap.left, gap_outcome(run.problem, run.response, gap.left).governing));
+    }
     Json points = Json::array();
     for (const ContactPoint& point : run.problem.points) {
       points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
     }
     Json all = overview_of(run.c, run.problem, gaps, run_story(run), say);
+    const ShownUnits shown = shown_units(run.c.units, run.response);
     all["spectral"] = false;
     all["buildings"] = buildings_of(run);
     all["points"] = points;
-    all["impacts"] = impacts_of(run);
+    all["impacts"] = impacts_of(run, shown);
     all["impactCount"] = run.response.impacts.size();
-    all["force"] = largest_force(run.response);
+    all["force"] = shown.force * largest_force(run.response);
+    all["forceUnit"] = shown.units.force;
     all["amplification"] = largest_amplification(run.response);
     all["figures"] = kinds_of(run, say);
     return all;

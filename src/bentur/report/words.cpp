@@ -79,12 +79,16 @@ std::string Words::count(std::string_view key, long n) const {
 }
 
 FigureWords figure_words(const std::string& language) {
-  constexpr std::string_view keys = "figure.text.";
-  std::map<std::string, std::string, std::less<>> texts;
-  for (const auto& [key, text] : catalogue().texts) {
-    if (key.starts_with(keys)) texts.emplace(text.at("en"), text.at(language));
-  }
-  return [texts](std::string_view english) {
+  using Texts = std::map<std::string, std::string, std::less<>>;
+  static const std::map<std::string, Texts> all = [] {
+    std::map<std::string, Texts> made;
+    for (const auto& [key, texts] : catalogue().texts) {
+      if (!key.starts_with("figure.text.")) continue;
+      for (const auto& [tag, text] : texts) made[tag].emplace(texts.at("en"), text);
+    }
+    return made;
+  }();
+  return [&texts = all.at(language)](std::string_view english) {
     const auto found = texts.find(english);
     return found == texts.end() ? std::string(english) : found->second;
   };

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { drawn, point, see, span } from "./drawing";
 import { main } from "./motion";
 import { png, save } from "./save";
-import type { AxisPlace, Drawn, PanelPlace, Result } from "./solver";
+import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
 import { curve, curveDone, stale, takeFigure, time } from "./state";
 import { number, say } from "./texts";
 
@@ -55,8 +55,17 @@ function told({ panel, x, y }: Place, overTime: boolean, times: string): string 
   return best;
 }
 
+/** A figure as files, as `bentur plot` writes it. */
+function Files({ kind, caption }: Pick<FigureOverview, "kind" | "caption">) {
+  const file = (save_: (svg: string) => void) => { void takeFigure(kind).then(save_).catch(() => undefined); };
+  return (
+    <span class="files">{(["svg", "png"] as const).map((format) => <button type="button" key={format} class="small" disabled={stale.value} data-file={`${kind}.${format}`} aria-label={`${caption}, ${format.toUpperCase()}`}
+      onClick={() => file((svg) => (format === "svg" ? save(`${kind}.svg`, svg, "image/svg+xml") : void png(svg).then((blob) => save(`${kind}.png`, blob, "image/png"))))}>{format.toUpperCase()}</button>)}</span>
+  );
+}
+
 /** One figure by the solver: values where one points, the time of the motion, and what is dragged over for a closer look. */
-function FigureView({ kind, caption, overTime }: { kind: string; caption: string; overTime: boolean }) {
+function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) {
   const root = useRef<HTMLDivElement>(null), heads = useRef<(HTMLElement | null)[]>([]);
   const [values, tell] = useState("");
   const [drag, pull] = useState<{ from: Place; to: Place } | null>(null);
@@ -96,7 +105,6 @@ function FigureView({ kind, caption, overTime }: { kind: string; caption: string
     pull(null);
   };
   const left = (at: Place) => `${(100 * (at.panel.left + ofAxis(at.panel.x, at.x) * at.panel.width)) / ((shown!.width / 2.54) * 96)}%`;
-  const file = (save_: (svg: string) => void) => { void takeFigure(kind).then(save_).catch(() => undefined); };
   return (
     <figure class={`drawn${(shown?.width ?? 0) > 15 ? " broad" : ""}`} data-figure={kind}>
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(""); pull(null); }}
@@ -106,10 +114,7 @@ function FigureView({ kind, caption, overTime }: { kind: string; caption: string
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
-      <figcaption>{caption} <output aria-live="off">{values}</output>
-        <span class="files">{(["svg", "png"] as const).map((format) => <button type="button" key={format} class="small" disabled={stale.value} data-file={`${kind}.${format}`} aria-label={`${caption}, ${format.toUpperCase()}`}
-          onClick={() => file((svg) => (format === "svg" ? save(`${kind}.svg`, svg, "image/svg+xml") : void png(svg).then((blob) => save(`${kind}.png`, blob, "image/png"))))}>{format.toUpperCase()}</button>)}</span>
-      </figcaption>
+      <figcaption>{caption} <output aria-live="off">{values}</output><Files kind={kind} caption={caption} /></figcaption>
     </figure>
   );
 }
@@ -129,10 +134,13 @@ export function Figures({ now }: { now: Result }) {
         <span class="note">{say("history.hint")}</span>
       </p>
       <div class="sheets">
-        {figures.map((one) => <FigureView key={one.kind} {...one} />)}
+        {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
         {curve.value.length > 1 && <FigureView kind="gap-curve" overTime={false}
           caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
       </div>
+      <details><summary>{say("figures.more")}</summary>
+        <ul class="note">{figures.filter((one) => !one.tells).map((one) => <li key={one.kind}>{one.caption} <Files {...one} /></li>)}</ul>
+      </details>
     </section>
   );
 }

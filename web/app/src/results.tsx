@@ -79,7 +79,7 @@ export function Verdict() {
 const LISTED = 200;
 
 export function Impacts({ now }: { now: Result }) {
-  const { impacts, units, gaps, impactCount } = now.overview;
+  const { impacts, units, forceUnit, gaps, impactCount } = now.overview;
   if (impactCount === 0) return <section id="impacts"><h2>{say("impacts")}</h2><p>{say("impact.none")}</p></section>;
   return (
     <section id="impacts">
@@ -88,7 +88,7 @@ export function Impacts({ now }: { now: Result }) {
         <table>
           <thead><tr>
             <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{nameOf("gap", "width")}</th><th scope="col">{say("history.point")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
-            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("curve.force")} <small>{units.force}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{nameOf("gap", "contact", "restitution")}</th>
+            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("curve.force")} <small>{forceUnit}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{nameOf("gap", "contact", "restitution")}</th>
           </tr></thead>
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
             <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
@@ -103,13 +103,11 @@ export function Impacts({ now }: { now: Result }) {
 }
 
 /** The numbers of a run, in the units of another. */
-function compared({ overview }: Result, { units }: Overview): (string | number)[] {
-  const by = (what: "length" | "force") => {
-    const size = schema.value?.units[what] ?? {};
-    return (size[overview.units[what]] ?? NaN) / (size[units[what]] ?? NaN);
-  };
-  const each = (value: (one: GapOverview) => number) => overview.gaps.map((one) => with_(by("length") * value(one), units.length)).join(" | ");
-  return [each((one) => one.width), overview.impactCount, with_(by("force") * overview.force, units.force), each((one) => one.needed), number(overview.amplification)];
+function compared({ overview }: Result, { units, forceUnit }: Overview): (string | number)[] {
+  const by = (sizes: Record<string, number> = {}, mine: string, theirs: string) => (sizes[mine] ?? NaN) / (sizes[theirs] ?? NaN);
+  const length = by(schema.value?.units.length, overview.units.length, units.length), force = by(schema.value?.units.force, overview.forceUnit, forceUnit);
+  const each = (value: (one: GapOverview) => number) => overview.gaps.map((one) => with_(length * value(one), units.length)).join(" | ");
+  return [each((one) => one.width), overview.impactCount, with_(force * overview.force, forceUnit), each((one) => one.needed), number(overview.amplification)];
 }
 
 export function Comparison({ now }: { now: Result }) {

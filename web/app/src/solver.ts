@@ -24,22 +24,22 @@ export interface Histories {
   force: Float64Array[];
   buildings: { displacement: Float64Array[]; drift: Float64Array[]; shear: Float64Array[] }[];
 }
-export interface GapOverview {
-  name: string; width: number; needed: number;
-  hardest?: { force: number; elevation: number };
-}
+export interface GapOverview { name: string; width: number; needed: number }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
   displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];
 }
+/** What does not tell something of the run is there as a file alone. */
+export interface FigureOverview { kind: string; caption: string; tells: boolean; overTime: boolean }
 /** [left building, elevation, start, end, peak force, closing speed, restitution] */
 export type ImpactRow = [number, number, number, number, number, number, number | null];
+/** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
-  title: string; version: string; duration: number; spectral: boolean; units: { length: string; force: string }; gaps: GapOverview[];
+  title: string; version: string; duration: number; spectral: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
-  figures: { kind: string; caption: string; overTime: boolean }[];
+  figures: FigureOverview[];
 }
 /** A section of the report. */
 export interface PagePart { id: string; heading: string; markup: string }

@@ -1,7 +1,6 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { deflated, type Studio } from "@repo/build/web/bentur_web.mjs";
 import type { Answer, CaseError, CurvePoint, Draw, Drawn, Overview, Request, Schema } from "./solver";
-import { trueTitle } from "./title";
 
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
 
@@ -13,13 +12,11 @@ function inflated(): Promise<ArrayBuffer> {
 const ready: Promise<Studio> = inflated().then((wasmBinary) => createBentur({ wasmBinary })).then((module) => {
   const studio = new module.Studio();
   const schema: Schema = JSON.parse(studio.schema());
-  metres = schema.units.length;
   post({ id: 0, kind: "schema", schema });
   return studio;
 });
 /** What a case has not that is not run. */
-const still = { figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, amplification: 0 };
-let metres: Record<string, number> = {};
+const still = { figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0 };
 let opened = "";
 let stop = 0; // curves up to this number are no longer wanted
 
@@ -71,8 +68,7 @@ async function answer(request: Request): Promise<void> {
     const overview: Overview & { statements: { gap: unknown }[] } = { ...still, ...told };
     // A name may be as long as a case allows; what is shown of it is not.
     const clip = (name: string) => (name.length > 80 ? `${name.slice(0, 79)}…` : name);
-    const metre = metres[overview.units.length];
-    overview.title = clip(trueTitle(overview.title, overview.gaps.map((one) => one.width * metre)));
+    overview.title = clip(overview.title);
     const gaps = overview.gaps.map((one) => one.name);
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(String(one.gap));
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);

@@ -117,14 +117,18 @@ struct Figure {
 /// font for them, and where none has, boxes stand in their place.
 [[nodiscard]] std::string letters_beyond_font(const Figure& figure);
 
-/// Where the frame of a panel stands in figure_svg() [px], from the upper left corner, and the values at its ends.
+/// Where the frame of a panel stands in a figure [px], from the upper left corner, and the values at its ends.
 struct PanelPlace {
   double left = 0, top = 0, width = 0, height = 0;
   std::pair<double, double> x = {}, y = {};
   bool x_logarithmic = false, y_logarithmic = false;
 };
-/// @return one for each panel, in their order. @throws InvalidParameter as figure_svg().
-[[nodiscard]] std::vector<PanelPlace> panel_places(const Figure& figure);
+/// figure_element() with the places of its panels, in their order.
+struct PlacedFigure {
+  std::string svg;
+  std::vector<PanelPlace> panels;
+};
+[[nodiscard]] PlacedFigure placed_figure(const Figure& figure, std::string_view label);
 
 /// The colours of figures on paper, each with its name: "blue", "#1f5fa8".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> palette();

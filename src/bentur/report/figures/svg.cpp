@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iterator>
 #include <vector>
 
@@ -51,13 +52,18 @@ std::string shade(double part, bool ratio) {
 
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
 
-/// A length in pixels, to a hundredth; far outside of every frame where it would have no end.
+/// A length in pixels, to a hundredth; far outside of every frame where it would have no end or is none.
 std::string length(double pixels) {
   constexpr double far = 1e5;
-  std::string text = fmt::format("{:.2f}", std::clamp(pixels, -far, far));
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text == "-0" ? "0" : text;
+  // By whole numbers: most of the time of a figure goes into these, in WebAssembly even more so.
+  const long hundredths = std::lrint(100 * std::fmin(std::fmax(pixels, -far), far)), size = std::labs(hundredths);
+  std::string text = hundredths < 0 ? "-" : "";
+  text += fmt::format_int(size / 100).str();
+  if (size % 100 == 0) return text;
+  text += '.';
+  text += static_cast<char>('0' + size / 10 % 10);
+  if (size % 10 != 0) text += static_cast<char>('0' + size % 10);
+  return text;
 }
 
 std::string drawn_in(const char* what, const Colour& of) {
@@ -257,7 +263,10 @@ class Drawing {
         is_begun = false;
         continue;
       }
-      data += fmt::format("{}{} {}", is_begun ? "L" : "M", length(px), length(py));
+      data += is_begun ? 'L' : 'M';
+      data += length(px);
+      data += ' ';
+      data += length(py);
       if (is_area) back.insert(0, fmt::format("L{} {}", length(px), length(upper)));
       is_begun = true;
     }
@@ -363,7 +372,10 @@ std::string figure_svg(const Figure& figure) { return Drawing(figure).file(); }
 
 std::string figure_element(const Figure& figure, std::string_view label) { return Drawing(figure).element(label); }
 
-std::vector<PanelPlace> panel_places(const Figure& figure) { return Drawing(figure).places(); }
+PlacedFigure placed_figure(const Figure& figure, std::string_view label) {
+  Drawing drawing(figure);
+  return {.svg = drawing.element(label), .panels = drawing.places()};
+}
 
 std::string letters_beyond_font(const Figure& figure) {
   std::string all;
