@@ -485,6 +485,7 @@ test("what the page says itself is Indonesian there", async () => {
         await page.waitForSelector(".form");
         await page.click("#compare button");
         await page.waitForFunction(() => [...document.querySelectorAll('[data-part="clock"]')].every((one) => one.textContent !== "")); // also of what is pinned
+        await page.waitForFunction((play) => [...document.querySelectorAll('[data-part="play"]')].every((one) => one.textContent === play), { en: "Play", id: "Putar" }[language]);
         for (const word of await page.evaluate(() => {
           const all = [], walk = document.createTreeWalker(document.querySelector("#app"), NodeFilter.SHOW_TEXT);
           while (walk.nextNode()) if (!walk.currentNode.parentElement.closest("textarea")) all.push(walk.currentNode.textContent.trim());
