@@ -59,7 +59,7 @@ void add_force(CLI::App& command, bool& force) {
 }
 
 void add_language(CLI::App& command, std::string& language) {
-  command.add_option("--lang", language, "language of what is told: en or id; messages are English")
+  command.add_option("--lang", language, "language of what is told and of what is wrong with the input: en or id")
       ->check(CLI::IsMember(report_languages()))
       ->type_name("LANG");
 }

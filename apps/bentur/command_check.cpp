@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "bentur/model/limits.h"
+#include "bentur/report/errors.h"
 #include "commands.h"
 #include "session.h"
 #include "text/effort_text.h"
@@ -36,7 +37,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
 }
 
 void run(const std::string& file, const Words& say) {
-  const Loaded loaded = load(file, Purpose::no_run);
+  const Loaded loaded = load(file, Purpose::no_run, say.language());
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
@@ -78,7 +79,8 @@ void run(const std::string& file, const Words& say) {
   options.energy_audit = loaded.c.analysis.energy_audit;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
-  if (!refusal.empty()) throw Failure(exit_bad_input, file + ": error: " + refusal);
+  if (!refusal.empty())
+    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, say.language()));
   print(fitted(text + effort_text(loaded, needed) + unusual));
 }
 

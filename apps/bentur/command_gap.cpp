@@ -134,7 +134,7 @@ void run_study(const GapArguments& arguments) {
   } catch (const std::runtime_error& error) {
     throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
   }
-  if (!study) throw Failure(diagnostics);
+  if (!study) throw Failure(diagnostics, arguments.language);
   print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(study_text(*study, say)));
 }
 
@@ -142,7 +142,7 @@ void run(const GapArguments& arguments) {
   if (is_study(arguments.file)) return run_study(arguments);
   if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
   const Words say(arguments.language);
-  const Loaded loaded = load(arguments.file, Purpose::no_run);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
   const RunResults results = simulate(loaded, 0, true);
   if (arguments.json) {

@@ -69,7 +69,7 @@ void run(const ReportArguments& arguments) {
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
   const bool from_files = is_folder || is_netcdf;
-  const Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run);
+  const Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
   OutputFile output(arguments.output, ResultKind::report,
                     {from_files ? files_of_results(input, is_folder) : loaded.files, arguments.force});

@@ -297,7 +297,8 @@ void execute(const RunArguments& arguments) {
   if (arguments.file.empty() && !arguments.quiet) {
     message("No case given: running the built-in example m12-el-centro.");
   }
-  Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file);
+  Loaded loaded =
+      arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file, Purpose::run, arguments.language);
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);

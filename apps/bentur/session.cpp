@@ -19,6 +19,7 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/utf8.h"
 #include "bentur/solve/solver.h"
@@ -30,14 +31,15 @@ namespace {
 
 constexpr std::size_t most_errors_shown = 100;
 
-std::string all_of(const Diagnostics& diagnostics) {
+std::string all_of(const Diagnostics& diagnostics, const std::string& language) {
   const std::vector<Diagnostic> errors = diagnostics.errors();
   std::string text;
   for (std::size_t i = 0; i < std::min(errors.size(), most_errors_shown); ++i) {
-    text += (text.empty() ? "" : "\n") + errors[i].text();
+    text += (text.empty() ? "" : "\n") + error_text(errors[i], language);
   }
-  if (errors.size() > most_errors_shown) text += fmt::format("\nand {} more errors", errors.size() - most_errors_shown);
-  return text;
+  if (errors.size() <= most_errors_shown) return text;
+  const std::string rest = fmt::format("and {} more errors", errors.size() - most_errors_shown);
+  return text + "\n" + error_sentence(rest, language).value_or(rest);
 }
 
 std::atomic<bool> stop_asked = false;
@@ -77,21 +79,22 @@ Progress::~Progress() {
   if (visible_) std::fputs("\r\033[K", stderr);
 }
 
-Failure::Failure(const Diagnostics& diagnostics) : Failure(exit_bad_input, all_of(diagnostics)) {}
+Failure::Failure(const Diagnostics& diagnostics, const std::string& language)
+    : Failure(exit_bad_input, all_of(diagnostics, language)) {}
 
-Loaded load(const std::filesystem::path& file, Purpose purpose) {
+Loaded load(const std::filesystem::path& file, Purpose purpose, const std::string& language) {
   Diagnostics diagnostics;
   std::vector<Building> buildings;
   std::optional<Case> c = read_case(file, diagnostics, &buildings);
-  if (!c) throw Failure(diagnostics);
-  if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics);
+  if (!c) throw Failure(diagnostics, language);
+  if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics, language);
   try {
     Problem problem = make_still_problem(*c, std::move(buildings));
     std::vector<std::filesystem::path> files = files_read(*c);
     files.push_back(file);
     return {std::move(*c), std::move(problem), std::move(files)};
   } catch (const std::exception& error) {
-    throw Failure(exit_bad_input, file.string() + ": error: " + error.what());
+    throw Failure(exit_bad_input, error_text({.position = {.file = file.string()}, .rule = error.what()}, language));
   }
 }
 

@@ -22,7 +22,7 @@ class Failure : public std::runtime_error {
  public:
   Failure(ExitStatus status, const std::string& message) : std::runtime_error(message), status_(status) {}
   /// Bad input, with every error found.
-  explicit Failure(const Diagnostics& diagnostics);
+  explicit Failure(const Diagnostics& diagnostics, const std::string& language = "en");
   [[nodiscard]] ExitStatus status() const noexcept { return status_; }
 
  private:
@@ -57,8 +57,9 @@ struct Loaded {
 /// What a case is read for: a run, which a spectrum has nothing for, or what needs no course in time.
 enum class Purpose { run, no_run };
 
-/// Reads a case and makes its problem. @throws Failure with every error found (exit_bad_input).
-[[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run);
+/// Reads a case and makes its problem. @throws Failure with every error found, told in that language (exit_bad_input).
+[[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run,
+                          const std::string& language = "en");
 
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);

@@ -29,24 +29,24 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string Diagnostic::message() const {
+std::string Diagnostic::message(const Wording& say) const {
   std::string text = key;
   if (!value.empty()) {
     const bool is_kind = value.starts_with("a ");
-    text += fmt::format(" {} {},", is_kind ? "is" : "=", value);
+    text += " " + (is_kind ? say(fmt::format("is {},", value)) : fmt::format("= {},", value));
   }
-  if (value.empty() || suggestion.empty()) text += (text.empty() ? "" : " ") + rule;
-  if (!suggestion.empty()) text += fmt::format("{} did you mean \"{}\"?", value.empty() ? "," : "", suggestion);
-  return text;
+  if (value.empty() || suggestion.empty()) text += (text.empty() ? "" : " ") + say(rule);
+  if (suggestion.empty()) return text;
+  return text + (value.empty() ? ", " : " ") + say(fmt::format("did you mean \"{}\"?", suggestion));
 }
 
-std::string Diagnostic::text() const {
+std::string Diagnostic::text(const Wording& say) const {
   std::string place = position.file;
   if (position.line > 0) {
     place += fmt::format(":{}", position.line);
     if (position.column > 0) place += fmt::format(":{}", position.column);
   }
-  return place.empty() ? fmt::format("error: {}", message()) : fmt::format("{}: error: {}", place, message());
+  return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", say("error"), message(say));
 }
 
 Diagnostic& Diagnostics::error(SourcePosition position, std::string message) {

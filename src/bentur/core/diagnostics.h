@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,10 @@ struct SourcePosition {
   int origin = 0;  ///< 0: the file; else what stands there was put in by whoever gave this number, to know it by
 };
 
+/// What an English sentence is in another language.
+using Wording = std::function<std::string(const std::string&)>;
+[[nodiscard]] inline std::string as_it_is(const std::string& english) { return english; }
+
 /// One finding about a user's input.
 struct Diagnostic {
   SourcePosition position = {};
@@ -24,10 +29,10 @@ struct Diagnostic {
   bool unknown_key = false;     ///< there is no such key
 
   /// As the user reads it: "gap[0].contact.restitution = 1.4, must be in (0, 1]". A word that may have been meant is
-  /// told in place of the rule on values.
-  [[nodiscard]] std::string message() const;
+  /// told in place of the rule on values. @param say is given its sentences, the rule among them, one by one
+  [[nodiscard]] std::string message(const Wording& say = as_it_is) const;
   /// "case.toml:14:9: error: MESSAGE"; line and column are left out where they are 0.
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text(const Wording& say = as_it_is) const;
 };
 
 /// Collects every error of one input, so that the user sees all of them in one run.

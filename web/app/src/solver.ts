@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import SolverWorker from "./worker?worker&inline";
 
-export interface CaseError { file: string; line: number; column: number; key: string; message: string; values?: Record<string, number | string> }
+export interface CaseError { file: string; line: number; column: number; key: string; message: string; told?: Record<string, string>; values?: Record<string, number | string> }
 export interface AxisPlace { label: string; from: number; to: number; logarithmic: boolean }
 /** A frame of a figure [px of its SVG], and what is drawn there. */
 export interface PanelPlace {

@@ -48,14 +48,14 @@ export const standing = computed(() => {
   return errors.value.length > 0 ? "errors" : result.value === null ? "" : result.value.fine ? "fine" : "rough";
 });
 
-/** What went wrong in words; those of the library are English. */
+/** What went wrong in words; some of the library are English alone. */
 export interface Told { text: string; english: boolean }
 
 /** In the page's words where it is the page that says so. */
 export function told(one: CaseError): Told {
   const word = `error.${one.message}`, values = Object.entries(one.values ?? {});
   return hasWord(word) ? { text: say(word, Object.fromEntries(values.map(([name, value]) => [name, typeof value === "number" ? number(value) : value]))), english: false }
-    : { text: one.message, english: true };
+    : { text: one.told?.[language.value] ?? one.message, english: one.told?.[language.value] === undefined };
 }
 
 export const found = computed(() => outline(text.value));
