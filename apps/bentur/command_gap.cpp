@@ -144,7 +144,7 @@ void run(const GapArguments& arguments) {
   const Words say(arguments.language);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
-  const RunResults results = simulate(loaded, 0, true);
+  const RunResults results = simulate(loaded, 0, true, arguments.language);
   if (arguments.json) {
     print(gap_json(results, BENTUR_VERSION));
     return;

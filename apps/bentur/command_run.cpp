@@ -301,7 +301,7 @@ void execute(const RunArguments& arguments) {
       arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file, Purpose::run, arguments.language);
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
-  RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet);
+  RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet, arguments.language);
   if (!arguments.figures.empty()) run.figures = figure_data(run);
   const std::string summary = summary_json(run, BENTUR_VERSION);
   if (output) output->write(run, summary);

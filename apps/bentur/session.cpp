@@ -110,13 +110,13 @@ Loaded load_example(const std::string& name) {
   throw Failure(exit_bad_input, "no example \"" + name + "\"; there are:" + known);
 }
 
-RunResults simulate(const Loaded& loaded, double output_step, bool progress) {
+RunResults simulate(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   options.output_step = output_step;
   options.course = output_step > 0;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
-  if (!refusal.empty()) throw Failure(exit_bad_input, "error: " + refusal);
+  if (!refusal.empty()) throw Failure(exit_bad_input, error_text({.rule = refusal}, language));
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);
   double done = 0;

@@ -82,7 +82,8 @@ class StopOnSignal {
 /// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
 /// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
 /// (exit_numbers_failed) and when it is stopped (exit_other).
-[[nodiscard]] RunResults simulate(const Loaded& loaded, double output_step, bool progress);
+[[nodiscard]] RunResults simulate(const Loaded& loaded, double output_step, bool progress,
+                                  const std::string& language = "en");
 
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".
 [[nodiscard]] std::string solver_name(const Solver& solver);
