@@ -16,14 +16,14 @@
 namespace bentur {
 namespace {
 
-using Json = nlohmann::json;
+using Node = nlohmann::json;
 
 /// Reads each value into its member, and says of each that is none what it must be.
 class Reader {
  public:
   Reader(const std::string& file, Diagnostics& diagnostics) : file_(file), diagnostics_(diagnostics) {}
 
-  void read(const Json& node, const std::string& where, Figure& to) {
+  void read(const Node& node, const std::string& where, Figure& to) {
     table(node, where,
           {field("title", to.title), field("finding", to.finding), field("panels", to.panels),
            field("columns", to.columns), field("shares", to.shares), field("width", to.width),
@@ -35,19 +35,19 @@ class Reader {
  private:
   struct Field {
     std::string key;
-    std::function<void(const Json&, const std::string&)> read;
+    std::function<void(const Node&, const std::string&)> read;
   };
 
   template <class T>
   Field field(std::string key, T& to) {
-    return {std::move(key), [this, &to](const Json& node, const std::string& where) { read(node, where, to); }};
+    return {std::move(key), [this, &to](const Node& node, const std::string& where) { read(node, where, to); }};
   }
 
   void error(const std::string& key, const std::string& value, const std::string& rule) {
     diagnostics_.add({.position = {.file = file_}, .key = key, .value = value, .rule = rule});
   }
 
-  void table(const Json& node, const std::string& where, const std::vector<Field>& fields) {
+  void table(const Node& node, const std::string& where, const std::vector<Field>& fields) {
     if (!node.is_object()) return error(where, kind(node), "must be a table of keys");
     for (const auto& [key, value] : node.items()) {
       const std::string& name = key;
@@ -69,13 +69,13 @@ class Reader {
     }
   }
 
-  static std::string kind(const Json& node) {
+  static std::string kind(const Node& node) {
     if (node.is_object()) return "a table";
     if (node.is_array()) return "a list";
-    return node.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return node.dump(-1, ' ', false, Node::error_handler_t::replace);
   }
 
-  void read(const Json& node, const std::string& where, Panel& to) {
+  void read(const Node& node, const std::string& where, Panel& to) {
     table(node, where,
           {field("title", to.title), field("x", to.x), field("y", to.y), field("height", to.height),
            field("rows", to.rows), field("to_scale", to.to_scale), field("curves", to.curves), field("rules", to.rules),
@@ -86,7 +86,7 @@ class Reader {
     if (to.rows < 1) error(where + ".rows", std::to_string(to.rows), "must be 1 or more");
   }
 
-  void read(const Json& node, const std::string& where, Axis& to) {
+  void read(const Node& node, const std::string& where, Axis& to) {
     table(node, where,
           {field("label", to.label), field("from", to.from), field("to", to.to), field("logarithmic", to.logarithmic),
            field("names", to.names), field("number", to.number), field("places", to.places),
@@ -99,56 +99,56 @@ class Reader {
     }
   }
 
-  void read(const Json& node, const std::string& where, Curve& to) {
+  void read(const Node& node, const std::string& where, Curve& to) {
     table(node, where,
           {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
            field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark),
            field("width", to.width), field("complete", to.complete)});
   }
 
-  void read(const Json& node, const std::string& where, RuleLine& to) {
+  void read(const Node& node, const std::string& where, RuleLine& to) {
     table(node, where,
           {field("at", to.at), field("vertical", to.vertical), field("label", to.label), field("tone", to.tone),
            field("line", to.line)});
   }
 
-  void read(const Json& node, const std::string& where, Events& to) {
+  void read(const Node& node, const std::string& where, Events& to) {
     table(node, where, {field("label", to.label), field("x", to.x)});
   }
 
-  void read(const Json& node, const std::string& where, HeatMap& to) {
+  void read(const Node& node, const std::string& where, HeatMap& to) {
     table(node, where,
           {field("x_edges", to.x_edges), field("y_edges", to.y_edges), field("values", to.values),
            field("label", to.label), field("ratio", to.ratio), field("range", to.range)});
   }
 
-  void read(const Json& node, const std::string& where, std::string& to) {
+  void read(const Node& node, const std::string& where, std::string& to) {
     if (!node.is_string()) return error(where, kind(node), "must be text");
     to = node.get<std::string>();
   }
 
-  void read(const Json& node, const std::string& where, bool& to) {
+  void read(const Node& node, const std::string& where, bool& to) {
     if (!node.is_boolean()) return error(where, kind(node), "must be true or false");
     to = node.get<bool>();
   }
 
-  void read(const Json& node, const std::string& where, int& to) {
+  void read(const Node& node, const std::string& where, int& to) {
     if (!node.is_number_integer() || node < 0 || node > 1000) return error(where, kind(node), "must be a whole number");
     to = node.get<int>();
   }
 
-  void read(const Json& node, const std::string& where, double& to) {
+  void read(const Node& node, const std::string& where, double& to) {
     if (!node.is_number() || !std::isfinite(node.get<double>())) return error(where, kind(node), "must be a number");
     to = node.get<double>();
   }
 
-  void read(const Json& node, const std::string& where, std::pair<double, double>& to) {
+  void read(const Node& node, const std::string& where, std::pair<double, double>& to) {
     if (!node.is_array() || node.size() != 2) return error(where, kind(node), "must be two numbers");
     read(node[0], where + "[0]", to.first);
     read(node[1], where + "[1]", to.second);
   }
 
-  void read(const Json& node, const std::string& where, std::vector<double>& to) {
+  void read(const Node& node, const std::string& where, std::vector<double>& to) {
     if (!node.is_array()) return error(where, kind(node), "must be a list of numbers");
     to.assign(node.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < node.size(); ++i) {
@@ -157,34 +157,34 @@ class Reader {
   }
 
   template <class T>
-  void read(const Json& node, const std::string& where, std::vector<T>& to) {
+  void read(const Node& node, const std::string& where, std::vector<T>& to) {
     if (!node.is_array()) return error(where, kind(node), "must be a list");
     to.resize(node.size());
     for (std::size_t i = 0; i < node.size(); ++i) read(node[i], fmt::format("{}[{}]", where, i), to[i]);
   }
 
   template <class T>
-  void read(const Json& node, const std::string& where, std::optional<T>& to) {
+  void read(const Node& node, const std::string& where, std::optional<T>& to) {
     read(node, where, to.emplace());
   }
 
-  void read(const Json& node, const std::string& where, Tone& to) {
+  void read(const Node& node, const std::string& where, Tone& to) {
     word(node, where, to,
          {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red", "teal",
           "magenta", "olive"});
   }
 
-  void read(const Json& node, const std::string& where, Line& to) {
+  void read(const Node& node, const std::string& where, Line& to) {
     word(node, where, to, {"none", "solid", "dashed", "dotted", "dash-dot"});
   }
 
-  void read(const Json& node, const std::string& where, Mark& to) {
+  void read(const Node& node, const std::string& where, Mark& to) {
     word(node, where, to, {"none", "disc", "circle", "square", "triangle", "diamond", "cross"});
   }
 
   /// `words` in the order of the enumeration.
   template <class T>
-  void word(const Json& node, const std::string& where, T& to, const std::vector<std::string>& words) {
+  void word(const Node& node, const std::string& where, T& to, const std::vector<std::string>& words) {
     const auto found = node.is_string() ? std::find(words.begin(), words.end(), node.get<std::string>()) : words.end();
     if (found != words.end()) {
       to = static_cast<T>(std::distance(words.begin(), found));
@@ -206,8 +206,8 @@ class Reader {
 std::optional<Figure> figure_from_json(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
   Figure figure;
   try {
-    Reader(file, diagnostics).read(Json::parse(text), "", figure);
-  } catch (const Json::parse_error& error) {
+    Reader(file, diagnostics).read(Node::parse(text), "", figure);
+  } catch (const Node::parse_error& error) {
     const std::string what = error.what();
     // Past "[json.exception.parse_error.101] ", which is the library's own.
     diagnostics.error({.file = file}, what.substr(std::min(what.size(), what.find("] ") + 2)));
