@@ -202,6 +202,7 @@ class Pages(Reports):
             self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
             self.assertIn("202", self.js("document.querySelector('.lead').textContent"))
             self.clean(page)
+            self.accessible()
         self.well_drawn()
         self.well_worded(page, "en")
 
@@ -232,6 +233,7 @@ levels = [0.1, 0.3, 0.6]
             self.browser.resize(A4, 900)
             self.browser.open(page)
             self.clean(page)
+            self.accessible()
             self.well_drawn()
             self.well_worded(page, language)
             text = self.js("document.getElementById('probability').textContent")

@@ -321,7 +321,7 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
 Html source(const SweepData& sweep, const Words& say, const std::string& attribute) {
   const std::string text = sweep.results().attribute(attribute);
   if (text.empty()) return {};
-  return element("h3", say("heading." + attribute)) + element("pre", text);
+  return element("h3", say("heading." + attribute)) + element("pre", text, "tabindex=\"0\"");
 }
 
 /// The study's own: what the case is called, and what varies in it.
