@@ -39,9 +39,9 @@ def floors(histories, building):
     return [(names[k], series(histories, f"displacement_{building}", k)) for k in range(count)]
 
 
-def make(runs, output, name, panels, **size):
-    """A figure of these panels, as OUTPUT/NAME.svg."""
-    draw(runs.bentur, runs.folder / f"{name}.svg", panels, **size)
+def make(runs, output, name, panels, columns=1, height=4.6):
+    """A figure of these panels, HEIGHT cm each, as OUTPUT/NAME.svg."""
+    draw(runs.bentur, runs.folder / f"{name}.svg", [panel.described(height) for panel in panels], columns)
     shutil.copyfile(runs.folder / f"{name}.svg", output / f"{name}.svg")
 
 

@@ -42,10 +42,8 @@ def bounds(values, margin):
     return (low if low == 0 else low - room), high + room
 
 
-def draw(program, file, panels, columns=1, width=17.0, height=4.6, **figure):
-    """FILE, an SVG, by PROGRAM, its description beside it; WIDTH of all and HEIGHT of a frame in cm."""
+def draw(program, file, panels, columns=1, width=17.0):
+    """FILE, an SVG, by PROGRAM, of panels as docs/figures.md has them, its description beside it; WIDTH of all in cm."""
     description = file.with_suffix(".json")
-    description.write_text(json.dumps({
-        "panels": [panel if isinstance(panel, dict) else panel.described(height) for panel in panels],
-        "columns": columns, "width": width, "shared_legend": True, **figure}))
+    description.write_text(json.dumps({"panels": panels, "columns": columns, "width": width, "shared_legend": True}))
     subprocess.run([program, "plot", description, "-o", file, "--force"], check=True, capture_output=True)

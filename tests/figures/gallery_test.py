@@ -17,14 +17,8 @@ import xml.etree.ElementTree as xml
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
-NUMBER = re.compile(r"-?\d+\.\d+")
-
-
-def same(picture, other):
-    """Whether two pictures have the same texts and the same numbers to half a point."""
-    if NUMBER.sub("", picture) != NUMBER.sub("", other):
-        return False
-    return all(abs(float(a) - float(b)) <= 0.5 for a, b in zip(NUMBER.findall(picture), NUMBER.findall(other)))
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from same_picture import same_picture  # noqa: E402
 
 
 def draw(folder):
@@ -46,7 +40,7 @@ class Gallery(unittest.TestCase):
     def test_the_committed_ones(self):
         for name, picture in self.pictures.items():
             committed = (SOURCE / "docs/figures" / name).read_text()
-            self.assertTrue(same(picture, committed), f"{name}: ./dev gallery draws it anew")
+            self.assertTrue(same_picture(picture, committed, 0.5), f"{name}: ./dev gallery draws it anew")
 
     def test_every_picture_of_the_page_is_there_and_no_other(self):
         pages = "".join((SOURCE / "docs" / page).read_text() for page in ("gallery.md", "performance.md"))

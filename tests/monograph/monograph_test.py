@@ -20,10 +20,12 @@ import xml.etree.ElementTree as xml
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"]).resolve()
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from same_picture import same_picture  # noqa: E402
+
 SHARED = SOURCE.parent / "shared"
 RECORD = SHARED / "records/el-centro-1940-s00e.txt"
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
-PLACE = re.compile(r"-?\d+\.\d+")  # in a picture
 OWN = ("calibrate_period = .*\n", "")
 
 
@@ -34,11 +36,6 @@ CHAOTIC = {"figure-4-08.svg", "figure-b15.svg", "figure-b16.svg", "amplification
 def words(line):
     """LINE without numbers, signs of differences and padding."""
     return re.sub(r"[ -]+", " ", re.sub(r"[+-](?=0)", "", NUMBER.sub("0", line)))
-
-
-def drawing(picture):
-    """PICTURE without its numbers, and these."""
-    return PLACE.sub("", picture), list(map(float, PLACE.findall(picture)))
 
 
 class Page(unittest.TestCase):
@@ -73,10 +70,7 @@ class Page(unittest.TestCase):
         for name in sorted(pictures):
             new, old = (folder.joinpath(name).read_text() for folder in (self.folder / "page", SOURCE / "docs/monograph"))
             if name not in CHAOTIC:
-                (text, places), (old_text, old_places) = drawing(new), drawing(old)
-                self.assertEqual(text, old_text, name)
-                for a, b in zip(places, old_places):
-                    self.assertAlmostEqual(a, b, delta=0.05, msg=name)  # [px], of which 0.01 are written
+                self.assertTrue(same_picture(new, old, 0.05), name)  # of which 0.01 are written
 
     def test_every_axis_has_a_label_and_every_curve_is_there(self):
         for file in (self.folder / "page").glob("*.svg"):
