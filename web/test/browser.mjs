@@ -11,14 +11,27 @@ export const launch = () => chromium.launch({
   args: ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-dev-shm-usage"],
 });
 
-/** In the page before it begins: while window.held is set the worker's answers wait, as those of work that takes long do. */
+/** In the page before it begins: while window.held is set the worker's answers wait, as those of work that takes long do;
+ * window.asked counts what workers were asked for, and window.unanswered what they have still to answer. */
 function holdWork() {
   const Real = window.Worker, kept = [];
   window.held = false;
   window.kept = kept;
+  window.asked = 0;
+  window.unanswered = 0;
   window.Worker = class extends Real {
     set onmessage(hear) {
-      super.onmessage = (event) => { if (window.held) kept.push(() => hear.call(this, event)); else hear.call(this, event); };
+      super.onmessage = (event) => {
+        const { kind, done } = event.data;
+        if (!["schema", "progress"].includes(kind) && !(kind === "curve" && done < 1)) window.unanswered -= 1;
+        if (window.held) kept.push(() => hear.call(this, event));
+        else hear.call(this, event);
+      };
+    }
+    postMessage(...message) {
+      window.asked += 1;
+      window.unanswered += 1;
+      super.postMessage(...message);
     }
   };
 }

@@ -637,11 +637,18 @@ async function ask(page, text) {
   await page.locator(editor).evaluate((area, all) => { area.value = all; area.dispatchEvent(new Event("input", { bubbles: true })); }, text);
   await page.clock.runFor(200);
 }
-/** The page as it is when a solver has something to do that takes as long as the test wants. */
+/** The page as it is when a solver has something to do that takes as long as the test wants, and nothing else: behind
+ * figures that are still being drawn a case would wait, and its time begin later than the test's. */
 async function held(page) {
   await solved(page);
   await curveDone(page);
-  await page.clock.pauseAt((await page.evaluate(() => Date.now())) + 1000);
+  await page.clock.pauseAt((await page.evaluate(() => Date.now())) + 10000);
+  for (let asked = -1, now = 0; asked !== now;) {
+    asked = await page.evaluate(() => window.asked);
+    await page.clock.runFor(1000);
+    await page.waitForFunction(() => window.unanswered === 0);
+    now = await page.evaluate(() => window.asked);
+  }
   await page.evaluate(() => { window.held = true; });
   const good = await page.inputValue(editor);
   return (duration) => good.replace("duration = 20.0", `duration = ${duration}`);
