@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bentur/elements/coupled_law.h"
+
 namespace bentur {
 
 /// One contact of one point from touching to parting.
@@ -176,6 +178,7 @@ struct Response {
   std::vector<WatchedSummary> watched;  ///< as Problem::watched
   std::vector<LinkSummary> links;       ///< as Problem::links
   std::vector<Impact> impacts;          ///< by start, then point, then end
+  std::vector<CoupledState> coupled;    ///< at the end, of Building::coupled, building after building
   Histories histories;                  ///< empty unless asked for
   /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
   /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of

@@ -277,7 +277,9 @@ bool is_mirrored(const Problem& problem) {
          std::all_of(problem.links.begin(), problem.links.end(), [&](const Link& link) { return odd(link.law); }) &&
          std::all_of(buildings.begin(), buildings.end(), [&](const Building& building) {
            return std::all_of(building.elements.begin(), building.elements.end(),
-                              [](const BuildingElement& element) { return element.law->is_odd(); });
+                              [](const BuildingElement& element) { return element.law->is_odd(); }) &&
+                  std::all_of(building.coupled.begin(), building.coupled.end(),
+                              [](const CoupledElement& element) { return element.law->is_odd(); });
          });
 }
 
@@ -319,6 +321,7 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     peaks.storey_shear_no_contact = peaks.storey_shear;
   }
   response.collapse = response.collapse_no_contact = run.collapse();
+  response.coupled = run.elements().coupled(run.state());
   response.links.resize(parts->problem.links.size());
   engine::summarise_links(run, parts->system, response.links);
   parts->nearest = run.floors().nearest();
@@ -367,6 +370,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   response.collapse = run.collapse();
   run.elements().finish(run.collapse() ? run.collapse()->time : problem.duration);
   for (std::size_t b = 0; b < response.buildings.size(); ++b) run.watch().report(b, response.buildings[b]);
+  response.coupled = run.elements().coupled(run.state());
   response.impacts = std::move(run.elements().impacts());
   response.events = run.elements().events();
   response.steps = run.steps();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bentur/core/require.h"
+#include "bentur/elements/hinges.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
 
@@ -12,7 +13,9 @@ namespace bentur {
 Building make_building(std::string name, StructuralModel model, const Damping& damping) {
   Modes free_modes = modes(model.mass, model.stiffness);
   Eigen::MatrixXd c = modal_damping(damping, free_modes);
-  return {std::move(name), std::move(model), std::move(free_modes), std::move(c)};
+  Building building{std::move(name), std::move(model), std::move(free_modes), std::move(c)};
+  building.coupled = hinge_elements(building.model);
+  return building;
 }
 
 const HystereticLaw* Building::storey_law(Eigen::Index storey) const {
@@ -33,6 +36,17 @@ std::vector<BuildingElement> storey_elements(const StructuralModel& model,
   return elements;
 }
 
+std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
+  const Hinges& hinges = model.hinges;
+  if (hinges.places.empty()) return {};
+  return {
+      {hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
+                                                                    .hardening = hinges.hardening,
+                                                                    .upper = hinges.clockwise - hinges.at_rest,
+                                                                    .lower = hinges.anticlockwise + hinges.at_rest,
+                                                                    .gram = hinges.rows * hinges.rows.transpose()})}};
+}
+
 Eigen::MatrixXd drift_rows(const StructuralModel& model) {
   if (model.drifts.size() > 0) return model.drifts;
   const Eigen::Index floors = model.floors();
@@ -42,6 +56,19 @@ Eigen::MatrixXd drift_rows(const StructuralModel& model) {
     if (f > 0) rows(f, f - 1) = -1;
   }
   return rows;
+}
+
+Eigen::MatrixXd above_storeys(const StructuralModel& model) {
+  const Eigen::Index floors = model.floors();
+  Eigen::MatrixXd above = Eigen::MatrixXd::Zero(floors, model.dofs());
+  for (Eigen::Index f = 0; f < floors; ++f) {
+    above.row(f).segment(f, floors - f).setOnes();
+    const double below = f > 0 ? model.elevations[f - 1] : model.elevations[0] - model.storey_heights[0];
+    for (Eigen::Index node = 0; node < model.nodes(); ++node) {
+      if (model.node_elevations[node] > below) above(f, floors + node) = 1;
+    }
+  }
+  return above;
 }
 
 Eigen::MatrixXd shear_rows(const StructuralModel& model) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/elements/coupled_law.h"
 #include "bentur/elements/law.h"
 
 namespace bentur {
@@ -15,6 +16,27 @@ namespace bentur {
 struct Impedance {
   double stiffness = 0;  ///< [force/length], of rocking [force·length]; > 0
   double damping = 0;    ///< [force·s/length], [force·length·s]; ≥ 0
+};
+
+/// A plastic hinge of a frame, for people; all numbers from 1.
+struct HingePlace {
+  enum class End { bottom, node, top, left, right };
+  bool of_beam = false;
+  Eigen::Index level = 0;   ///< of a column its storey, of a beam its floor
+  Eigen::Index number = 0;  ///< of a column its line, of a beam its bay
+  End end = End::bottom;
+};
+
+/// The plastic hinges of a frame (H-1), (H-2): moments on members' ends, clockwise positive, M = rows · x − stiffness
+/// θ.
+struct Hinges {
+  std::vector<HingePlace> places;
+  Eigen::MatrixXd rows;       ///< G over the dofs [force·length/length]
+  Eigen::MatrixXd stiffness;  ///< K_hh [force·length/rad]
+  Eigen::VectorXd hardening;  ///< H [force·length/rad]
+  /// M⁺ and M⁻ > 0 [force·length], clockwise and anticlockwise; infinite where an end cannot be brought to flow (H-5).
+  Eigen::VectorXd clockwise, anticlockwise;
+  Eigen::VectorXd at_rest;  ///< M₀ of gravity loads on beams [force·length] (H-9)
 };
 
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:
@@ -54,6 +76,7 @@ struct StructuralModel {
   Eigen::MatrixXd column_forces = {};
   std::vector<double> node_elevations = {};  ///< [length]
   std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
+  Hinges hinges = {};                        ///< of a frame that yields
 
   /// What calibrate_period() has multiplied all that is made of stiffness by [-]; nothing: it has not.
   std::optional<double> stiffness_factor = {};
@@ -88,6 +111,12 @@ struct BuildingElement {
   Eigen::Index storey = 0;  ///< where it is, 0 the lowest
 };
 
+/// What of a building yields by several deformations at once: the hinges of a frame. Its forces act beside those of K.
+struct CoupledElement {
+  Eigen::MatrixXd rows;  ///< δ = rows · x over the dofs
+  std::shared_ptr<const CoupledLaw> law;
+};
+
 /// A building as the rest of the program sees it.
 struct Building {
   std::string name;
@@ -96,6 +125,7 @@ struct Building {
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s], modes × modes; diagonal 2ζω for classical damping
   std::vector<BuildingElement> elements =
       {};  ///< from the lowest storey up; of others there is none: they stay elastic
+  std::vector<CoupledElement> coupled = {};
   /// β of C = αM + βK where the dashpot of a storey that yields is to follow its stiffness: β k_tangent. 0: it does
   /// not.
   double tangent_damping = 0;
@@ -117,6 +147,11 @@ struct Building {
 /// @throws InvalidParameter when they are neither.
 [[nodiscard]] std::vector<BuildingElement> storey_elements(
     const StructuralModel& model, const std::vector<std::shared_ptr<const HystereticLaw>>& laws);
+/// The hinges of a model as one law; nothing where it has none.
+[[nodiscard]] std::vector<CoupledElement> hinge_elements(const StructuralModel& model);
+/// Whether each floor or node is above the floor below each storey, storeys × dofs: the sum of forces there is its
+/// shear.
+[[nodiscard]] Eigen::MatrixXd above_storeys(const StructuralModel& model);
 /// Rows over the dofs: drifts of all storeys [-], shears of all storeys [force/length].
 [[nodiscard]] Eigen::MatrixXd drift_rows(const StructuralModel& model);
 [[nodiscard]] Eigen::MatrixXd shear_rows(const StructuralModel& model);

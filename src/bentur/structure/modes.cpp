@@ -144,6 +144,9 @@ void calibrate_period(StructuralModel& model, double first_period) {
   model.stiffness *= factor;
   model.shears *= factor;
   model.column_forces *= factor;
+  model.hinges.rows *= factor;
+  model.hinges.stiffness *= factor;
+  model.hinges.hardening *= factor;
   model.stiffness_factor = factor * model.stiffness_factor.value_or(1);
 }
 

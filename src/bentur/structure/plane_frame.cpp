@@ -4,19 +4,18 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <numeric>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/condensation.h"
+#include "bentur/structure/frame_hinges.h"
 
 namespace bentur {
 namespace {
 
 constexpr Eigen::Index fixed = -1;  // a degree of freedom that does not move
-
-using ElementDofs = std::array<Eigen::Index, 4>;
 
 // Element stiffness (2-48) for the end displacements (y₁, θ₁, y₂, θ₂), θ = dy/dx.
 // A column is run from bottom to top with y to the right, a beam from left to right with y downwards: then every θ is
@@ -52,13 +51,27 @@ void add(Eigen::MatrixXd& matrix, const Eigen::Matrix4d& element, const ElementD
   }
 }
 
-void check_sections(const std::string& name, const std::vector<Section>& sections, std::size_t expected) {
+/// `most`: entries that a list of capacities may have.
+void check_sections(const std::string& name, const std::vector<Section>& sections, std::size_t expected,
+                    std::size_t most) {
   require_size(name, sections.size(), expected);
   for (std::size_t i = 0; i < sections.size(); ++i) {
     require_positive(indexed(name, i) + ".area", sections[i].area);
     require_positive(indexed(name, i) + ".inertia", sections[i].inertia);
     require_not_negative(indexed(name, i) + ".mass", sections[i].mass);
     require_not_negative(indexed(name, i) + ".line_mass", sections[i].line_mass);
+    const std::vector<double>& capacity = sections[i].moment_capacity;
+    const std::string of_capacity = indexed(name, i) + ".moment_capacity";
+    if (capacity.size() > 1) require_size(of_capacity, capacity.size(), most);
+    for (std::size_t n = 0; n < capacity.size(); ++n) {
+      if (capacity[n] > 0) continue;  // may be never_yields
+      throw InvalidParameter(indexed(of_capacity, n), fmt::format("{}", capacity[n]), "must be > 0");
+    }
+    const double hardening = sections[i].hardening;
+    if (!(hardening >= 0 && hardening < 1)) {
+      throw InvalidParameter(indexed(name, i) + ".hardening", fmt::format("{}", hardening), "must be in [0, 1)");
+    }
+    require_not_negative(indexed(name, i) + ".line_load", sections[i].line_load);
   }
 }
 
@@ -74,8 +87,8 @@ void check(const PlaneFrame& frame, double base_elevation) {
   for (std::size_t i = 0; i < frame.bay_widths.size(); ++i) {
     require_positive(indexed("bay_widths", i), frame.bay_widths[i]);
   }
-  check_sections("columns", frame.columns, floors);
-  check_sections("beams", frame.beams, floors);
+  check_sections("columns", frame.columns, floors, frame.bay_widths.size() + 1);
+  check_sections("beams", frame.beams, floors, 2);
   if (!frame.floor_masses.empty()) require_size("floor_masses", frame.floor_masses.size(), floors);
   for (std::size_t i = 0; i < frame.floor_masses.size(); ++i) {
     require_not_negative(indexed("floor_masses", i), frame.floor_masses[i]);
@@ -86,6 +99,7 @@ void check(const PlaneFrame& frame, double base_elevation) {
 
 namespace {
 
+constexpr double never_yields = std::numeric_limits<double>::infinity();
 constexpr double least_distance = 0.01;  // of a node from a joint, of the storey height
 
 /// One end of a piece of a column.
@@ -100,6 +114,23 @@ struct Piece {
   ElementDofs dofs;
   Eigen::Matrix4d stiffness;
 };
+
+/// An end of a column or a beam of this section. H = r/(1 − r) 6EI/L of the whole member (H-3).
+FrameHinges::End end_of(const PlaneFrame& frame, const Section& section, double length, const HingePlace& place,
+                        Eigen::Index joint) {
+  const std::vector<double>& capacity = section.moment_capacity;
+  FrameHinges::End end{.place = place, .joint = joint};
+  end.clockwise = end.anticlockwise = capacity.empty() ? never_yields : capacity.front();
+  if (capacity.size() > 1 && place.of_beam) {
+    const bool left = place.end == HingePlace::End::left;
+    end.clockwise = capacity[left ? 0 : 1];
+    end.anticlockwise = capacity[left ? 1 : 0];
+  } else if (capacity.size() > 1) {
+    end.clockwise = end.anticlockwise = capacity[place.number - 1];
+  }
+  end.hardening = section.hardening / (1 - section.hardening) * 6 * frame.elastic_modulus * section.inertia / length;
+  return end;
+}
 
 void add_row(Eigen::MatrixXd& rows, Eigen::Index row, const Piece& piece, Eigen::Index force) {
   for (Eigen::Index j = 0; j < 4; ++j) {
@@ -122,6 +153,7 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     return floor < 0 ? fixed : sways + floor * lines + line;
   };
   const bool consistent = frame.mass_matrix == MassMatrix::consistent;
+  FrameHinges hinges;
 
   StructuralModel model;
   model.storey_heights = frame.storey_heights;
@@ -172,6 +204,14 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
         const ElementDofs of = {bottom.sway, bottom.rotation, top.sway, top.rotation};
         pieces.push_back({of, element_stiffness(frame.elastic_modulus * column.inertia, length)});
         add(model.stiffness, pieces.back().stiffness, of);
+        // A struck node is one hinge, at the upper end of the piece below: the piece above begins rigidly.
+        const bool ends_at_joint = i + 2 == ends.size();
+        HingePlace place{.of_beam = false, .level = floor + 1, .number = line + 1, .end = HingePlace::End::bottom};
+        std::optional<FrameHinges::End> lower;
+        if (i == 0) lower = end_of(frame, column, height, place, bottom.rotation);
+        place.end = ends_at_joint ? HingePlace::End::top : HingePlace::End::node;
+        hinges.add(of, pieces.back().stiffness, lower,
+                   end_of(frame, column, height, place, ends_at_joint ? top.rotation : fixed));
         const bool at_base = floor == 0 && i == 0;
         const Eigen::Matrix4d inertia = element_mass(mass, length);
         if (consistent) {
@@ -210,7 +250,14 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     for (Eigen::Index bay = 0; bay + 1 < lines; ++bay) {
       const double width = frame.bay_widths[bay];
       const ElementDofs ends = {fixed, rotation(floor, bay), fixed, rotation(floor, bay + 1)};
-      add(model.stiffness, element_stiffness(frame.elastic_modulus * beam.inertia, width), ends);
+      const Eigen::Matrix4d stiffness = element_stiffness(frame.elastic_modulus * beam.inertia, width);
+      add(model.stiffness, stiffness, ends);
+      HingePlace place{.of_beam = true, .level = floor + 1, .number = bay + 1, .end = HingePlace::End::left};
+      const FrameHinges::End left = end_of(frame, beam, width, place, ends[1]);
+      place.end = HingePlace::End::right;
+      hinges.add(ends, stiffness, left, end_of(frame, beam, width, place, ends[3]));
+      const double fixed_end_moment = beam.line_load * width * width / 12;
+      hinges.add_fixed_end_moments(-fixed_end_moment, fixed_end_moment);
       if (consistent) add(model.mass, element_mass(beam.mass_of(width), width), ends);
       moving[floor] += beam.mass_of(width);  // it moves bodily with its floor
     }
@@ -237,6 +284,7 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     if (!consistent) model.mass(floors + n, floors + n) += model.node_masses[n];
   }
 
+  model.hinges = hinges.hinges(model.stiffness);
   model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     model.left_joints(floor, rotation(floor, 0)) = 1;

@@ -12,6 +12,11 @@ struct Section {
   double inertia = 0;    ///< I [length⁴] about the axis normal to the frame's plane
   double mass = 0;       ///< [mass] of the whole member, whatever its length, ≥ 0
   double line_mass = 0;  ///< [mass/length] of the member, added to that, ≥ 0
+  /// Moments at which its ends yield [force·length] > 0, infinite where they stay elastic: of columns one for all, or
+  /// one per column line; of beams one, or those with the tension below and above (sagging, hogging). Empty: elastic.
+  std::vector<double> moment_capacity = {};
+  double hardening = 0;  ///< r of (H-3) [-], in [0, 1)
+  double line_load = 0;  ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass
 
   /// Of a member of this length [length].
   [[nodiscard]] double mass_of(double length) const { return mass + line_mass * length; }
@@ -44,8 +49,8 @@ struct PlaneFrame {
 
 /// Mass, stiffness and load of the frame with all rotations: dofs = floors + nodes + floors × (bays + 1) + nodes; sways
 /// of floors and nodes first, then rotations of joints floor by floor, left to right, then those of nodes. Element
-/// stiffness (2-48), consistent mass (2-50). `base_elevation` [length] is that of the base above the ground datum;
-/// nothing but `elevations` depends on it.
+/// stiffness (2-48), consistent mass (2-50), hinges (H-1). `base_elevation` [length] is that of the base above the
+/// ground datum; nothing but `elevations` depends on it.
 /// @throws InvalidParameter when list lengths disagree or a value is outside its range.
 [[nodiscard]] StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation = 0.0);
 

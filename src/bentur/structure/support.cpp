@@ -83,6 +83,7 @@ void carry_rows(const Above& above, StructuralModel& model) {
     model.right_joints = model.right_joints * above.b;
   }
   if (model.column_forces.size() > 0) model.column_forces = model.column_forces * above.b;
+  if (!model.hinges.places.empty()) model.hinges.rows = model.hinges.rows * above.b;
 }
 
 MatrixXd below_zero(const MatrixXd& rows) {
@@ -272,6 +273,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   building.modal_damping =
       moves_below ? modal_damping(MatrixDamping{structure.damping}, building.modes) : fixed_damping;
   building.elements = storey_elements(whole, storey_laws);
+  building.coupled = hinge_elements(whole);
   building.model = std::move(structure.model);
   building.has_gravity_loads = support.gravity.has_value();
   return building;

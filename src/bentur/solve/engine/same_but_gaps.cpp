@@ -35,7 +35,11 @@ bool alike_elements(const Building& a, const Building& b) {
   const auto same = [](const BuildingElement& one, const BuildingElement& other) {
     return alike_laws(one.law.get(), other.law.get()) && alike(one.row, other.row) && one.storey == other.storey;
   };
+  const auto same_coupled = [](const CoupledElement& one, const CoupledElement& other) {
+    return (one.law == other.law || one.law->same_as(*other.law)) && alike(one.rows, other.rows);
+  };
   return std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), same) &&
+         std::equal(a.coupled.begin(), a.coupled.end(), b.coupled.begin(), b.coupled.end(), same_coupled) &&
          a.tangent_damping == b.tangent_damping;
 }
 

@@ -40,6 +40,20 @@ void Expansion::fill_forces(const ElementForces& forces) {
     c_(at, 0) = forces.linear[i].base + stiffness * delta[0];
     for (int k = 1; k <= degree_; ++k) c_(at, k) = stiffness * delta[k];
   }
+  for (const ElementForces::Coupled& of : forces.coupled) fill_coupled(of);
+}
+
+void Expansion::fill_coupled(const ElementForces::Coupled& of) {
+  for (Index n = 0; n < std::ssize(of.at); ++n) {
+    const Index to = system_->elements[of.at[n]].force;
+    if (to < 0) continue;
+    c_.row(to).head(degree_ + 1).setZero();
+    c_(to, 0) = of.base(n);
+    for (Index m = 0; m < std::ssize(of.at); ++m) {
+      const Polynomial& delta = deformation(of.at[m]);
+      for (int k = 0; k <= degree_; ++k) c_(to, k) += of.stiffness(n, m) * delta[k];
+    }
+  }
 }
 
 void Expansion::begin(Index first, Index count, double h, int degree) {

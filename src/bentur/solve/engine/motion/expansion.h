@@ -34,7 +34,7 @@ class Expansion {
   [[nodiscard]] Polynomial& fill_deformation(Eigen::Index element);
   /// Force of a resting element [force].
   void set_resting_force(Eigen::Index element, const Polynomial& force);
-  /// Makes the force coordinates of pressing elements what their forces are.
+  /// Makes the force coordinates of elements that press what their forces are.
   void fill_forces(const ElementForces& forces);
   /// Works out the state and q̈ at the end, and how far coordinates leave their chords between s = 0 and 1 (T-5), of
   /// those that were filled. False where that is not finite.
@@ -59,6 +59,8 @@ class Expansion {
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
 
  private:
+  void fill_coupled(const ElementForces::Coupled& of);
+
   const ModalSystem* system_;
   std::vector<double> offsets_;
   double h_ = 0;

@@ -1,6 +1,7 @@
 #include "bentur/solve/engine/motion/modal_system.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +32,11 @@ MatrixXd output_rows(const Building& building, Index size) {
   }
   Index force = modes + 1;
   for (const BuildingElement& element : building.elements) rows(2 * floors + element.storey, force++) = 1.0;
+  for (const CoupledElement& element : building.coupled) {
+    const MatrixXd shares = above_storeys(model) * element.rows.transpose();
+    rows.block(2 * floors, force, floors, shares.cols()) = shares;
+    force += shares.cols();
+  }
   if (columns > 0) rows.block(3 * floors, 0, columns, modes) = of_dofs(model.column_forces);
   if (model.has_soil) rows.block(3 * floors + columns, 0, 2, modes) = building.modes.shapes.bottomRows(2);
   return rows;
@@ -48,6 +54,7 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.modes = modes;
   block.size = modes + 1;
   block.size += std::ssize(building.elements);
+  for (const CoupledElement& element : building.coupled) block.size += element.rows.rows();
   block.padded_size = padded(block.size);
   block.floors = building.model.floors();
   block.has_foundation = building.model.has_soil;
@@ -192,6 +199,18 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
                           building.tangent_damping, force++});
     }
   }
+  alone = std::ssize(elements);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    Index force = blocks[b].begin + blocks[b].modes + 1 + std::ssize(building.elements);
+    for (const CoupledElement& element : building.coupled) {
+      coupled.push_back({std::ssize(elements), element.rows.rows(), element.law});
+      for (const auto& row : element.rows.rowwise()) {
+        const VectorXd shape = building.modes.shapes.transpose() * row.transpose();
+        elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), 0.0, 0.0, force++});
+      }
+    }
+  }
   for (Element& element : elements) let_push(blocks, element.relation);
   for (const WatchedFloor& floor : problem.watched) {
     const Index left = floor.left;
@@ -228,8 +247,26 @@ double ModalSystem::rate(const ElementForces& forces) const {
     }
     return sides;
   };
-  const Sides stiffness = largest(&ElementForces::Linear::stiffness);
-  const Sides damping = largest(&ElementForces::Linear::damping);
+  Sides stiffness = largest(&ElementForces::Linear::stiffness);
+  Sides damping = largest(&ElementForces::Linear::damping);
+  // Rᵀ X R of coupled rows R has the norm of Lᵀ X L, R Rᵀ = L Lᵀ.
+  const auto add = [](const MatrixXd& x, const MatrixXd& l, Sides& sides) {
+    if (x.size() == 0) return;
+    const MatrixXd inner = l.transpose() * x * l;
+    if (x == x.transpose()) {
+      const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(inner, Eigen::EigenvaluesOnly).eigenvalues();
+      sides.above += std::max(values.maxCoeff(), 0.0);
+      sides.below += std::max(-values.minCoeff(), 0.0);
+    } else {
+      sides.above += inner.norm();
+    }
+  };
+  for (const ElementForces::Coupled& of : forces.coupled) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> rows(coupling(of.at, of.at));
+    const MatrixXd l = rows.eigenvectors() * rows.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    add(of.stiffness, l, stiffness);
+    add(of.damping, l, damping);
+  }
   double half_damping = 0.0;
   double omega = nu;
   for (const Block& block : blocks) {
@@ -257,6 +294,30 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
   }
   for (Index i = 0; i < forces.size(); ++i) {
     if (forces(i) != 0.0) push(i, forces(i), result);
+  }
+}
+
+VectorXd ModalSystem::speeds(const std::vector<Index>& at, const VectorXd& v) const {
+  VectorXd result(std::ssize(at));
+  for (Index n = 0; n < result.size(); ++n) result(n) = elements[at[n]].relation.along(v);
+  return result;
+}
+
+VectorXd ModalSystem::deformations(const std::vector<Index>& at, const std::vector<double>& offsets,
+                                   const VectorXd& q) const {
+  VectorXd result = speeds(at, q);
+  for (Index n = 0; n < result.size(); ++n) result(n) += offsets[at[n]];
+  return result;
+}
+
+void ModalSystem::fill_forces(const ElementForces::Coupled& of, const std::vector<double>& offsets,
+                              State& state) const {
+  const VectorXd forces = of.base + of.stiffness * deformations(of.at, offsets, state.q);
+  const VectorXd rates = of.stiffness * speeds(of.at, state.v);
+  for (Index n = 0; n < forces.size(); ++n) {
+    if (elements[of.at[n]].force < 0) continue;
+    state.q(elements[of.at[n]].force) = forces(n);
+    state.v(elements[of.at[n]].force) = rates(n);
   }
 }
 

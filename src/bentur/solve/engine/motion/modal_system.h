@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,13 +27,20 @@ struct ElementForces {
   std::vector<Eigen::Index> constant;   ///< elements with a constant force, which is in their force coordinate
   std::vector<Eigen::Index> resting;    ///< elements whose δ stays zero, whatever force it takes
   std::vector<Eigen::Index> nonlinear;  ///< elements with a force that no Linear describes
-  Eigen::VectorXd load;                 ///< what the constant ones do to every coordinate …
-  bool loaded = false;                  ///< … where they do anything
-  double fading = 0;                    ///< fastest rate at which a surface comes back [1/s]
-  double rate = 0;                      ///< growth bound of a power series under all of it [1/s], ModalSystem::rate()
+  /// F = base + stiffness δ + damping δ̇ of several elements, whose deformations act on one another.
+  struct Coupled {
+    std::vector<Eigen::Index> at;
+    Eigen::VectorXd base;
+    Eigen::MatrixXd stiffness, damping;  ///< damping empty: none
+  };
+  std::vector<Coupled> coupled;
+  Eigen::VectorXd load;  ///< what the constant ones do to every coordinate …
+  bool loaded = false;   ///< … where they do anything
+  double fading = 0;     ///< fastest rate at which a surface comes back [1/s]
+  double rate = 0;       ///< growth bound of a power series under all of it [1/s], ModalSystem::rate()
 
   [[nodiscard]] bool none() const {
-    return pressing.empty() && constant.empty() && resting.empty() && nonlinear.empty();
+    return pressing.empty() && constant.empty() && resting.empty() && nonlinear.empty() && coupled.empty();
   }
   [[nodiscard]] const double* load_or_null() const { return loaded ? load.data() : nullptr; }
 };
@@ -92,6 +100,12 @@ struct ModalSystem {
     Eigen::Index force = -1;     ///< its force coordinate; −1: it has none
   };
 
+  /// Those of `elements` that are the deformations of one element of several, and the law that they share.
+  struct Coupled {
+    Eigen::Index first = 0, count = 0;
+    std::shared_ptr<const CoupledLaw> law;
+  };
+
   /// Of which storey an element watches the drift.
   struct DriftLimit {
     Eigen::Index building = 0, storey = 0;
@@ -106,8 +120,11 @@ struct ModalSystem {
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
-  /// Contact points as Problem::points, links, drifts at which storeys collapse, then storeys that can yield.
+  /// Contact points as Problem::points, links, drifts at which storeys collapse, storeys that can yield; then those
+  /// that are coupled.
   std::vector<Element> elements;
+  std::vector<Coupled> coupled;    ///< in the order of the buildings
+  Eigen::Index alone = 0;          ///< how many elements are not coupled: the first ones
   Eigen::Index switched = 0;       ///< the first ones, which the free response leaves out
   std::vector<DriftLimit> limits;  ///< those after the links
   Eigen::Index storeys = 0;        ///< where the storeys begin
@@ -134,6 +151,13 @@ struct ModalSystem {
   /// q̈ by (T-1) at the given state, ground input and force of each element [force] (empty: none).
   void acceleration(const State& state, const std::vector<GroundInput>& inputs, const Eigen::VectorXd& forces,
                     Eigen::VectorXd& result) const;
+
+  /// δ (from `offsets`) and δ̇ of some elements.
+  [[nodiscard]] Eigen::VectorXd deformations(const std::vector<Eigen::Index>& at, const std::vector<double>& offsets,
+                                             const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::VectorXd speeds(const std::vector<Eigen::Index>& at, const Eigen::VectorXd& v) const;
+  /// Makes the force coordinates of coupled elements what their springs' forces are.
+  void fill_forces(const ElementForces::Coupled& of, const std::vector<double>& offsets, State& state) const;
 
   /// result += push_i F for one element.
   void push(Eigen::Index element, double force, Eigen::VectorXd& result) const;

@@ -66,6 +66,22 @@ void Series::add_pressing(Index i, const ElementForces::Linear& linear, int k) {
   system_->push(i, force, force_);
 }
 
+/// The same of several elements, whose deformations act on one another.
+void Series::add_coupled(const ElementForces::Coupled& of, int k) {
+  const Index count = std::ssize(of.at);
+  Eigen::VectorXd along(count);
+  for (Index n = 0; n < count; ++n) {
+    along(n) = system_->elements[of.at[n]].relation.along(c_->col(k).data()) + (k == 0 ? offsets_[of.at[n]] : 0.0);
+  }
+  Eigen::VectorXd force = h_ * h_ * (of.stiffness * along);
+  if (k == 0) force += h_ * h_ * of.base;
+  if (of.damping.size() > 0) {
+    for (Index n = 0; n < count; ++n) along(n) = system_->elements[of.at[n]].relation.along(c_->col(k + 1).data());
+    force += h_ * (k + 1.0) * (of.damping * along);
+  }
+  for (Index n = 0; n < count; ++n) system_->push(of.at[n], force(n), force_);
+}
+
 /// Changes c_{k+2} so that δ of the resting elements has no coefficient k + 2.
 void Series::hold(const std::vector<Index>& resting, int k) {
   Eigen::VectorXd missing(std::ssize(resting));
@@ -88,7 +104,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
   grounds_.clear();
   for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
   const double* load = scaled(forces.load_or_null(), 0, system_->size);
-  if (!system_->classical || !forces.resting.empty()) {
+  if (!system_->classical || !forces.resting.empty() || !forces.coupled.empty()) {
     expand_term_by_term(0, system_->size, load, forces, motion);
   } else {
     pressing_.clear();
@@ -119,6 +135,7 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
       for (Index j = first; j < first + count; ++j) force_(j) += load[j];
     }
     for (const Index i : forces.pressing) add_pressing(i, forces.linear[i], k);
+    for (const ElementForces::Coupled& of : forces.coupled) add_coupled(of, k);
     for (const auto& block : system_->blocks) {
       if (block.damping && block.begin >= first && block.begin < first + count) add_full_damping(block, k);
     }

@@ -40,6 +40,7 @@ class Series {
                            Expansion& motion);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_pressing(Eigen::Index element, const ElementForces::Linear& force, int k);
+  void add_coupled(const ElementForces::Coupled& of, int k);
   void hold(const std::vector<Eigen::Index>& resting, int k);
 
   const ModalSystem* system_;

@@ -223,6 +223,7 @@ void Stepper::finish_expansion(const Start& start, Expansion& motion, State& to)
     to.q(at) = linear.base + linear.stiffness * (offsets_[i] + relation.along(to.q));
     to.v(at) = linear.stiffness * relation.along(to.v);
   }
+  for (const ElementForces::Coupled& of : start.forces.coupled) system_->fill_forces(of, offsets_, to);
   fill_resting(start, to, motion);
 }
 
@@ -272,9 +273,11 @@ BuildingRange Stepper::island(const ElementForces& forces) const {
     range.end = std::max(range.end, relation.right + 1);
   };
   for (const Eigen::Index i : forces.nonlinear) take(i);
+  std::vector<const std::vector<Eigen::Index>*> joining{&forces.pressing, &forces.resting};
+  for (const ElementForces::Coupled& of : forces.coupled) joining.push_back(&of.at);
   for (bool grows = true; grows;) {
     grows = false;
-    for (const auto* list : {&forces.pressing, &forces.resting}) {
+    for (const auto* list : joining) {
       for (const Eigen::Index i : *list) {
         const ModalSystem::Relation& relation = system_->elements[i].relation;
         const bool reaches_in = relation.left < range.end && relation.right >= range.first;

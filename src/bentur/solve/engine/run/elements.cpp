@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/solve/engine/run/impulses.h"
+#include "bentur/elements/complementarity.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
 namespace bentur::engine {
@@ -47,8 +47,10 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system,
                                            const std::vector<std::shared_ptr<const Law>>& laws,
                                            const std::vector<double>& offsets) {
   std::vector<GuardMonitor::Watched> all;
-  for (Index i = 0; i < std::ssize(laws); ++i) {
-    all.push_back({&system.elements[i].relation, offsets[i], laws[i]->branch({}), i < system.switched});
+  const std::vector<Branch> coupled = CoupledElements::first_branches(system);
+  for (Index i = 0; i < std::ssize(system.elements); ++i) {
+    const Branch first = i < system.alone ? laws[i]->branch({}) : coupled[i - system.alone];
+    all.push_back({&system.elements[i].relation, offsets[i], first, i < system.switched});
   }
   return all;
 }
@@ -61,20 +63,21 @@ Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle
       laws_(laws_of(problem, system)),
       offsets_(offsets_of(problem, system)),
       idle_(idle),
-      tolerances_(laws_.size(), 0.0),
+      tolerances_(offsets_.size(), 0.0),
       least_speeds_(laws_.size(), 0.0),
       start_slack_(std::max(least_slack, accuracy / round_off_band)),
       states_(laws_.size()),
       branches_(laws_.size()),
-      bodies_(laws_.size(), 0),
+      bodies_(offsets_.size(), 0),
       watched_(laws_.size(), 0),
+      coupled_(system, offsets_, state),
       monitor_(watched(system, laws_, offsets_), system.size),
       touches_(laws_.size()),
       leaves_band_(laws_.size(), 0),
       log_(laws_.size()),
       accounts_(laws_.size()),
       worst_openings_(laws_.size(), 0.0) {
-  forces_.linear.resize(laws_.size());
+  forces_.linear.resize(offsets_.size());
   for (Index i = 0; i < std::ssize(scales.displacement); ++i) {
     tolerances_[i] = round_off_band * scales.displacement[i];
     least_speeds_[i] = least_speed * scales.speed[i];
@@ -85,6 +88,8 @@ Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle
     bodies_[i] = branches_[i].bodies != Bodies::none ? 1 : 0;
     if (i >= idle_ && !two_bodies(i)) load(i, state);
   }
+  coupled_.watch(monitor_);
+  initial_work_ += coupled_.stored_energy(state) + coupled_.lost_energy(state);
   gather(state);
 }
 
@@ -147,8 +152,8 @@ Polynomial Elements::guarded(Index i, const Guard& guard, const Polynomial& defo
 }
 
 void Elements::gauge(const State& to) {
-  for (Index i = idle_; i < count(); ++i) {
-    if (monitor_.stays(i) && !resting(i)) continue;
+  for (Index i = idle_; i < std::ssize(tolerances_); ++i) {
+    if (monitor_.stays(i) && !(i < count() && resting(i))) continue;
     tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
   }
 }
@@ -184,6 +189,10 @@ std::optional<Elements::Event> Elements::next_event(const Expansion& motion, con
       take(i, g, s);
     }
   }
+  if (coupled_.none()) return first;
+  if (const auto found = coupled_.next_event(motion, from, bands(), monitor_)) {
+    take(count() + static_cast<Index>(found->element), found->guard, found->s);
+  }
   return first;
 }
 
@@ -203,11 +212,22 @@ std::optional<Elements::Event> Elements::due(const State& state, const std::vect
       if (value < -tolerance(i, guard, state)) return Event{i, g, 1.0};
     }
   }
-  return std::nullopt;
+  const auto found = coupled_.due(state, bands());
+  return found ? std::optional(Event{count() + static_cast<Index>(found->element), found->guard, 1.0}) : std::nullopt;
+}
+
+CoupledElements::Bands Elements::bands() const { return {tolerances_, round_off_band, start_slack_}; }
+
+Eigen::VectorXd Elements::acceleration(const State& state, const std::vector<GroundInput>& inputs) const {
+  Eigen::VectorXd forces;
+  Eigen::VectorXd result;
+  forces_at(state, inputs, forces);
+  system_->acceleration(state, inputs, forces, result);
+  return result;
 }
 
 void Elements::forces_at(const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& result) const {
-  result.setZero(count());
+  result.setZero(std::ssize(offsets_));
   for (const Index i : forces_.constant) result(i) = forces_.linear[i].base;
   for (const Index i : forces_.pressing) {
     const ElementForces::Linear& linear = forces_.linear[i];
@@ -216,6 +236,7 @@ void Elements::forces_at(const State& state, const std::vector<GroundInput>& inp
   for (const Index i : forces_.nonlinear) {
     result(i) = law(i).force(states_[i], deformation(i, state), speed(i, state));
   }
+  coupled_.add_forces(state, result);
   if (forces_.resting.empty()) return;
   Eigen::VectorXd acceleration;
   system_->acceleration(state, inputs, result, acceleration);
@@ -283,6 +304,7 @@ void Elements::note_touches(const Expansion& motion, double time, double end, St
     const double s = zero.value_or(leaves ? 0.0 : end);
     touches_[i] = {time + s * motion.h(), first_derivative(deformation, s) / motion.h()};
   }
+  if (end * motion.h() > 0.0) coupled_.go_on();
   if (forces_.fading > 0.0) forget_faded(time + end * motion.h(), state);
 }
 
@@ -348,6 +370,7 @@ void Elements::gather(State& state) {
     state.q(element.force) = linear.base + (constant ? 0.0 : linear.stiffness * deformation(i, state));
     state.v(element.force) = constant ? 0.0 : linear.stiffness * speed(i, state);
   }
+  may_fly_ = coupled_.gather(forces_, state) && may_fly_;
   forces_.rate = system_->rate(forces_);
   for (const Index i : forces_.constant) {
     if (!forces_.loaded) forces_.load.setZero(system_->size);
@@ -356,13 +379,22 @@ void Elements::gather(State& state) {
   }
 }
 
-void Elements::change(const Event& event, double time, State& state) {
+void Elements::change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state) {
   const Index i = event.element;
-  if (two_bodies(i)) ++events_;
   jumps_.clear();
   began_ = false;
+  if (i >= count()) {
+    const auto element = static_cast<std::size_t>(i - count());
+    coupled_.change({element, event.guard}, time, state, acceleration(state, inputs));
+    gather(state);
+    return;
+  }
+  if (two_bodies(i)) ++events_;
   if (law(i).restitution()) {
     collide(i, time, state);
+    if (coupled_.none() || failed_) return;
+    coupled_.settle(time, state, acceleration(state, inputs));
+    gather(state);
     return;
   }
   const LawState before = states_[i];
@@ -399,7 +431,7 @@ void Elements::change(const Event& event, double time, State& state) {
   }
 }
 
-Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_}; }
+Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_, coupled_.states()}; }
 
 void Elements::resume(const Memory& memory, State& state) {
   for (Index i = idle_; i < count(); ++i) {
@@ -408,6 +440,8 @@ void Elements::resume(const Memory& memory, State& state) {
     accounts_[i] = memory.accounts[i];
     tolerances_[i] = memory.tolerances[i];
   }
+  for (Index i = count(); i < std::ssize(tolerances_); ++i) tolerances_[i] = memory.tolerances[i];
+  coupled_.resume(memory.coupled);
   gather(state);
 }
 
@@ -462,7 +496,7 @@ void Elements::collide(Index element, double time, State& state) {
       a(n, m) = system_->coupling(i, at[m]);
     }
   }
-  const std::optional<Eigen::VectorXd> found = impulses(a, b);
+  const std::optional<Eigen::VectorXd> found = complementary(a, b);
   failed_ = !found;
   if (failed_) return;
   const Eigen::VectorXd& p = *found;

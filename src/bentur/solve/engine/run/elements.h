@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
+#include "bentur/solve/engine/run/coupled_elements.h"
 #include "bentur/solve/engine/run/impact_log.h"
 #include "bentur/solve/engine/run/laws.h"
 #include "bentur/solve/engine/run/watch/guard_monitor.h"
@@ -22,7 +23,7 @@ namespace bentur::engine {
 class Elements {
  public:
   struct Event {
-    Eigen::Index element = 0;
+    Eigen::Index element = 0;  ///< of several deformations: its number beyond those that have one
     std::size_t guard = 0;
     double s = 0;  ///< place in the expanded step
   };
@@ -67,7 +68,7 @@ class Elements {
   /// Looks at an interval between two states, whose coordinates leave their chords by `rise` at most. What follows is
   /// told of the interval last looked at.
   void look(const State& from, const State& to, const Eigen::VectorXd& rise) {
-    (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, count());
+    (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, std::ssize(bodies_));
   }
   /// Takes in how large the displacements are at its end. To be called before events are looked for.
   void gauge(const State& to);
@@ -97,7 +98,7 @@ class Elements {
   void note_touches(const Expansion& motion, double time, double end, State& state);
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
-  void change(const Event& event, double time, State& state);
+  void change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
   /// Whether the last change found no impulses (E-1).
   [[nodiscard]] bool failed() const { return failed_; }
   /// The element whose limit the last change has passed.
@@ -115,6 +116,7 @@ class Elements {
     std::vector<LawState> states;
     std::vector<Account> accounts;
     std::vector<double> tolerances;
+    std::vector<CoupledState> coupled;
   };
   [[nodiscard]] Memory memory() const;
   void resume(const Memory& memory, State& state);
@@ -124,6 +126,8 @@ class Elements {
   // Of an element at the end:
   [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
   [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
+  /// Of those of several deformations.
+  [[nodiscard]] std::vector<CoupledState> coupled(const State& state) const { return coupled_.states_at(state); }
   [[nodiscard]] const Account& account(Eigen::Index element) const { return accounts_[element]; }
   /// How far from zero the opening of two bodies was at any instant at which they began or ceased to touch because it
   /// was zero [length].
@@ -160,6 +164,8 @@ class Elements {
   void let_go(Eigen::Index element, State& state);
   void note_opening(Eigen::Index element, double time, const State& state);
   void collide(Eigen::Index element, double time, State& state);
+  [[nodiscard]] CoupledElements::Bands bands() const;
+  [[nodiscard]] Eigen::VectorXd acceleration(const State& state, const std::vector<GroundInput>& inputs) const;
 
   const ModalSystem* system_;
   std::vector<std::shared_ptr<const Law>> laws_;
@@ -172,6 +178,7 @@ class Elements {
   std::vector<Branch> branches_;      ///< of states_
   std::vector<char> bodies_;          ///< whether an element is two bodies
   std::vector<char> watched_;         ///< whether the monitor watches all that ends its branch
+  CoupledElements coupled_;
   GuardMonitor monitor_;
   ElementForces forces_;
   bool may_fly_ = true;

@@ -340,7 +340,7 @@ double Run::look(double time) {
 void Run::arrived(double time) {
   if (!event_) return;
   buffer_.break_off();
-  elements_.change(*event_, time, state_);
+  elements_.change(*event_, time, inputs_, state_);
   if (elements_.failed()) return fail("no impulses part the points that collide", time);
   if (elements_.began()) stepper_.contact_begins();
   if (const auto element = elements_.limit_passed()) {

@@ -45,7 +45,7 @@ void MomentumBalance::take(const Expansion& motion, double end, const State& fro
   of_step_.noalias() = c * weights;
   shift_ += of_step_;
   const ElementForces& forces = elements.forces();
-  if (forces.constant.empty() && forces.pressing.empty()) return;
+  if (forces.constant.empty() && forces.pressing.empty() && forces.coupled.empty()) return;
   power = 1.0;
   for (Index k = 0; k < c.cols(); ++k, power *= end) weights(k) = power;
   end_.noalias() = c * weights;
@@ -65,6 +65,12 @@ void MomentumBalance::push_others(const Expansion& motion, double length, const 
           linear.base * length + linear.stiffness * relation.along(of_step_) + linear.damping * stretch;
       system_->push(i, impulse, pushed_);
     }
+  }
+  const VectorXd& start = motion.coefficients().col(0);
+  for (const ElementForces::Coupled& of : forces.coupled) {
+    VectorXd impulses = length * of.base + of.stiffness * system_->speeds(of.at, of_step_);
+    if (of.damping.size() > 0) impulses += of.damping * system_->speeds(of.at, end_ - start);
+    for (Index n = 0; n < impulses.size(); ++n) system_->push(of.at[n], impulses(n), pushed_);
   }
 }
 
@@ -135,6 +141,7 @@ double force_imbalance(const Problem& problem, const ModalSystem& system, const 
     push_at(link.right, link.right_floor, forces(element++));
   }
   element = system.storeys;
+  Index hinge = system.alone;
   double worst = 0.0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
     const Building& building = problem.buildings[b];
@@ -143,6 +150,9 @@ double force_imbalance(const Problem& problem, const ModalSystem& system, const 
     const Eigen::MatrixXd& shapes = building.modes.shapes;
     for (const BuildingElement& yielding : building.elements) {
       push(static_cast<Index>(b), yielding.row, -forces(element++));
+    }
+    for (const CoupledElement& coupled : building.coupled) {
+      for (const auto& row : coupled.rows.rowwise()) push(static_cast<Index>(b), row.transpose(), -forces(hinge++));
     }
     const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
     const VectorXd x = shapes * modes(state.q);

@@ -20,7 +20,7 @@ double Elements::stored_in_others(const State& state) const {
     const double delta = deformation(i, state);
     sum += law(i).stored_energy(states_[i], delta) - 0.5 * system_->elements[i].stiffness * delta * delta;
   }
-  return sum;
+  return sum + coupled_.stored_energy(state);
 }
 
 double Elements::damping_power(const State& state) const {

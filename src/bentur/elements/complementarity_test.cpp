@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/impulses.h"
+#include "bentur/elements/complementarity.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-namespace bentur::engine {
+namespace bentur {
 namespace {
 
 using Eigen::Index;
@@ -43,7 +43,7 @@ VectorXd by_trying_all(const MatrixXd& a, const VectorXd& b) {
   return best;
 }
 
-TEST(Impulses, AreThoseFoundByTryingAllSets) {
+TEST(Complementarity, IsWhatIsFoundByTryingAllSets) {
   std::mt19937_64 random(42);
   std::normal_distribution<double> normal;
   int mixed = 0;
@@ -52,7 +52,7 @@ TEST(Impulses, AreThoseFoundByTryingAllSets) {
     const MatrixXd a = random_spd(random, size);
     VectorXd b(size);
     for (double& x : b) x = normal(random);
-    const VectorXd p = *impulses(a, b), wanted = by_trying_all(a, b);
+    const VectorXd p = *complementary(a, b), wanted = by_trying_all(a, b);
     ASSERT_LE((p - wanted).norm(), 1e-9 * (1 + wanted.norm())) << n;  // condition up to 1e3
     const VectorXd y = a * p - b;
     for (Index i = 0; i < size; ++i) {
@@ -66,16 +66,15 @@ TEST(Impulses, AreThoseFoundByTryingAllSets) {
   EXPECT_GT(mixed, 1000);
 }
 
-TEST(Impulses, OfOnePoint) {
+TEST(Complementarity, OfOne) {
   const MatrixXd a = MatrixXd::Constant(1, 1, 0.25);
-  EXPECT_EQ((*impulses(a, VectorXd::Constant(1, 3)))(0), 12);
-  EXPECT_EQ((*impulses(a, VectorXd::Constant(1, -3)))(0), 0);
-  EXPECT_EQ((*impulses(a, VectorXd::Zero(1)))(0), 0);
+  EXPECT_EQ((*complementary(a, VectorXd::Constant(1, 3)))(0), 12);
+  EXPECT_EQ((*complementary(a, VectorXd::Constant(1, -3)))(0), 0);
+  EXPECT_EQ((*complementary(a, VectorXd::Zero(1)))(0), 0);
 }
 
-/// Murty's pivoting goes through 2^n sets in the worst case; these (Murty 1978) are built to make least-index pivoting
-/// do so, and it must still end.
-TEST(Impulses, EndOnTheWorstCaseOfPivoting) {
+/// Built to make least-index pivoting go through 2^n sets (Murty 1978): that is no reason not to end.
+TEST(Complementarity, EndsOnTheWorstCaseOfPivoting) {
   for (Index size = 2; size <= 10; ++size) {
     MatrixXd lower = MatrixXd::Zero(size, size);
     for (Index i = 0; i < size; ++i) {
@@ -84,7 +83,7 @@ TEST(Impulses, EndOnTheWorstCaseOfPivoting) {
     }
     const MatrixXd a = lower * lower.transpose();
     const VectorXd b = VectorXd::Ones(size);
-    const VectorXd p = *impulses(a, b), y = a * p - b;
+    const VectorXd p = *complementary(a, b), y = a * p - b;
     EXPECT_GE(p.minCoeff(), 0);
     EXPECT_GE(y.minCoeff(), -1e-9);
     EXPECT_NEAR(p.dot(y), 0, 1e-9);
@@ -92,18 +91,48 @@ TEST(Impulses, EndOnTheWorstCaseOfPivoting) {
 }
 
 /// Points that do not know of each other are solved as each on its own.
-TEST(Impulses, OfIndependentPoints) {
+TEST(Complementarity, OfThoseThatDoNotKnowOfEachOther) {
   VectorXd diagonal(4), b(4);
   diagonal << 1, 2, 4, 8;
   b << 1, -2, 4, 0;
-  const VectorXd p = *impulses(MatrixXd(diagonal.asDiagonal()), b);
+  const VectorXd p = *complementary(MatrixXd(diagonal.asDiagonal()), b);
   EXPECT_EQ(p, VectorXd({{1, 0, 1, 0}}));
 }
 
-// Two points between the same floors, with two coefficients of restitution: no P parts both as fast as asked.
-TEST(Impulses, EndWithoutAnAnswerWhereAIsSingular) {
-  EXPECT_FALSE(impulses(MatrixXd::Constant(2, 2, 0.7), Eigen::Vector2d(1.5, 1.9)).has_value());
+// Two points between the same floors, with two coefficients of restitution: the livelier one parts both.
+TEST(Complementarity, OfThoseThatMoveAlike) {
+  const Eigen::VectorXd p = *complementary(MatrixXd::Constant(2, 2, 0.7), Eigen::Vector2d(1.5, 1.9));
+  EXPECT_EQ(p(0), 0);
+  EXPECT_DOUBLE_EQ(p(1), 1.9 / 0.7);
+}
+
+/// A = R Rᵀ of more rows than columns, with b = R x: p is not unique, A p is.
+TEST(Complementarity, OfASingularMatrix) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  int mixed = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Index size = 2 + n % 9;
+    MatrixXd root(size, 1 + n % (size - 1));
+    for (double& x : root.reshaped()) x = normal(random);
+    if (n % 3 == 0) root.row(0) = -root.row(1);  // as two ends at a joint
+    VectorXd x(root.cols());
+    for (double& entry : x) entry = normal(random);
+    const MatrixXd a = root * root.transpose();
+    const VectorXd b = root * x;
+    const auto found = complementary(a, b);
+    ASSERT_TRUE(found) << n;
+    const VectorXd y = a * *found - b;
+    const double size_of_b = b.cwiseAbs().maxCoeff();
+    ASSERT_GE(found->minCoeff(), 0) << n;
+    ASSERT_GE(y.minCoeff(), -1e-9 * size_of_b) << n;
+    ASSERT_NEAR(found->dot(y), 0, 1e-9 * size_of_b * (1 + found->norm())) << n;
+    const auto pushed = (found->array() > 0).count();
+    ASSERT_LE(pushed, root.cols()) << n;
+    mixed += pushed > 0 && pushed < size ? 1 : 0;
+  }
+  EXPECT_GT(mixed, 1000);
 }
 
 }  // namespace
-}  // namespace bentur::engine
+}  // namespace bentur

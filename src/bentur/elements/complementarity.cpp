@@ -1,0 +1,61 @@
+#include "bentur/elements/complementarity.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <vector>
+
+namespace bentur {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& b) {
+  const Index count = b.size();
+  VectorXd p = VectorXd::Zero(count);
+  if (count == 0) return p;
+  const double round_off = 0x1p-48 * b.cwiseAbs().maxCoeff();
+  std::vector<Index> pushed;                          // ascending
+  std::vector<char> refused(b.size(), 0);             // what has been tried from this p, and pushes by round-off alone
+  const Index most_sets = 100 * count * count + 100;  // far more than have been seen to be taken
+  for (Index sets = 0; sets < most_sets; ++sets) {
+    const VectorXd missing = b - a * p;
+    Index worst = -1;
+    for (Index i = 0; i < count; ++i) {
+      const bool free = refused[i] == 0 && !std::binary_search(pushed.begin(), pushed.end(), i);
+      if (free && missing(i) > (worst < 0 ? round_off : missing(worst))) worst = i;
+    }
+    if (worst < 0) return p;
+    pushed.insert(std::lower_bound(pushed.begin(), pushed.end(), worst), worst);
+    for (bool first = true; !pushed.empty(); first = false) {
+      const VectorXd wanted = a(pushed, pushed).ldlt().solve(b(pushed));
+      if (!wanted.allFinite()) return std::nullopt;
+      // As far towards it as none pulls.
+      double part = 1.0;
+      for (Index n = 0; n < wanted.size(); ++n) {
+        if (wanted(n) <= 0.0) part = std::min(part, p(pushed[n]) / (p(pushed[n]) - wanted(n)));
+      }
+      if (first && !(part > 0.0)) {
+        pushed.erase(std::find(pushed.begin(), pushed.end(), worst));
+        refused[worst] = 1;
+        break;
+      }
+      if (first) std::fill(refused.begin(), refused.end(), 0);
+      if (part == 1.0) {
+        p(pushed) = wanted;
+        break;
+      }
+      std::vector<Index> still;
+      for (Index n = 0; n < wanted.size(); ++n) {
+        const Index i = pushed[n];
+        const double stays = p(i) + part * (wanted(n) - p(i));
+        const bool ends = wanted(n) <= 0.0 && !(p(i) / (p(i) - wanted(n)) > part);
+        p(i) = ends ? 0.0 : stays;
+        if (!ends) still.push_back(i);
+      }
+      pushed = std::move(still);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace bentur

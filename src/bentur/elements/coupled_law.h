@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "bentur/elements/law.h"
+
+namespace bentur {
+
+/// Where an element of several deformations stands in its law. A law reads and writes it, a solver carries it.
+struct CoupledState {
+  double since = 0;        ///< when its branch began [s]
+  Eigen::MatrixXd memory;  ///< the law's own, a row per deformation
+};
+
+/// The deformations δ of an element at an instant, how fast they change, and how fast that does.
+struct CoupledMotion {
+  Eigen::VectorXd deformation, speed, acceleration;
+  double soon = 0;  ///< a time [s] so short that nothing vibrates in it
+};
+
+/// A branch lasts while  constant + deformation · δ + speed · δ̇ ≥ 0, with the tolerance of Guard. All terms have one
+/// dimension [X].
+struct CoupledGuard {
+  Eigen::Index of = 0;          ///< which deformation it is about, for the law
+  double constant = 0;          ///< [X]
+  double size = 0;              ///< of what `constant` is a sum of [X]
+  Eigen::VectorXd deformation;  ///< factors of δ; empty: none
+  Eigen::VectorXd speed;        ///< factors of δ̇; empty: none
+  int zeros = 0;                ///< it begins the branch at zero, and so do that many less one of its derivatives
+};
+
+/// Between two events an element is in one branch of its law: F = base + K δ + C δ̇.
+struct CoupledBranch {
+  Eigen::VectorXd base;                ///< [force] of each deformation
+  std::vector<Eigen::Index> moving;    ///< those whose force is not constant: K and C are of these
+  Eigen::MatrixXd stiffness, damping;  ///< K, C; C empty: none
+  std::vector<CoupledGuard> guards;  ///< what ends the branch: the first to fail; if several at once, the first listed
+};
+
+/// A law whose deformations act on one another: a machine of branches like Law, with matrices in place of numbers. The
+/// forces F work along their deformations: ∫ Σ F_i dδ_i is what the element takes in. Immutable, as Law.
+/// (docs/theory/hinges.md)
+class CoupledLaw {
+ public:
+  virtual ~CoupledLaw() = default;
+
+  [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+  /// Number of deformations.
+  [[nodiscard]] virtual Eigen::Index size() const noexcept = 0;
+  /// Whether it is the same law with the same numbers.
+  [[nodiscard]] virtual bool same_as(const CoupledLaw& other) const = 0;
+
+  /// As it is when it has been brought from rest to δ in one go; nothing has happened before.
+  [[nodiscard]] virtual CoupledState begin(const Eigen::VectorXd& deformation) const = 0;
+
+  [[nodiscard]] virtual CoupledBranch branch(const CoupledState& state) const = 0;
+
+  /// The state after guard number `guard` of its branch has come down to zero at `time` [s].
+  [[nodiscard]] virtual CoupledState next(const CoupledState& state, std::size_t guard, double time,
+                                          const CoupledMotion& motion) const = 0;
+  /// The state after speeds have jumped at `time` [s]: `motion` is that after it.
+  [[nodiscard]] virtual CoupledState settle(const CoupledState& state, double time,
+                                            const CoupledMotion& motion) const = 0;
+  /// The state with what it remembers up to date, in the same branch.
+  [[nodiscard]] virtual CoupledState at(const CoupledState& state, const Eigen::VectorXd& deformation) const = 0;
+
+  /// Energy [force·length] that the element would give back if it were unloaded slowly from here, and that it has lost.
+  [[nodiscard]] virtual double stored_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const = 0;
+  [[nodiscard]] virtual double lost_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const = 0;
+
+  /// Whether the opposite course of δ from rest gives the opposite forces.
+  [[nodiscard]] virtual bool is_odd() const noexcept { return false; }
+};
+
+}  // namespace bentur

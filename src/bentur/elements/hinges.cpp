@@ -1,0 +1,326 @@
+#include "bentur/elements/hinges.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+#include "bentur/elements/complementarity.h"
+
+namespace bentur {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double on_line = 1e-10;  // of upper + lower: a hinge that is so near its line is on it
+constexpr double no_flow = 1e-12;  // of (upper + lower)/K_hh: a flow that counts nowhere
+constexpr double no_part = 1e-9;   // of a row over x: it does not depend on x
+constexpr double no_slope = 1e-9;  // of what it is a sum of: a rate that is zero
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// Columns of a state's memory.
+enum Column : Index {
+  rotation,     // θ at the last event [rad]
+  side,         // on which it flows; 0: it rests
+  peak,         // max |θ|
+  lost,         // ∫ (M − Hθ) dθ
+  first_yield,  // [s]; NaN: none
+  half_cycles,  //
+  last_side,    // of the latest flow that counted
+  flow_began,   // [s]
+  begins,       // order of the zero that its guard begins the branch with; of a resting one times the side of its line
+  columns
+};
+
+/// y_h = M_h − H_h θ_h of a hinge at rest, which its lines bound, as a row over δ and what does not depend on δ.
+struct Resting {
+  VectorXd row;
+  double constant = 0;
+  double size = 0;  ///< of what the constant is a sum of
+};
+
+}  // namespace
+
+/// The hinges that flow, and what their rotations follow from: θ_A = Q⁻¹ (δ_A − b), Q = (K_hh + H)_AA.
+struct HingeLaw::Flow {
+  std::vector<Index> at;
+  VectorXd b;
+  MatrixXd inverse;  ///< Q⁻¹
+};
+
+HingeLaw::HingeLaw(Parameters parameters) : of_(std::move(parameters)) {
+  const Index n = size();
+  require_size("upper", of_.upper.size(), n);
+  require_size("lower", of_.lower.size(), n);
+  require_size("stiffness", of_.stiffness.rows(), n);
+  require_size("stiffness", of_.stiffness.cols(), n);
+  require_size("gram", of_.gram.rows(), n);
+  require_size("gram", of_.gram.cols(), n);
+  for (Index h = 0; h < n; ++h) {
+    require_not_negative(indexed("hardening", h), of_.hardening(h));
+    require_finite(indexed("stiffness", h), of_.stiffness(h, h));
+    for (const auto& [name, list] : {std::pair{"upper", &of_.upper}, std::pair{"lower", &of_.lower}}) {
+      if ((*list)(h) > 0.0) continue;  // may be infinite
+      throw InvalidParameter(indexed(name, h), fmt::format("{}", (*list)(h)), "must be > 0");
+    }
+  }
+}
+
+bool HingeLaw::same_as(const CoupledLaw& other) const {
+  const auto* hinges = dynamic_cast<const HingeLaw*>(&other);
+  return hinges != nullptr && hinges->size() == size() && hinges->of_.stiffness == of_.stiffness &&
+         hinges->of_.hardening == of_.hardening && hinges->of_.upper == of_.upper && hinges->of_.lower == of_.lower;
+}
+
+/// upper + lower, or twice the one that is finite.
+double HingeLaw::width(Index h) const {
+  const double sum = of_.upper(h) + of_.lower(h);
+  return std::isfinite(sum) ? sum : 2.0 * std::min(of_.upper(h), of_.lower(h));
+}
+
+HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
+  Flow flow;
+  for (Index h = 0; h < size(); ++h) {
+    if (state.memory(h, side) != 0.0) flow.at.push_back(h);
+  }
+  const Index count = std::ssize(flow.at);
+  flow.b.resize(count);
+  VectorXd resting = state.memory.col(rotation);
+  for (const Index h : flow.at) resting(h) = 0.0;
+  for (Index n = 0; n < count; ++n) {
+    const Index h = flow.at[n];
+    flow.b(n) = state.memory(h, side) * line(h, state.memory(h, side)) + of_.stiffness.row(h).dot(resting);
+  }
+  MatrixXd q = of_.stiffness(flow.at, flow.at);
+  q.diagonal() += of_.hardening(flow.at);
+  flow.inverse = q.llt().solve(MatrixXd::Identity(count, count));
+  return flow;
+}
+
+VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformation) const {
+  VectorXd theta = state.memory.col(rotation);
+  const Flow now = flow(state);
+  theta(now.at) = now.inverse * (deformation(now.at) - now.b);
+  return theta;
+}
+
+CoupledState HingeLaw::begin(const VectorXd& deformation) const {
+  const Index n = size();
+  CoupledState state{0.0, MatrixXd::Zero(n, columns)};
+  state.memory.col(first_yield).setConstant(nothing);
+  // Both lines of every hinge that has them: θ = S λ with S = (1, −1).
+  std::vector<std::pair<Index, double>> lines;
+  bool beyond = false;
+  for (Index h = 0; h < n; ++h) {
+    for (const double s : {1.0, -1.0}) {
+      if (!std::isfinite(line(h, s))) continue;
+      lines.emplace_back(h, s);
+      beyond = beyond || s * deformation(h) > line(h, s);
+    }
+  }
+  if (!beyond) return state;
+  const Index count = std::ssize(lines);
+  MatrixXd a(count, count);
+  VectorXd b(count);
+  for (Index i = 0; i < count; ++i) {
+    const auto [h, s] = lines[i];
+    b(i) = s * deformation(h) - line(h, s);
+    for (Index j = 0; j < count; ++j) {
+      const auto [other, t] = lines[j];
+      a(i, j) = s * t * (of_.stiffness(h, other) + (h == other ? of_.hardening(h) : 0.0));
+    }
+  }
+  const auto found = complementary(a, b);
+  if (!found) return state;
+  for (Index i = 0; i < count; ++i) {
+    const auto [h, s] = lines[i];
+    if (!((*found)(i) > 0.0)) continue;
+    state.memory(h, rotation) = s * (*found)(i);
+    state.memory(h, peak) = (*found)(i);
+    state.memory(h, lost) = line(h, s) * (*found)(i);
+    state.memory(h, first_yield) = 0.0;
+    state.memory(h, half_cycles) = 1.0;
+    state.memory(h, last_side) = s;
+  }
+  return state;
+}
+
+namespace {
+
+/// y of a hinge that rests while others flow.
+Resting resting_line(const MatrixXd& stiffness, double hardening, const VectorXd& theta, const std::vector<Index>& at,
+                     const VectorXd& b, const MatrixXd& inverse, Index h) {
+  Resting y;
+  y.row = VectorXd::Unit(theta.size(), h);
+  VectorXd turned = theta;
+  for (const Index moving : at) turned(moving) = 0.0;
+  const VectorXd coupling = stiffness(h, at);
+  const VectorXd factors = inverse * coupling;
+  for (std::size_t n = 0; n < at.size(); ++n) y.row(at[n]) = -factors(static_cast<Index>(n));
+  const VectorXd of_resting = stiffness.row(h).transpose().cwiseProduct(turned);
+  y.constant = factors.dot(b) - of_resting.sum() - hardening * theta(h);
+  y.size = factors.cwiseAbs().dot(b.cwiseAbs()) + of_resting.cwiseAbs().sum() + std::abs(hardening * theta(h));
+  return y;
+}
+
+}  // namespace
+
+CoupledBranch HingeLaw::branch(const CoupledState& state) const {
+  const Index n = size();
+  const Flow now = flow(state);
+  const VectorXd theta = state.memory.col(rotation);
+  CoupledBranch branch;
+  branch.base = -theta;
+  branch.base(now.at) = now.inverse * now.b;
+  branch.moving = now.at;
+  branch.stiffness = -0.5 * (now.inverse + now.inverse.transpose());
+  Index flowing = 0;
+  for (Index h = 0; h < n; ++h) {
+    const double s = state.memory(h, side);
+    const int zeros = static_cast<int>(state.memory(h, begins));
+    if (s != 0.0) {
+      CoupledGuard guard{.of = h, .deformation = {}, .speed = {}, .zeros = zeros};
+      guard.speed.setZero(n);
+      guard.speed(now.at) = s * now.inverse.row(flowing++).transpose();
+      branch.guards.push_back(std::move(guard));
+      continue;
+    }
+    const Resting y = resting_line(of_.stiffness, of_.hardening(h), theta, now.at, now.b, now.inverse, h);
+    const bool still = y.row.dot(of_.gram * y.row) <= no_part * no_part * of_.gram(h, h);
+    for (const double to : {1.0, -1.0}) {
+      if (still || !std::isfinite(line(h, to))) continue;
+      branch.guards.push_back({.of = h,
+                               .constant = line(h, to) - to * y.constant,
+                               .size = line(h, to) + y.size,
+                               .deformation = -to * y.row,
+                               .speed = {},
+                               .zeros = std::max(0, static_cast<int>(to) * zeros)});
+    }
+  }
+  return branch;
+}
+
+CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation) const {
+  CoupledState now = state;
+  const VectorXd theta = rotations(state, deformation);
+  for (Index h = 0; h < size(); ++h) {
+    const double s = state.memory(h, side);
+    if (s == 0.0) continue;
+    const double turned = s * (theta(h) - state.memory(h, rotation));
+    auto memory = now.memory.row(h);
+    memory(rotation) = theta(h);
+    memory(lost) += line(h, s) * turned;
+    if (!(turned > no_flow * width(h) / of_.stiffness(h, h))) continue;
+    memory(peak) = std::max(memory(peak), std::abs(theta(h)));
+    if (std::isnan(memory(first_yield))) memory(first_yield) = memory(flow_began);
+    if (memory(last_side) != s) memory(half_cycles) += 1.0;
+    memory(last_side) = s;
+  }
+  return now;
+}
+
+CoupledState HingeLaw::next(const CoupledState& state, std::size_t guard, double time,
+                            const CoupledMotion& motion) const {
+  const CoupledBranch ended = branch(state);
+  return settle(state, time, motion, &ended.guards[guard]);
+}
+
+CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion) const {
+  return settle(state, time, motion, nullptr);
+}
+
+/// `ended`: the guard that has come down to zero, so that a hinge is on its line, or flows no more, however well that
+/// instant is known.
+CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion,
+                              const CoupledGuard* ended) const {
+  CoupledState now = at(state, motion.deformation);
+  now.since = time;
+  const VectorXd theta = now.memory.col(rotation);
+  const VectorXd y = motion.deformation - of_.stiffness * theta - of_.hardening.cwiseProduct(theta);
+  std::vector<Index> candidates;
+  std::vector<double> sides;
+  for (Index h = 0; h < size(); ++h) {
+    double s = now.memory(h, side);
+    for (const double to : {1.0, -1.0}) {
+      const bool met =
+          ended != nullptr && ended->deformation.size() > 0 && ended->of == h && to * ended->deformation(h) < 0.0;
+      if (s == 0.0 && std::isfinite(line(h, to)) && (met || std::abs(y(h) - to * line(h, to)) <= on_line * width(h)))
+        s = to;
+    }
+    if (s == 0.0) continue;
+    candidates.push_back(h);
+    sides.push_back(s);
+  }
+  const auto s = Eigen::Map<const VectorXd>(sides.data(), std::ssize(sides));
+  MatrixXd q = of_.stiffness(candidates, candidates);
+  q.diagonal() += of_.hardening(candidates);
+  const MatrixXd both = s.asDiagonal() * q * s.asDiagonal();
+  const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates).cwiseProduct(s);
+  const VectorXd lambda = complementary(both, rate).value_or(VectorXd::Zero(std::ssize(sides)));
+  now.memory.col(side).setZero();
+  now.memory.col(begins).setZero();
+  for (std::size_t n = 0; n < candidates.size(); ++n) {
+    if (lambda(static_cast<Index>(n)) > 0.0) now.memory(candidates[n], side) = sides[n];
+  }
+  // What flows at a rate that is zero whatever x does would never cease to end its branch.
+  Flow flows = flow(now);
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t n = 0; n < flows.at.size(); ++n) {
+      const Index h = flows.at[n];
+      const VectorXd row = flows.inverse.row(static_cast<Index>(n));
+      const double largest = no_part / (of_.stiffness(h, h) + of_.hardening(h));
+      if (row.dot(of_.gram(flows.at, flows.at) * row) > largest * largest * of_.gram(h, h)) continue;
+      now.memory(h, side) = 0.0;
+      again = true;
+    }
+    if (again) flows = flow(now);
+  }
+  const VectorXd turning = flows.inverse * motion.speed(flows.at);
+  const double fastest = turning.size() > 0 ? turning.cwiseAbs().maxCoeff() : 0.0;
+  for (std::size_t n = 0, k = 0; n < candidates.size(); ++n) {
+    const Index h = candidates[n];
+    auto memory = now.memory.row(h);
+    if (memory(side) != 0.0) {
+      if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
+      memory(begins) = memory(side) * turning(static_cast<Index>(k++)) > no_slope * fastest ? 0.0 : 1.0;
+      continue;
+    }
+    const VectorXd of_others = of_.stiffness(h, flows.at).transpose().cwiseProduct(turning);
+    const double falls = sides[n] * (of_others.sum() - motion.speed(h));
+    const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
+    memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
+  }
+  return now;
+}
+
+double HingeLaw::stored_energy(const CoupledState& state, const VectorXd& deformation) const {
+  const VectorXd theta = rotations(state, deformation);
+  return -deformation.dot(theta) + 0.5 * theta.dot(of_.stiffness * theta + of_.hardening.cwiseProduct(theta));
+}
+
+double HingeLaw::lost_energy(const CoupledState& state, const VectorXd& deformation) const {
+  return at(state, deformation).memory.col(lost).sum();
+}
+
+HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const {
+  const auto memory = state.memory.row(hinge);
+  Record record{.rotation = memory(rotation),
+                .peak_rotation = memory(peak),
+                .lost = memory(lost),
+                .first_yield = std::nullopt,
+                .half_cycles = static_cast<int>(memory(half_cycles)),
+                .flows = static_cast<int>(memory(side))};
+  if (!std::isnan(memory(first_yield))) record.first_yield = memory(first_yield);
+  return record;
+}
+
+}  // namespace bentur

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "bentur/elements/coupled_law.h"
+
+namespace bentur {
+
+/// All plastic hinges of a building as one law. Its deformations are δ = G x, the moments that its coordinates x make
+/// at the hinges while none has turned [force·length]; the moments are M = δ − K_hh θ, θ [rad] what the hinges have
+/// turned, and the forces that push along the rows of G are F = −θ, beside those of the elastic K x:
+///   −lower ≤ M − H θ ≤ upper;  θ̇ ≥ 0 only on the upper line, ≤ 0 only on the lower one, else θ̇ = 0.  (H-2), (H-3)
+/// A branch is the set A of hinges that flow and the side s = ±1 on which each does: θ_A follows from δ (H-4), all
+/// other θ stay. After an event all hinges that are on a line are looked at together (H-7): by symmetry many yield at
+/// once. Rigid-plastic: no stiffness of its own, no damping. (docs/theory/hinges.md)
+class HingeLaw final : public CoupledLaw {
+ public:
+  struct Parameters {
+    Eigen::MatrixXd stiffness;  ///< K_hh [force·length/rad], symmetric positive semidefinite
+    Eigen::VectorXd hardening;  ///< H [force·length/rad] ≥ 0
+    Eigen::VectorXd upper,
+        lower;  ///< what M − H θ may rise to, and −(M − H θ) [force·length] > 0; infinite: not reached
+    Eigen::MatrixXd gram;  ///< G Gᵀ, whose entries tell what of a moment does not depend on x
+  };
+  /// @throws InvalidParameter when sizes disagree or a value is outside its range.
+  explicit HingeLaw(Parameters parameters);
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "hinges"; }
+  [[nodiscard]] Eigen::Index size() const noexcept override { return of_.hardening.size(); }
+  [[nodiscard]] bool same_as(const CoupledLaw& other) const override;
+  [[nodiscard]] CoupledState begin(const Eigen::VectorXd& deformation) const override;
+  [[nodiscard]] CoupledBranch branch(const CoupledState& state) const override;
+  [[nodiscard]] CoupledState next(const CoupledState& state, std::size_t guard, double time,
+                                  const CoupledMotion& motion) const override;
+  [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion) const override;
+  [[nodiscard]] CoupledState at(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
+  [[nodiscard]] double stored_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
+  [[nodiscard]] double lost_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
+  [[nodiscard]] bool is_odd() const noexcept override { return of_.upper == of_.lower; }
+
+  /// What one hinge has done up to the last event, or to at().
+  struct Record {
+    double rotation = 0;                ///< θ [rad]
+    double peak_rotation = 0;           ///< max |θ| [rad]
+    double lost = 0;                    ///< ∫ (M − H θ) dθ [force·length] ≥ 0
+    std::optional<double> first_yield;  ///< [s]
+    int half_cycles = 0;                ///< stretches of flow in one direction; elastic excursions do not part them
+    int flows = 0;                      ///< −1, 0 or 1: the side on which it flows now
+  };
+  [[nodiscard]] Record record(const CoupledState& state, Eigen::Index hinge) const;
+
+ private:
+  struct Flow;
+  [[nodiscard]] Flow flow(const CoupledState& state) const;
+  [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
+  [[nodiscard]] double line(Eigen::Index hinge, double side) const {
+    return side > 0 ? of_.upper(hinge) : of_.lower(hinge);
+  }
+  [[nodiscard]] double width(Eigen::Index hinge) const;
+  [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion,
+                                    const CoupledGuard* ended) const;
+
+  Parameters of_;
+};
+
+}  // namespace bentur

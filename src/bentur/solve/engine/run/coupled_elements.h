@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bentur/solve/engine/motion/expansion.h"
+#include "bentur/solve/engine/run/watch/guard_monitor.h"
+
+namespace bentur::engine {
+
+/// Where the elements of several deformations stand, for Elements, whose rules they share: each guard has its band of
+/// round-off. A guard that is to begin its branch at zero is divided by the power of time that it begins with.
+class CoupledElements {
+ public:
+  /// Brought to `state` from rest in one go.
+  CoupledElements(const ModalSystem& system, const std::vector<double>& offsets, const State& state);
+
+  /// What a monitor is to know of each deformation, beginning with the first, where nothing has happened.
+  [[nodiscard]] static std::vector<Branch> first_branches(const ModalSystem& system);
+  /// Tells the monitor of all branches, after which it is told of every change.
+  void watch(GuardMonitor& monitor);
+
+  /// Adds what they do, and writes their force coordinates into `state`. Whether they leave buildings to fly.
+  [[nodiscard]] bool gather(ElementForces& forces, State& state) const;
+  /// Adds F of each deformation.
+  void add_forces(const State& state, Eigen::VectorXd& forces) const;
+
+  struct Event {
+    std::size_t element = 0, guard = 0;
+    double s = 0;  ///< place in the expanded step
+  };
+  /// What a guard may be below zero by.
+  struct Bands {
+    const std::vector<double>& displacement;  ///< of each of ModalSystem::elements [length]
+    double part = 0;                          ///< of speeds and constants [-]
+    double start_slack = 0;                   ///< bands: what begins so far below zero begins at zero
+  };
+  /// The first change in the expanded step, which began with the state `from`.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Bands& bands,
+                                                const GuardMonitor& monitor) const;
+  /// A change that is due at a state.
+  [[nodiscard]] std::optional<Event> due(const State& state, const Bands& bands) const;
+  /// A step that lasts has been taken: nothing is at its beginning any more.
+  void go_on();
+
+  /// What follows from a guard at `time`; `acceleration` is q̈ there.
+  void change(const Event& event, double time, const State& state, const Eigen::VectorXd& acceleration);
+  /// What follows when speeds have jumped.
+  void settle(double time, const State& state, const Eigen::VectorXd& acceleration);
+
+  [[nodiscard]] bool none() const { return states_.empty(); }
+  [[nodiscard]] const std::vector<CoupledState>& states() const { return states_; }
+  void resume(const std::vector<CoupledState>& states);
+  /// With what they remember up to date.
+  [[nodiscard]] std::vector<CoupledState> states_at(const State& state) const;
+  /// Beyond what the modes hold of them [force·length].
+  [[nodiscard]] double stored_energy(const State& state) const;
+  [[nodiscard]] double lost_energy(const State& state) const;
+
+ private:
+  struct Now {
+    CoupledBranch branch;
+    std::vector<Eigen::Index> only;  ///< per guard: the deformation that is all it depends on; −1: there are others
+    std::vector<Eigen::Index> at;    ///< of ModalSystem::elements, those of the branch that move
+    bool may_fly = false;
+    bool begins = true;
+  };
+  [[nodiscard]] Eigen::VectorXd deformation(std::size_t element, const State& state) const;
+  [[nodiscard]] CoupledMotion motion_of(std::size_t element, const State& state,
+                                        const Eigen::VectorXd& acceleration) const;
+  [[nodiscard]] double band(std::size_t element, const CoupledGuard& guard, const State& state,
+                            const Bands& bands) const;
+  void enter(std::size_t element);
+
+  const ModalSystem* system_;
+  std::vector<double> offsets_;
+  std::vector<std::vector<Eigen::Index>> all_;  ///< per element: of ModalSystem::elements
+  std::vector<CoupledState> states_;
+  std::vector<Now> now_;
+  GuardMonitor* monitor_ = nullptr;
+  double soon_ = 0;  ///< [s]
+};
+
+}  // namespace bentur::engine

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "bentur/structure/building.h"
+
+namespace bentur {
+
+/// Degrees of freedom of a member's ends (y₁, φ₁, y₂, φ₂); −1: one that does not move.
+using ElementDofs = std::array<Eigen::Index, 4>;
+
+/// Gathers the ends of members of a frame while its stiffness is assembled, and makes hinges of those that yield.
+class FrameHinges {
+ public:
+  /// An end of a member that may turn against what it joins.
+  struct End {
+    HingePlace place;
+    double clockwise = 0, anticlockwise = 0;  ///< capacities [force·length] > 0, may be infinite
+    double hardening = 0;                     ///< H [force·length/rad]
+    Eigen::Index joint = -1;  ///< rotation of the joint that it belongs to; −1: of none that may balance
+  };
+  /// A member, or a piece of one, with the freedoms and the stiffness (2-48) of its ends; nothing: an end that does not
+  /// turn against what it joins.
+  void add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
+           const std::optional<End>& second);
+  /// Moments on the two ends added last, of a load on a member whose joints do not turn [force·length].
+  void add_fixed_end_moments(double first, double second);
+
+  /// The hinges over all dofs of a frame with this stiffness: of ends with a capacity that is finite, in the order in
+  /// which they were added. @throws InvalidParameter where loads alone bring an end to yield: it names it.
+  [[nodiscard]] Hinges hinges(const Eigen::MatrixXd& stiffness) const;
+
+ private:
+  struct Piece {
+    ElementDofs dofs;
+    Eigen::Matrix4d stiffness;
+    Eigen::Index first = -1, second = -1;  ///< of ends_
+  };
+  std::vector<End> ends_;
+  std::vector<Piece> pieces_;
+  std::vector<double> fixed_end_moments_;  ///< per end
+};
+
+/// "left end of the beam of bay 1, floor 2", "bottom of the column of line 3, storey 1".
+[[nodiscard]] std::string name_of(const HingePlace& place);
+
+}  // namespace bentur
