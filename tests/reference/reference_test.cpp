@@ -28,6 +28,14 @@ const char* const all_cases[] = {"absolute-delay",
                                  "free-impact",
                                  "friction-pendulum",
                                  "hertz-damp",
+                                 "hinges/hinges-oscase",
+                                 "hinges/hinges-p-delta",
+                                 "hinges/hinges-pair",
+                                 "hinges/hinges-plastic-mechanism",
+                                 "hinges/hinges-portal",
+                                 "hinges/hinges-resonance",
+                                 "hinges/hinges-wall",
+                                 "hinges/hinges-wall-elastic",
                                  "isolated-frame",
                                  "isolated-moat",
                                  "jankowski",
@@ -76,7 +84,8 @@ class Reference : public testing::TestWithParam<const char*> {
   void judge(const Response& response, const std::string& solver, int factor) const {
     ASSERT_TRUE(completed(response)) << response.message;
     const auto file = [&](const std::string& kind) {
-      return fs::path(BENTUR_BINARY_DIR) / ("reference-" + name_ + "-" + solver + kind + ".json");
+      const std::string stem = fs::path(name_).filename().string();
+      return fs::path(BENTUR_BINARY_DIR) / ("reference-" + stem + "-" + solver + kind + ".json");
     };
     std::ofstream(file("")) << summary_json(run_results(*case_, problem_, response), "test");
     run(BENTUR_SOURCE_DIR "/tests/reference/loosen.py", {(shared / "reference" / (name_ + ".expected.json")).string(),
@@ -145,7 +154,7 @@ TEST_P(Reference, AdaptiveAccountsForAllEnergy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Reference, testing::ValuesIn(all_cases), [](const auto& test) {
-  std::string name = test.param;
+  std::string name = fs::path(test.param).filename().string();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
@@ -153,8 +162,10 @@ INSTANTIATE_TEST_SUITE_P(, Reference, testing::ValuesIn(all_cases), [](const aut
 TEST(ReferenceCases, EveryOneIsInTheListAbove) {
   if (!fs::exists(shared)) GTEST_SKIP() << "the reference cases (../shared) are not here";
   std::set<std::string> there;
-  for (const auto& entry : fs::directory_iterator(shared / "reference")) {
-    if (entry.path().extension() == ".toml") there.insert(entry.path().stem().string());
+  for (const std::string folder : {"", "hinges/"}) {
+    for (const auto& entry : fs::directory_iterator(shared / "reference" / folder)) {
+      if (entry.path().extension() == ".toml") there.insert(folder + entry.path().stem().string());
+    }
   }
   EXPECT_EQ(there, std::set<std::string>(std::begin(all_cases), std::end(all_cases)));
 }

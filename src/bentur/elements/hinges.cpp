@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,15 +29,17 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // Columns of a state's memory.
 enum Column : Index {
-  rotation,     // θ at the last event [rad]
-  side,         // on which it flows; 0: it rests
-  peak,         // max |θ|
-  lost,         // ∫ (M − Hθ) dθ
-  first_yield,  // [s]; NaN: none
-  half_cycles,  //
-  last_side,    // of the latest flow that counted
-  flow_began,   // [s]
-  begins,       // order of the zero that its guard begins the branch with; of a resting one times the side of its line
+  rotation,      // θ at the last event [rad]
+  side,          // on which it flows; 0: it rests
+  peak,          // max |θ|
+  lost,          // ∫ (M − Hθ) dθ
+  first_yield,   // [s]; NaN: none
+  half_cycles,   //
+  last_side,     // of the latest flow that counted
+  flow_began,    // [s]
+  mechanism_at,  // of the frame, in the first row [s]; NaN: none
+  moved,         // 1: it flowed then
+  begins,        // order of the zero that its guard begins the branch with; of a resting one times the side of its line
   columns
 };
 
@@ -116,6 +119,7 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   const Index n = size();
   CoupledState state{0.0, MatrixXd::Zero(n, columns)};
   state.memory.col(first_yield).setConstant(nothing);
+  state.memory.col(mechanism_at).setConstant(nothing);
   // Both lines of every hinge that has them: θ = S λ with S = (1, −1).
   std::vector<std::pair<Index, double>> lines;
   bool beyond = false;
@@ -284,6 +288,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     }
     if (again) flows = flow(now);
   }
+  note_mechanism(now, time);
   const VectorXd turning = flows.inverse * motion.speed(flows.at);
   const double fastest = turning.size() > 0 ? turning.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t n = 0, k = 0; n < candidates.size(); ++n) {
@@ -309,6 +314,43 @@ double HingeLaw::stored_energy(const CoupledState& state, const VectorXd& deform
 
 double HingeLaw::lost_energy(const CoupledState& state, const VectorXd& deformation) const {
   return at(state, deformation).memory.col(lost).sum();
+}
+
+/// That the frame can move without bending, the first time that it can.
+void HingeLaw::note_mechanism(CoupledState& state, double time) const {
+  if (of_.frame_stiffness.size() == 0 || !std::isnan(state.memory(0, mechanism_at))) return;
+  std::vector<Index> flowing;
+  for (Index h = 0; h < size(); ++h) {
+    if (state.memory(h, side) != 0.0) flowing.push_back(h);
+  }
+  if (flowing.empty() || !free_shape(of_.frame_stiffness, of_.frame_rows, of_.stiffness, flowing)) return;
+  state.memory(0, mechanism_at) = time;
+  for (const Index h : flowing) state.memory(h, moved) = 1.0;
+}
+
+std::optional<HingeLaw::Mechanism> HingeLaw::mechanism(const CoupledState& state) const {
+  if (std::isnan(state.memory(0, mechanism_at))) return std::nullopt;
+  Mechanism mechanism{.time = state.memory(0, mechanism_at), .hinges = {}};
+  for (Index h = 0; h < size(); ++h) {
+    if (state.memory(h, moved) != 0.0) mechanism.hinges.push_back(h);
+  }
+  return mechanism;
+}
+
+std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const MatrixXd& frame_rows,
+                                   const MatrixXd& hinge_stiffness, const std::vector<Index>& flowing) {
+  constexpr double singular = 1e-12;  // of the largest eigenvalue: a spin
+  constexpr double movable = 1e-9;
+  const MatrixXd rows = frame_rows(flowing, Eigen::all);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_hinges(hinge_stiffness(flowing, flowing));
+  const VectorXd& values = of_hinges.eigenvalues();
+  const VectorXd inverse = (values.array() > singular * values.maxCoeff()).select(values.cwiseInverse(), 0.0);
+  const MatrixXd turned = of_hinges.eigenvectors().transpose() * rows;
+  const MatrixXd tangent = frame_stiffness - turned.transpose() * inverse.asDiagonal() * turned;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shapes(0.5 * (tangent + tangent.transpose()),
+                                                                  frame_stiffness);
+  if (!(shapes.eigenvalues()(0) < movable)) return std::nullopt;
+  return shapes.eigenvectors().col(0);
 }
 
 HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "bentur/elements/coupled_law.h"
 
@@ -22,6 +23,8 @@ class HingeLaw final : public CoupledLaw {
     Eigen::VectorXd upper,
         lower;  ///< what M − H θ may rise to, and −(M − H θ) [force·length] > 0; infinite: not reached
     Eigen::MatrixXd gram;  ///< G Gᵀ, whose entries tell what of a moment does not depend on x
+    /// K and G of the frame alone, which say when it can move without bending (H-12); empty: nobody asks.
+    Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
   };
   /// @throws InvalidParameter when sizes disagree or a value is outside its range.
   explicit HingeLaw(Parameters parameters);
@@ -50,8 +53,16 @@ class HingeLaw final : public CoupledLaw {
   };
   [[nodiscard]] Record record(const CoupledState& state, Eigen::Index hinge) const;
 
+  /// When the hinges first made the frame movable without bending, and which of them flowed then.
+  struct Mechanism {
+    double time = 0;  ///< [s]
+    std::vector<Eigen::Index> hinges;
+  };
+  [[nodiscard]] std::optional<Mechanism> mechanism(const CoupledState& state) const;
+
  private:
   struct Flow;
+  void note_mechanism(CoupledState& state, double time) const;
   [[nodiscard]] Flow flow(const CoupledState& state) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   [[nodiscard]] double line(Eigen::Index hinge, double side) const {
@@ -63,5 +74,12 @@ class HingeLaw final : public CoupledLaw {
 
   Parameters of_;
 };
+
+/// How a frame with K and hinges G, K_hh moves if these flow without hardening, x of its dofs: the shape of the least
+/// eigenvalue of K − G_Aᵀ K_AA⁺ G_A against K, where that is below 10⁻⁹; nothing where it bends. (H-12)
+[[nodiscard]] std::optional<Eigen::VectorXd> free_shape(const Eigen::MatrixXd& frame_stiffness,
+                                                        const Eigen::MatrixXd& frame_rows,
+                                                        const Eigen::MatrixXd& hinge_stiffness,
+                                                        const std::vector<Eigen::Index>& flowing);
 
 }  // namespace bentur

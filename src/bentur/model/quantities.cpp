@@ -38,6 +38,11 @@ double first_period(const RunView& r, const QuantityPlace& at) {
 double period_per_storey(const RunView& r, const QuantityPlace& at) {
   return is_wall(r, at) ? none : proportions_of(r, at).period_per_storey;
 }
+double hinge_energy(const RunView& r, const QuantityPlace& at) {
+  double sum = 0;
+  for (const BuildingPeaks::Hinge& hinge : r.response.buildings[at.item].hinges) sum += hinge.dissipated_energy;
+  return r.response.buildings[at.item].hinges.empty() ? none : sum;
+}
 double amplification(const RunView& r, const QuantityPlace& at) {
   const BuildingPeaks& peaks = r.response.buildings[at.item];
   const double without = peaks.displacement_no_contact(at.floor);
@@ -101,7 +106,7 @@ double column_ratio_no_contact(const ColumnPeaks& column, const ContactPoint& po
 }
 
 constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,
-                gap = Owner::gap, impact = Owner::impact, link_ = Owner::link;
+                gap = Owner::gap, impact = Owner::impact, link_ = Owner::link, hinge = Owner::hinge;
 
 constexpr YieldingSource yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list) {
   return {&BuildingPeaks::yielding, list};
@@ -121,6 +126,8 @@ std::deque<Quantity>& list() {
       {"base_shear_coefficient", building, "1", "V₁/W", "largest shear of the lowest storey over the weight", {}, base_shear_coefficient},
       {"first_period", building, "s", "T₁", "first period", {}, first_period},
       {"period_per_storey", building, "s", "T₁/n", "first period over the number of floors", {}, period_per_storey},
+      // Of frames with hinges.
+      {"hinge_energy", building, "F L", "Σ E_h", "energy that the hinges have dissipated", {}, hinge_energy},
       // Of buildings on soil.
       {"peak_sway", building, "L", "max |u|", "largest sway of the foundation relative to the free field", {}, FoundationSource{0}, "/soil/peak_sway"},
       {"peak_rocking", building, "rad", "max |θ|", "largest rotation of the foundation", {}, FoundationSource{1}, "/soil/peak_rocking"},
@@ -142,6 +149,13 @@ std::deque<Quantity>& list() {
       {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {"Ductility without contact", "Daktilitas tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {"Residual drift without contact", "Simpangan sisa tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
+      // Hinges, in the order of the frame's members.
+      {"peak_moment", hinge, "F L", "max |M|", "largest moment at the hinge, that at rest included", {"Moment", "Momen"}, &BuildingPeaks::Hinge::peak_moment},
+      {"peak_rotation", hinge, "rad", "max |θ|", "largest rotation of the hinge", {"Rotation", "Rotasi"}, &BuildingPeaks::Hinge::peak_rotation, {}, "mrad", 1e3},
+      {"residual_rotation", hinge, "rad", "θ_r", "rotation of the hinge at the end", {"At the end", "Di akhir"}, &BuildingPeaks::Hinge::residual_rotation, {}, "mrad", 1e3, {}, false, true},
+      {"dissipated_energy", hinge, "F L", "E_h", "energy that the hinge has dissipated", {"Energy by yielding", "Energi leleh"}, &BuildingPeaks::Hinge::dissipated_energy},
+      {"first_yield", hinge, "s", "t_y", "when the hinge first yielded", {"First yield", "Leleh pertama"}, &BuildingPeaks::Hinge::first_yield},
+      {"half_cycles", hinge, "1", "n", "stretches of flow in one direction", {"Half cycles", "Setengah siklus"}, &BuildingPeaks::Hinge::half_cycles},
       // Contact points.
       {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
       {"point_gap_needed", point, "L", "w_n", "gap that the free response needs at each contact point", {"Needed", "Diperlukan"}, &PointSummary::gap_needed, "/gap_needed"},
@@ -254,6 +268,7 @@ void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 std::string file_name(const Quantity& quantity) {
   const std::string_view prefix = quantity.owner == Owner::link     ? "link_"
                                   : quantity.owner == Owner::impact ? "impact_"
+                                  : quantity.owner == Owner::hinge  ? "hinge_"
                                                                     : "";
   return std::string(prefix) + std::string(quantity.key);
 }
@@ -261,6 +276,15 @@ std::string file_name(const Quantity& quantity) {
 bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
 
 bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
+
+bool is_of_yielding(const Quantity& quantity, const Building& building) {
+  const auto* source = std::get_if<YieldingSource>(&quantity.source);
+  if (source == nullptr) return false;
+  const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
+  return building.can_yield() || (residual && !building.model.hinges.places.empty());
+}
+
+bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
 
 bool is_of_forces(const Quantity& quantity) {
   return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
@@ -278,6 +302,7 @@ bool column_has(const Quantity& quantity, const Problem& problem, const ContactP
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
   if (is_of_columns(quantity)) return column_has(quantity, r.problem, r.problem.points[item]);
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
+  if (is_of_hinges(quantity)) return !r.response.buildings[item].hinges.empty();
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
 }
@@ -290,41 +315,49 @@ bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vecto
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
   const Response& response = r.response;
   return std::visit(
-      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
-                const Eigen::VectorXd& values = response.buildings[at.item].*member;
-                return at.floor < values.size() ? values(at.floor) : none;
-              },
-              [&](const YieldingSource& source) {
-                const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
-                return at.floor < values.size() ? values(at.floor) : none;
-              },
-              [&](const FoundationSource& source) {
-                const Eigen::VectorXd& values = response.buildings[at.item].foundation;
-                return source.entry < values.size() ? values(source.entry) : none;
-              },
-              [&](const ColumnSource& source) {
-                const std::optional<ColumnPeaks>& column = response.points[at.item].column;
-                if (!column) return none;
-                return source.kept != nullptr ? *column.*source.kept
-                                              : source.computed(*column, r.problem.points[at.item]);
-              },
-              [&](double LinkSummary::*member) {
-                return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
-              },
-              [&](std::optional<double> PointSummary::*member) {
-                return (response.points[at.item].*member).value_or(none);
-              },
-              [&](double Impact::*member) { return response.impacts[at.item].*member; },
-              [&](bool Impact::*member) { return response.impacts[at.item].*member ? 1.0 : 0.0; },
-              [&](double (*compute)(const RunView&, const QuantityPlace&)) { return compute(r, at); },
-              [&](long (*count)(const RunView&, const QuantityPlace&)) { return static_cast<double>(count(r, at)); },
-              [&](auto PointSummary::*member) { return static_cast<double>(response.points[at.item].*member); }},
+      Visitor{
+          [&](Eigen::VectorXd BuildingPeaks::*member) {
+            const Eigen::VectorXd& values = response.buildings[at.item].*member;
+            return at.floor < values.size() ? values(at.floor) : none;
+          },
+          [&](const YieldingSource& source) {
+            const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
+            return at.floor < values.size() ? values(at.floor) : none;
+          },
+          [&](const FoundationSource& source) {
+            const Eigen::VectorXd& values = response.buildings[at.item].foundation;
+            return source.entry < values.size() ? values(source.entry) : none;
+          },
+          [&](const ColumnSource& source) {
+            const std::optional<ColumnPeaks>& column = response.points[at.item].column;
+            if (!column) return none;
+            return source.kept != nullptr ? *column.*source.kept : source.computed(*column, r.problem.points[at.item]);
+          },
+          [&](double BuildingPeaks::Hinge::*member) { return response.buildings[at.item].hinges[at.floor].*member; },
+          [&](int BuildingPeaks::Hinge::*member) {
+            return static_cast<double>(response.buildings[at.item].hinges[at.floor].*member);
+          },
+          [&](std::optional<double> BuildingPeaks::Hinge::*member) {
+            return (response.buildings[at.item].hinges[at.floor].*member).value_or(none);
+          },
+          [&](double LinkSummary::*member) {
+            return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
+          },
+          [&](std::optional<double> PointSummary::*member) {
+            return (response.points[at.item].*member).value_or(none);
+          },
+          [&](double Impact::*member) { return response.impacts[at.item].*member; },
+          [&](bool Impact::*member) { return response.impacts[at.item].*member ? 1.0 : 0.0; },
+          [&](double (*compute)(const RunView&, const QuantityPlace&)) { return compute(r, at); },
+          [&](long (*count)(const RunView&, const QuantityPlace&)) { return static_cast<double>(count(r, at)); },
+          [&](auto PointSummary::*member) { return static_cast<double>(response.points[at.item].*member); }},
       quantity.source);
 }
 
 bool is_whole(const Quantity& quantity) {
   return std::holds_alternative<int PointSummary::*>(quantity.source) ||
          std::holds_alternative<bool Impact::*>(quantity.source) ||
+         std::holds_alternative<int BuildingPeaks::Hinge::*>(quantity.source) ||
          std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
 }
 
@@ -334,39 +367,56 @@ bool is_kept(const Quantity& quantity) {
          !std::holds_alternative<long (*)(const RunView&, const QuantityPlace&)>(quantity.source);
 }
 
+namespace {
+
+/// The place of a hinge in a response, which is made.
+BuildingPeaks::Hinge& hinge_at(Response& response, const QuantityPlace& at) {
+  std::vector<BuildingPeaks::Hinge>& hinges = response.buildings.at(at.item).hinges;
+  if (std::ssize(hinges) <= at.floor) hinges.resize(at.floor + 1);
+  return hinges[at.floor];
+}
+
+}  // namespace
+
 void put_value(const Quantity& quantity, double value, const QuantityPlace& at, Response& response) {
-  std::visit(Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
-                       Eigen::VectorXd& values = response.buildings.at(at.item).*member;
-                       if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
-                       values(at.floor) = value;
-                     },
-                     [&](const YieldingSource& source) {
-                       Eigen::VectorXd& values = response.buildings.at(at.item).*source.of.*source.list;
-                       if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
-                       values(at.floor) = value;
-                     },
-                     [&](const FoundationSource& source) {
-                       Eigen::VectorXd& values = response.buildings.at(at.item).foundation;
-                       if (values.size() <= source.entry) values.conservativeResize(source.entry + 1);
-                       values(source.entry) = value;
-                     },
-                     [&](const ColumnSource& source) {
-                       std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
-                       if (source.kept == nullptr || std::isnan(value)) return;  // NaN: no column is struck there
-                       if (!column) column.emplace();
-                       *column.*source.kept = value;
-                     },
-                     [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
-                     [&](std::optional<double> PointSummary::*member) {
-                       response.points.at(at.item).*member = std::isnan(value) ? std::nullopt : std::optional(value);
-                     },
-                     [&](double Impact::*member) { response.impacts.at(at.item).*member = value; },
-                     [&](bool Impact::*member) { response.impacts.at(at.item).*member = value != 0; },
-                     [](double (*)(const RunView&, const QuantityPlace&)) {},
-                     [](long (*)(const RunView&, const QuantityPlace&)) {},
-                     [&](double PointSummary::*member) { response.points.at(at.item).*member = value; },
-                     [&](int PointSummary::*member) { response.points.at(at.item).*member = static_cast<int>(value); }},
-             quantity.source);
+  std::visit(
+      Visitor{[&](Eigen::VectorXd BuildingPeaks::*member) {
+                Eigen::VectorXd& values = response.buildings.at(at.item).*member;
+                if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
+                values(at.floor) = value;
+              },
+              [&](const YieldingSource& source) {
+                Eigen::VectorXd& values = response.buildings.at(at.item).*source.of.*source.list;
+                if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
+                values(at.floor) = value;
+              },
+              [&](const FoundationSource& source) {
+                Eigen::VectorXd& values = response.buildings.at(at.item).foundation;
+                if (values.size() <= source.entry) values.conservativeResize(source.entry + 1);
+                values(source.entry) = value;
+              },
+              [&](const ColumnSource& source) {
+                std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
+                if (source.kept == nullptr || std::isnan(value)) return;  // NaN: no column is struck there
+                if (!column) column.emplace();
+                *column.*source.kept = value;
+              },
+              [&](double BuildingPeaks::Hinge::*member) { hinge_at(response, at).*member = value; },
+              [&](int BuildingPeaks::Hinge::*member) { hinge_at(response, at).*member = static_cast<int>(value); },
+              [&](std::optional<double> BuildingPeaks::Hinge::*member) {
+                hinge_at(response, at).*member = std::isnan(value) ? std::nullopt : std::optional(value);
+              },
+              [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
+              [&](std::optional<double> PointSummary::*member) {
+                response.points.at(at.item).*member = std::isnan(value) ? std::nullopt : std::optional(value);
+              },
+              [&](double Impact::*member) { response.impacts.at(at.item).*member = value; },
+              [&](bool Impact::*member) { response.impacts.at(at.item).*member = value != 0; },
+              [](double (*)(const RunView&, const QuantityPlace&)) {},
+              [](long (*)(const RunView&, const QuantityPlace&)) {},
+              [&](double PointSummary::*member) { response.points.at(at.item).*member = value; },
+              [&](int PointSummary::*member) { response.points.at(at.item).*member = static_cast<int>(value); }},
+      quantity.source);
 }
 
 // tf would be unknown to UDUNITS, since its ton_force is the short one.
@@ -471,6 +521,12 @@ std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vect
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
   std::vector<QuantityPlace> places;
   for (Eigen::Index i = 0; i < problem.buildings[b].model.floors(); ++i) places.push_back({b, i});
+  return places;
+}
+
+std::vector<QuantityPlace> hinges_of(const Problem& problem, Eigen::Index b) {
+  std::vector<QuantityPlace> places;
+  for (Eigen::Index h = 0; h < std::ssize(problem.buildings[b].model.hinges.places); ++h) places.push_back({b, h});
   return places;
 }
 

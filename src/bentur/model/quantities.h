@@ -16,7 +16,7 @@
 namespace bentur {
 
 /// What the values of a quantity belong to: one value for the run, or one each.
-enum class Owner { run, building, floor, point, gap, impact, link };
+enum class Owner { run, building, floor, point, gap, impact, link, hinge };
 
 /// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
@@ -32,7 +32,7 @@ struct RunView {
   std::vector<PointRestitution> restitutions;  ///< per contact point
 };
 
-/// Where a value is: number of the building, point, gap, impact or link, and of the floor.
+/// Where a value is: number of the building, point, gap, impact or link, and of the floor, or of the hinge.
 struct QuantityPlace {
   Eigen::Index item = 0;
   Eigen::Index floor = 0;
@@ -60,7 +60,8 @@ struct ColumnSource {
 using QuantitySource =
     std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, ColumnSource,
                  double PointSummary::*, int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*,
-                 bool Impact::*, double LinkSummary::*, double (*)(const RunView&, const QuantityPlace&),
+                 bool Impact::*, double LinkSummary::*, double BuildingPeaks::Hinge::*, int BuildingPeaks::Hinge::*,
+                 std::optional<double> BuildingPeaks::Hinge::*, double (*)(const RunView&, const QuantityPlace&),
                  long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
@@ -96,10 +97,14 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] std::string file_name(const Quantity& quantity);
 /// Whether it is told only of buildings that have storeys that can yield.
 [[nodiscard]] bool is_of_yielding(const Quantity& quantity);
+/// Whether it is one of those, and told of this building: of a frame with hinges residual drifts alone are.
+[[nodiscard]] bool is_of_yielding(const Quantity& quantity, const Building& building);
 /// Whether it is told only of buildings that stand on soil.
 [[nodiscard]] bool is_of_foundation(const Quantity& quantity);
 /// Whether it tells what contact does to floor accelerations and storey shears, which have a table of their own.
 [[nodiscard]] bool is_of_forces(const Quantity& quantity);
+/// Whether it is told only of buildings that have hinges, or of hinges.
+[[nodiscard]] bool is_of_hinges(const Quantity& quantity);
 /// Whether it is told only of contact points where a floor strikes a column.
 [[nodiscard]] bool is_of_columns(const Quantity& quantity);
 /// Whether a quantity of columns has a value at a contact point: a column is struck there and, of demand over capacity,
@@ -153,6 +158,8 @@ struct TableColumn {
                                                              std::size_t language = 0);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
+/// The hinges of a building, in their order.
+[[nodiscard]] std::vector<QuantityPlace> hinges_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.
 [[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, Eigen::Index building);
 /// The first `count` items as places.

@@ -14,8 +14,8 @@ struct RowPart {
   std::string name;   ///< file_name(), "peak_force"; of buildings and floors with their number, "peak_displacement_1"
   std::string units;  ///< as UDUNITS reads it; "1" where there is none
   std::string long_name;      ///< for a legend
-  Owner owner = Owner::run;   ///< one value, or one for each floor, point, gap or link
-  Eigen::Index building = 0;  ///< of buildings and floors
+  Owner owner = Owner::run;   ///< one value, or one for each floor, hinge, point, gap or link
+  Eigen::Index building = 0;  ///< of buildings, floors and hinges
   Eigen::Index count = 1;     ///< how many values
   std::size_t first = 0;      ///< place of the first one in the row
   const Quantity* quantity = nullptr;
@@ -29,8 +29,8 @@ struct RowPart {
 /// Values of a row: the sum of all counts.
 [[nodiscard]] std::size_t row_size(const std::vector<RowPart>& parts);
 
-/// Whether the floors, points, gaps and links of two problems are as many, the same buildings can yield or stand on
-/// soil, and the same points strike columns, so that their rows are alike.
+/// Whether the floors, hinges, points, gaps and links of two problems are as many, the same buildings can yield or
+/// stand on soil, and the same points strike columns, so that their rows are alike.
 [[nodiscard]] bool same_places(const Problem& a, const Problem& b);
 
 /// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.

@@ -41,9 +41,11 @@ struct BuildingPeaks {
   Eigen::VectorXd storey_shear;             ///< max |Σ_{floors ≥ j} (K x)| [force], of storeys that yield max |V|
   /// What yielding does. Of all storeys where one of the building can yield, else empty: NaN, 0, 0 of one that cannot.
   struct Yielding {
-    Eigen::VectorXd ductility;             ///< max |Δ| over Δ_y [-]; NaN where the storey cannot yield
-    Eigen::VectorXd residual_drift_ratio;  ///< (Δ − V/k_u)/h at the end [-], signed
-    Eigen::VectorXd hysteretic_energy;     ///< ∫V dΔ less what could still be given back, at the end [force·length]
+    Eigen::VectorXd ductility;  ///< max |Δ| over Δ_y [-]; NaN where the storey cannot yield
+    /// (Δ − V/k_u)/h at the end [-], signed; of frames with hinges, that have no other list, the drifts of K⁻¹Gᵀθ
+    /// (H-11)
+    Eigen::VectorXd residual_drift_ratio;
+    Eigen::VectorXd hysteretic_energy;  ///< ∫V dΔ less what could still be given back, at the end [force·length]
   };
   // With contact switched off, as displacement_no_contact; empty where that is not known.
   Eigen::VectorXd acceleration_no_contact = {};
@@ -53,9 +55,28 @@ struct BuildingPeaks {
   Eigen::VectorXd column_forces = {}, column_forces_no_contact = {};
   /// max |u| [length] and max |θ| [rad] of the foundation; empty where the building stands on none.
   Eigen::VectorXd foundation = {};
+  /// What a plastic hinge did, in the order of StructuralModel::hinges.
+  struct Hinge {
+    double peak_moment = 0;                  ///< max |M + M₀| [force·length]
+    double peak_rotation = 0;                ///< max |θ| [rad]
+    double residual_rotation = 0;            ///< θ at the end [rad], signed
+    double dissipated_energy = 0;            ///< Σ capacity |Δθ| [force·length] (H-10)
+    std::optional<double> first_yield = {};  ///< [s]
+    int half_cycles = 0;                     ///< stretches of flow in one direction
+  };
+  std::vector<Hinge> hinges = {};
+  /// When hinges first made a frame movable without bending, and the storeys that drift then, from 0. (H-12)
+  struct Mechanism {
+    double time = 0;  ///< [s]
+    std::vector<Eigen::Index> storeys;
+  };
+  std::optional<Mechanism> mechanism = {};
   Yielding yielding = {};
   Yielding yielding_no_contact = {};  ///< the same with contact switched off
 };
+
+/// Hinges by when they first yielded, those that did so within 10⁻⁹ of `duration` [s] in one group; numbers from 0.
+[[nodiscard]] std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration);
 
 /// Largest forces at the ends of the two pieces of a column that a floor strikes between floors
 /// (docs/theory/structure.md, Columns that are struck). Elastic, from K: without dashpots.
@@ -121,6 +142,8 @@ struct Histories {
   /// Per building, nodes in struck columns × samples [length], and StructuralModel::column_forces, 6 · nodes × samples
   /// [force, force·length]; no rows where it has none.
   std::vector<Eigen::MatrixXd> node_displacement, column_forces;
+  /// Per building, hinges × samples: M + M₀ [force·length] and θ [rad]; no rows where it has none.
+  std::vector<Eigen::MatrixXd> hinge_moment, hinge_rotation;
   /// Per building on soil its foundation's sway [length] and rocking [rad], and the force and moment that the springs
   /// and dashpots below take [force], [force·length], 4 × samples; no rows where there is none.
   std::vector<Eigen::MatrixXd> foundation;

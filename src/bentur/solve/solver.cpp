@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,6 +11,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/elements/hinges.h"
 #include "bentur/solve/checks/self_checks.h"
 #include "bentur/solve/engine/run/free_run.h"
 #include "bentur/solve/engine/run/pounding_run.h"
@@ -83,6 +85,53 @@ void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& sys
       yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
       yielding.hysteretic_energy(f) = run.elements().energy_lost(element, run.state());
       ++element;
+    }
+  }
+}
+
+/// Of one building.
+void summarise_hinges(const Building& building, const HingeLaw& law, const CoupledState& state, BuildingPeaks& peaks) {
+  constexpr double still = 1e-6;  // of the largest drift of a mechanism: a storey that has no part in it
+  const Hinges& hinges = building.model.hinges;
+  Eigen::VectorXd theta(law.size());
+  for (Eigen::Index h = 0; h < law.size(); ++h) {
+    const HingeLaw::Record record = law.record(state, h);
+    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
+    theta(h) = record.rotation;
+    hinge.peak_rotation = record.peak_rotation;
+    hinge.residual_rotation = record.rotation;
+    hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
+    hinge.first_yield = record.first_yield;
+    hinge.half_cycles = record.half_cycles;
+  }
+  const Eigen::VectorXd left = hinges.frame_stiffness.llt().solve(hinges.frame_rows.transpose() * theta);
+  const Eigen::Index storeys = hinges.frame_drifts.rows();
+  const Eigen::Index first = building.model.floors() - storeys;  // above a slab
+  Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
+  residual.setConstant(building.model.floors(), std::numeric_limits<double>::quiet_NaN());
+  residual.tail(storeys) = hinges.frame_drifts * left;
+  for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= building.model.storey_heights[j];
+  peaks.mechanism.reset();
+  const std::optional<HingeLaw::Mechanism> mechanism = law.mechanism(state);
+  if (!mechanism) return;
+  const auto shape = free_shape(hinges.frame_stiffness, hinges.frame_rows, hinges.stiffness, mechanism->hinges);
+  const Eigen::VectorXd drifts = (hinges.frame_drifts * *shape).cwiseAbs();
+  peaks.mechanism = BuildingPeaks::Mechanism{.time = mechanism->time, .storeys = {}};
+  for (Eigen::Index j = 0; j < storeys; ++j) {
+    if (drifts(j) > still * drifts.maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
+  }
+}
+
+/// What hinges did, as the run left it; the watch has told of their moments.
+void summarise_hinges(const Problem& problem, Run& run, std::vector<BuildingPeaks>& buildings) {
+  const std::vector<CoupledState> states = run.elements().coupled(run.state());
+  std::size_t element = 0;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    for (const CoupledElement& coupled : building.coupled) {
+      const CoupledState& state = states[element++];
+      const auto* law = dynamic_cast<const HingeLaw*>(coupled.law.get());
+      if (law != nullptr) summarise_hinges(building, *law, state, buildings[b]);
     }
   }
 }
@@ -221,6 +270,26 @@ void report_end(Response& response, Status status, const Run& run) {
 }  // namespace
 }  // namespace engine
 
+std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {
+  constexpr double at_once = 1e-9;  // of the duration
+  std::vector<std::pair<double, Eigen::Index>> yields;
+  for (Eigen::Index h = 0; h < std::ssize(peaks.hinges); ++h) {
+    if (peaks.hinges[h].first_yield) yields.emplace_back(*peaks.hinges[h].first_yield, h);
+  }
+  std::sort(yields.begin(), yields.end());
+  std::vector<std::vector<Eigen::Index>> groups;
+  double latest = 0;
+  for (const auto& [time, hinge] : yields) {
+    if (groups.empty() || time - latest > at_once * duration) {
+      groups.emplace_back();
+      latest = time;
+    }
+    groups.back().push_back(hinge);
+  }
+  for (std::vector<Eigen::Index>& group : groups) std::sort(group.begin(), group.end());
+  return groups;
+}
+
 std::string_view name(const Solver& solver) {
   if (std::holds_alternative<AdaptiveSolver>(solver)) return "adaptive";
   if (std::holds_alternative<RungeKuttaSolver>(solver)) return "runge-kutta";
@@ -314,6 +383,7 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     engine::report_levels(parts->problem, run.others().nearest(), mirrored, response);
   }
   engine::summarise_yielding(parts->problem, run, parts->system, &BuildingPeaks::yielding, response.buildings);
+  engine::summarise_hinges(parts->problem, run, response.buildings);
   engine::leave_out_what_is_not_there(parts->problem, response.buildings);
   for (BuildingPeaks& peaks : response.buildings) {
     peaks.yielding_no_contact = peaks.yielding;
@@ -378,6 +448,7 @@ Response FreeResponse::solve(const Problem& problem, const SolveOptions& options
   engine::summarise_columns(problem, response.buildings, response.points);
   engine::summarise_watched(problem, run.floors().nearest(), parts_->watched_scale, response.watched);
   engine::summarise_yielding(problem, run, parts_->system, &BuildingPeaks::yielding, response.buildings);
+  engine::summarise_hinges(problem, run, response.buildings);
   engine::leave_out_what_is_not_there(problem, response.buildings);
   engine::summarise_links(run, parts_->system, response.links);
   run.sampler().finish();

@@ -1,8 +1,10 @@
 #include "bentur/structure/building.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/structure/damping.h"
@@ -16,6 +18,20 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   Building building{std::move(name), std::move(model), std::move(free_modes), std::move(c)};
   building.coupled = hinge_elements(building.model);
   return building;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> hinge_ends = {"bottom", "node", "top", "left", "right"};
+
+}  // namespace
+
+std::string_view word_of(HingePlace::End end) { return hinge_ends[static_cast<std::size_t>(end)]; }
+
+HingePlace::End hinge_end(std::string_view word) {
+  const auto found = std::find(hinge_ends.begin(), hinge_ends.end(), word);
+  if (found == hinge_ends.end()) throw InvalidParameter("end", std::string(word), "must be an end of a member");
+  return static_cast<HingePlace::End>(found - hinge_ends.begin());
 }
 
 const HystereticLaw* Building::storey_law(Eigen::Index storey) const {
@@ -39,12 +55,13 @@ std::vector<BuildingElement> storey_elements(const StructuralModel& model,
 std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
   const Hinges& hinges = model.hinges;
   if (hinges.places.empty()) return {};
-  return {
-      {hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
-                                                                    .hardening = hinges.hardening,
-                                                                    .upper = hinges.clockwise - hinges.at_rest,
-                                                                    .lower = hinges.anticlockwise + hinges.at_rest,
-                                                                    .gram = hinges.rows * hinges.rows.transpose()})}};
+  return {{hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
+                                                                        .hardening = hinges.hardening,
+                                                                        .upper = hinges.clockwise - hinges.at_rest,
+                                                                        .lower = hinges.anticlockwise + hinges.at_rest,
+                                                                        .gram = hinges.rows * hinges.rows.transpose(),
+                                                                        .frame_stiffness = hinges.frame_stiffness,
+                                                                        .frame_rows = hinges.frame_rows})}};
 }
 
 Eigen::MatrixXd drift_rows(const StructuralModel& model) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
@@ -27,6 +28,11 @@ struct HingePlace {
   End end = End::bottom;
 };
 
+/// "bottom", "node", "top", "left", "right".
+[[nodiscard]] std::string_view word_of(HingePlace::End end);
+/// @throws InvalidParameter unless it is one of these.
+[[nodiscard]] HingePlace::End hinge_end(std::string_view word);
+
 /// The plastic hinges of a frame (H-1), (H-2): moments on members' ends, clockwise positive, M = rows · x − stiffness
 /// θ.
 struct Hinges {
@@ -37,6 +43,12 @@ struct Hinges {
   /// M⁺ and M⁻ > 0 [force·length], clockwise and anticlockwise; infinite where an end cannot be brought to flow (H-5).
   Eigen::VectorXd clockwise, anticlockwise;
   Eigen::VectorXd at_rest;  ///< M₀ of gravity loads on beams [force·length] (H-9)
+  /// Rotations of the levels IO, LS and CP of ASCE 41, hinges × 3 [rad]; NaN where they are not given.
+  Eigen::MatrixXd rotation_limits;
+  /// What a rotation of 1 does to StructuralModel::column_forces, those × hinges [force·length, force].
+  Eigen::MatrixXd column_forces;
+  /// Of the frame alone, fixed at its base and without gravity loads: K, G and the drifts of its storeys over its dofs.
+  Eigen::MatrixXd frame_stiffness, frame_rows, frame_drifts;
 };
 
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:

@@ -82,7 +82,11 @@ StructuralModel condense_statically(const StructuralModel& model, Eigen::Index p
                                      model.stiffness.topRightCorner(primary, secondary) * bottom);
   if (!model.hinges.places.empty()) {  // what turns while the primary ones are held (H-2)
     const Eigen::MatrixXd of_secondary = model.hinges.rows.rightCols(secondary);
-    reduced.hinges.stiffness -= symmetric_part(of_secondary * cholesky.solve(of_secondary.transpose()));
+    const Eigen::MatrixXd turned = cholesky.solve(of_secondary.transpose());
+    reduced.hinges.stiffness -= symmetric_part(of_secondary * turned);
+    if (model.column_forces.size() > 0) {
+      reduced.hinges.column_forces += model.column_forces.rightCols(secondary) * turned;
+    }
   }
   return reduced;
 }

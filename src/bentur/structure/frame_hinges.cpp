@@ -53,14 +53,13 @@ void hold_ends_that_never_flow(std::vector<FrameHinges::End>& ends) {
 }  // namespace
 
 std::string name_of(const HingePlace& place) {
-  constexpr std::array<const char*, 5> ends = {"bottom", "node", "top", "left end", "right end"};
-  const char* end = ends[static_cast<std::size_t>(place.end)];
-  return place.of_beam ? fmt::format("{} of the beam of bay {}, floor {}", end, place.number, place.level)
+  const std::string_view end = word_of(place.end);
+  return place.of_beam ? fmt::format("{} end of the beam of bay {}, floor {}", end, place.number, place.level)
                        : fmt::format("{} of the column of line {}, storey {}", end, place.number, place.level);
 }
 
-void FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
-                      const std::optional<End>& second) {
+Index FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
+                       const std::optional<End>& second) {
   Piece piece{dofs, stiffness};
   for (const auto& [end, index] : {std::pair{&first, &piece.first}, std::pair{&second, &piece.second}}) {
     if (!*end) continue;
@@ -69,6 +68,11 @@ void FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness,
     fixed_end_moments_.push_back(0);
   }
   pieces_.push_back(piece);
+  return std::ssize(pieces_) - 1;
+}
+
+void FrameHinges::add_column_force(Index row, Index piece, Index force) {
+  column_forces_.push_back({row, piece, force});
 }
 
 void FrameHinges::add_fixed_end_moments(double first, double second) {
@@ -92,6 +96,12 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
       if (piece.second >= 0) all.stiffness(end, piece.second) += piece.stiffness(moment, 3);
     }
   }
+  all.column_forces = MatrixXd::Zero(std::ssize(column_forces_), count);
+  for (const ColumnForce& of : column_forces_) {
+    const Piece& piece = pieces_[of.piece];
+    if (piece.first >= 0) all.column_forces(of.row, piece.first) -= piece.stiffness(of.force, 1);
+    if (piece.second >= 0) all.column_forces(of.row, piece.second) -= piece.stiffness(of.force, 3);
+  }
   // M₀ = G u + M_F, K u = −(moments that fixed ends put on joints). (H-9)
   VectorXd at_rest = Eigen::Map<const VectorXd>(fixed_end_moments_.data(), count);
   if (!at_rest.isZero(0.0)) {
@@ -109,8 +119,10 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
   }
   all.rows = all.rows(kept, Eigen::all).eval();
   all.stiffness = all.stiffness(kept, kept).eval();
+  all.column_forces = all.column_forces(Eigen::all, kept).eval();
   all.at_rest = at_rest(kept);
   const Index hinges = std::ssize(kept);
+  all.rotation_limits.setConstant(hinges, 3, std::numeric_limits<double>::quiet_NaN());
   for (VectorXd* list : {&all.hardening, &all.clockwise, &all.anticlockwise}) list->resize(hinges);
   Index worst = 0;
   double worst_share = 0;
@@ -118,6 +130,9 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
     const End& end = ends[kept[h]];
     all.places.push_back(end.place);
     all.hardening(h) = end.hardening;
+    for (std::size_t n = 0; n < end.rotation_limits.size(); ++n) {
+      all.rotation_limits(h, static_cast<Index>(n)) = end.rotation_limits[n];
+    }
     all.clockwise(h) = end.clockwise;
     all.anticlockwise(h) = end.anticlockwise;
     const double moment = all.at_rest(h);

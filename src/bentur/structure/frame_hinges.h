@@ -17,14 +17,18 @@ class FrameHinges {
   /// An end of a member that may turn against what it joins.
   struct End {
     HingePlace place;
-    double clockwise = 0, anticlockwise = 0;  ///< capacities [force·length] > 0, may be infinite
-    double hardening = 0;                     ///< H [force·length/rad]
+    double clockwise = 0, anticlockwise = 0;   ///< capacities [force·length] > 0, may be infinite
+    double hardening = 0;                      ///< H [force·length/rad]
+    std::vector<double> rotation_limits = {};  ///< three [rad], or none
     Eigen::Index joint = -1;  ///< rotation of the joint that it belongs to; −1: of none that may balance
   };
   /// A member, or a piece of one, with the freedoms and the stiffness (2-48) of its ends; nothing: an end that does not
   /// turn against what it joins.
-  void add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
-           const std::optional<End>& second);
+  /// Returns the number of the piece.
+  Eigen::Index add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
+                   const std::optional<End>& second);
+  /// Row `row` of the forces in columns is end force `force` (of y₁, φ₁, y₂, φ₂) of the piece number `piece`.
+  void add_column_force(Eigen::Index row, Eigen::Index piece, Eigen::Index force);
   /// Moments on the two ends added last, of a load on a member whose joints do not turn [force·length].
   void add_fixed_end_moments(double first, double second);
 
@@ -41,6 +45,10 @@ class FrameHinges {
   std::vector<End> ends_;
   std::vector<Piece> pieces_;
   std::vector<double> fixed_end_moments_;  ///< per end
+  struct ColumnForce {
+    Eigen::Index row, piece, force;
+  };
+  std::vector<ColumnForce> column_forces_;
 };
 
 /// "left end of the beam of bay 1, floor 2", "bottom of the column of line 3, storey 1".

@@ -143,7 +143,7 @@ TEST(FrameHinges, CollapseUnderLoadsOfTheStaticTheorem) {
                          .columns = {member(2e-3, {130, 170, 120}), member(1.5e-3, {80, 110, 85})},
                          .beams = {member(3e-3, {97}), member(2e-3, {71})},
                          .floor_masses = {},
-          .mass_matrix = MassMatrix::lumped};
+                         .mass_matrix = MassMatrix::lumped};
   struct Case {
     double ground, roof, factor;
   };

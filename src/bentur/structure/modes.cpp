@@ -147,6 +147,9 @@ void calibrate_period(StructuralModel& model, double first_period) {
   model.hinges.rows *= factor;
   model.hinges.stiffness *= factor;
   model.hinges.hardening *= factor;
+  model.hinges.column_forces *= factor;
+  model.hinges.frame_stiffness *= factor;
+  model.hinges.frame_rows *= factor;
   model.stiffness_factor = factor * model.stiffness_factor.value_or(1);
 }
 

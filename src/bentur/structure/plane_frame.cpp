@@ -113,21 +113,23 @@ struct ColumnEnd {
 struct Piece {
   ElementDofs dofs;
   Eigen::Matrix4d stiffness;
+  Eigen::Index number = 0;  ///< among those that may have hinges
 };
 
 /// An end of a column or a beam of this section. H = r/(1 − r) 6EI/L of the whole member (H-3).
 FrameHinges::End end_of(const PlaneFrame& frame, const Section& section, double length, const HingePlace& place,
                         Eigen::Index joint) {
   const std::vector<double>& capacity = section.moment_capacity;
-  FrameHinges::End end{.place = place, .joint = joint};
-  end.clockwise = end.anticlockwise = capacity.empty() ? never_yields : capacity.front();
+  FrameHinges::End end{.place = place, .rotation_limits = section.rotation_limits, .joint = joint};
+  end.clockwise = capacity.empty() ? never_yields : capacity.front();
   if (capacity.size() > 1 && place.of_beam) {
     const bool left = place.end == HingePlace::End::left;
     end.clockwise = capacity[left ? 0 : 1];
     end.anticlockwise = capacity[left ? 1 : 0];
   } else if (capacity.size() > 1) {
-    end.clockwise = end.anticlockwise = capacity[place.number - 1];
+    end.clockwise = capacity[place.number - 1];
   }
+  if (!(capacity.size() > 1 && place.of_beam)) end.anticlockwise = end.clockwise;
   end.hardening = section.hardening / (1 - section.hardening) * 6 * frame.elastic_modulus * section.inertia / length;
   return end;
 }
@@ -210,8 +212,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
         std::optional<FrameHinges::End> lower;
         if (i == 0) lower = end_of(frame, column, height, place, bottom.rotation);
         place.end = ends_at_joint ? HingePlace::End::top : HingePlace::End::node;
-        hinges.add(of, pieces.back().stiffness, lower,
-                   end_of(frame, column, height, place, ends_at_joint ? top.rotation : fixed));
+        pieces.back().number = hinges.add(of, pieces.back().stiffness, lower,
+                                          end_of(frame, column, height, place, ends_at_joint ? top.rotation : fixed));
         const bool at_base = floor == 0 && i == 0;
         const Eigen::Matrix4d inertia = element_mass(mass, length);
         if (consistent) {
@@ -238,12 +240,14 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
         placed[node] = 1;
         const Piece& below = pieces[i - 1];
         const Piece& above = pieces[i];
-        add_row(model.column_forces, 6 * node, below, 2);
-        add_row(model.column_forces, 6 * node + 1, above, 0);
-        add_row(model.column_forces, 6 * node + 2, below, 1);
-        add_row(model.column_forces, 6 * node + 3, below, 3);
-        add_row(model.column_forces, 6 * node + 4, above, 1);
-        add_row(model.column_forces, 6 * node + 5, above, 3);
+        // Shears below and above; moments at the bottom, at the node from below and from above, at the top.
+        const std::pair<const Piece*, Eigen::Index> ends_of_pieces[] = {{&below, 2}, {&above, 0}, {&below, 1},
+                                                                        {&below, 3}, {&above, 1}, {&above, 3}};
+        Eigen::Index row = 6 * node;
+        for (const auto& [piece, force] : ends_of_pieces) {
+          hinges.add_column_force(row, piece->number, force);
+          add_row(model.column_forces, row++, *piece, force);
+        }
       }
     }
     const Section& beam = frame.beams[floor];
@@ -308,16 +312,34 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   return model;
 }
 
-StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation) {
-  StructuralModel model = assemble_plane_frame(frame, base_elevation);
-  const Eigen::Index floors = model.floors();
-  const Eigen::Index sways = floors + model.nodes();
+namespace {
+
+/// Reduced as its condensation says.
+StructuralModel reduced(const PlaneFrame& frame, const StructuralModel& model) {
+  const Eigen::Index sways = model.floors() + model.nodes();
   const Eigen::Index rotations = model.dofs() - sways;
   const bool massless = model.mass.bottomRightCorner(rotations, rotations).isZero(0);
   if (massless || frame.condensation == Condensation::static_) return condense_statically(model, sways);
-  if (frame.condensation == Condensation::dynamic) return condense_dynamically(model, sways);
+  if (frame.condensation == Condensation::dynamic) {
+    if (!model.hinges.places.empty()) {
+      throw InvalidParameter("condensation", "\"dynamic\"", "must be \"static\" or \"none\" where hinges may form");
+    }
+    return condense_dynamically(model, sways);
+  }
   if (Eigen::LLT<Eigen::MatrixXd>(model.mass).info() != Eigen::Success) {
     throw InvalidParameter("condensation", "none", "needs a column or beam with mass at every floor");
+  }
+  return model;
+}
+
+}  // namespace
+
+StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation) {
+  StructuralModel model = reduced(frame, assemble_plane_frame(frame, base_elevation));
+  if (!model.hinges.places.empty()) {
+    model.hinges.frame_stiffness = model.stiffness;
+    model.hinges.frame_rows = model.hinges.rows;
+    model.hinges.frame_drifts = drift_rows(model);
   }
   return model;
 }

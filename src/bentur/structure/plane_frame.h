@@ -16,6 +16,8 @@ struct Section {
   /// one per column line; of beams one, or those with the tension below and above (sagging, hogging). Empty: elastic.
   std::vector<double> moment_capacity = {};
   double hardening = 0;  ///< r of (H-3) [-], in [0, 1)
+  /// Rotations [rad] > 0, ascending, that a hinge's are told as parts of; three, or none.
+  std::vector<double> rotation_limits = {};
   double line_load = 0;  ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass
 
   /// Of a member of this length [length].

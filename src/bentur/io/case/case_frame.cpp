@@ -32,12 +32,37 @@ void read_shape(const TableView& view, Section& section) {
   }
 }
 
-/// From a density a member weighs by its own length.
-Section read_section(const TomlView& given, double gravity) {
+/// Where its ends yield. @param lines of columns; 0: it is a beam
+void read_hinges(const TableView& view, std::size_t lines, Section& section) {
+  const auto capacity = view.get("moment_capacity");
+  if (!capacity) {
+    for (const std::string key : {"hardening", "rotation_limits"}) {
+      view.refuse({key}, "goes with moment_capacity, which is missing");
+    }
+  }
+  section.moment_capacity = view.numbers("moment_capacity");
+  const std::size_t given = section.moment_capacity.size();
+  const bool of_lines = lines > 0;
+  if (given > 1 && given != (of_lines ? lines : 2)) {
+    capacity->error(fmt::format("has {} entries, must be a number or {}", given,
+                                of_lines ? fmt::format("have one per column line ({})", lines) : "[sagging, hogging]"));
+  }
+  section.hardening = view.number("hardening").value_or(0);
+  section.rotation_limits = view.numbers("rotation_limits", 3);
+  if (!std::is_sorted(section.rotation_limits.begin(), section.rotation_limits.end(), std::less_equal<>())) {
+    view.get("rotation_limits")->error("must be three numbers > 0 in ascending order");
+  }
+  section.line_load = view.number("line_load").value_or(0);
+  if (of_lines) view.refuse({"line_load"}, "only beams carry it");
+}
+
+/// From a density a member weighs by its own length. @param lines of columns; 0: it is a beam
+Section read_section(const TomlView& given, double gravity, std::size_t lines) {
   Section section;
   const auto view = TableView::of(given, section_keys());
   if (!view) return section;
   read_shape(*view, section);
+  read_hinges(*view, lines, section);
   const auto basis = view->exactly_one("weight");
   if (!basis) return section;
   const double amount = view->number(*basis).value_or(0);
@@ -50,16 +75,16 @@ Section read_section(const TomlView& given, double gravity) {
 }
 
 /// One section for each of `count` storeys or floors, from a list of one for all or one for each. @param each "one per
-/// storey".
+/// storey". @param lines as read_section() takes it
 std::vector<Section> read_sections(const TableView& frame, const std::string& key, std::size_t count,
-                                   const std::string& each, double gravity) {
+                                   const std::string& each, double gravity, std::size_t lines) {
   const auto list = frame.get(key);
   if (!list || !list->is_list_of("sections")) return {};
   if (count > 0 && list->size() != 1 && list->size() != count) {
     list->error(fmt::format("has {} entries, expected 1 or {} ({})", list->size(), count, each));
   }
   std::vector<Section> given;
-  for (const TomlView& section : list->items()) given.push_back(read_section(section, gravity));
+  for (const TomlView& section : list->items()) given.push_back(read_section(section, gravity, lines));
   std::vector<Section> sections;
   for (std::size_t i = 0; i < count; ++i) sections.push_back(given[std::min(i, given.size() - 1)]);
   return sections;
@@ -118,8 +143,8 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
 
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
-  frame.columns = read_sections(view, "columns", storeys, "one per storey", gravity);
-  frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity);
+  frame.columns = read_sections(view, "columns", storeys, "one per storey", gravity, frame.bay_widths.size() + 1);
+  frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity, 0);
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
 
   const auto mass_matrix = view.word("mass_matrix");
@@ -128,6 +153,14 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   if (condensation == "dynamic") frame.condensation = Condensation::dynamic;
   if (condensation == "none") frame.condensation = Condensation::none;
   frame.base_coupling = view.flag("base_coupling");
+  const auto yields = [](const Section& section) {
+    return std::any_of(section.moment_capacity.begin(), section.moment_capacity.end(),
+                       [](double capacity) { return std::isfinite(capacity); });
+  };
+  if (frame.condensation == Condensation::dynamic && (std::any_of(frame.columns.begin(), frame.columns.end(), yields) ||
+                                                      std::any_of(frame.beams.begin(), frame.beams.end(), yields))) {
+    view.get("condensation")->error_value("must be \"static\" or \"none\" where hinges may form");
+  }
 
   if (storeys > 0) {
     check_masses(view, frame);

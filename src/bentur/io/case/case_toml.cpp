@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "bentur/core/errors.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
@@ -108,6 +109,20 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   return analysis;
 }
 
+/// Says of the load on a beam that it is too large, at its key; false where the error is about something else.
+bool at_line_load(const TomlView& building, const InvalidParameter& error) {
+  const auto frame = building.find("frame");
+  const auto beams = frame ? frame->find("beams") : std::nullopt;
+  if (!beams || error.parameter() != "line_load") return false;
+  for (const TomlView& beam : beams->items()) {
+    if (const auto load = beam.find("line_load")) {
+      load->error_value(error.rule());
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
 void check_assembled(const std::vector<TomlView>& views, const Units& units, std::vector<ReadBuilding>& buildings) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
@@ -120,6 +135,8 @@ void check_assembled(const std::vector<TomlView>& views, const Units& units, std
       if (!std::isfinite(proportions(*buildings[b].made, units, nullptr).weight)) {
         views[b].error("weighs more than can be computed with: are masses in the units of the case?");
       }
+    } catch (const InvalidParameter& error) {
+      if (!at_line_load(views[b], error)) views[b].error(std::string("cannot be computed with: ") + error.what());
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }

@@ -79,8 +79,16 @@ Json source_json(const std::optional<CaseSource>& source) {
       {"file", source->file}, {"size", source->text.size()}, {"sha256", source->sha256}, {"copied", source->copied}};
 }
 
+/// Where a hinge is, as the case counts.
+Json place_json(const HingePlace& place) {
+  if (place.of_beam) {
+    return {{"member", "beam"}, {"floor", place.level}, {"bay", place.number}, {"end", word_of(place.end)}};
+  }
+  return {{"member", "column"}, {"storey", place.level}, {"line", place.number}, {"end", word_of(place.end)}};
+}
+
 /// Every quantity of `owner` at a place into the object that stands for it, where nothing stands yet.
-void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index item = 0) {
+void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index item = 0, Eigen::Index place = 0) {
   const auto json_of = [&](const Quantity& quantity, Eigen::Index floor) -> Json {
     const double value = value_of(quantity, run, {item, floor});
     if (std::isnan(value)) return nullptr;
@@ -97,8 +105,33 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
       }
       object[at] = list;
     } else {
-      object[at] = json_of(*quantity, 0);
+      object[at] = json_of(*quantity, place);
     }
+  }
+}
+
+/// What the hinges of a frame did: each, in which order they began to yield, and when the frame could first move
+/// without bending.
+void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
+  const Hinges& hinges = run.problem.buildings[b].model.hinges;
+  const BuildingPeaks& peaks = run.response.buildings[b];
+  json["mechanism"] = nullptr;
+  if (peaks.mechanism) {
+    json["mechanism"] = {{"time", peaks.mechanism->time}, {"storeys", Json::array()}};
+    for (const Eigen::Index storey : peaks.mechanism->storeys) {
+      json["mechanism"]["storeys"].push_back(run.problem.buildings[b].model.storey_number(storey));
+    }
+  }
+  json["hinge_order"] = hinge_order(peaks, run.problem.duration);
+  json["hinges"] = Json::array();
+  for (const QuantityPlace& at : hinges_of(run.problem, b)) {
+    Json hinge = place_json(hinges.places[at.floor]);
+    put_quantities(hinge, Owner::hinge, run, at.item, at.floor);
+    if (hinges.rotation_limits.rows() > at.floor && !std::isnan(hinges.rotation_limits(at.floor, 0))) {
+      hinge["rotation_demand"] =
+          list(peaks.hinges[at.floor].peak_rotation * hinges.rotation_limits.row(at.floor).cwiseInverse().transpose());
+    }
+    json["hinges"].push_back(std::move(hinge));
   }
 }
 
@@ -143,6 +176,7 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   }
   put_quantities(json, Owner::building, run, b);
   put_quantities(json, Owner::floor, run, b);
+  if (!building.model.hinges.places.empty()) put_hinges(json, run, b);
   return json;
 }
 

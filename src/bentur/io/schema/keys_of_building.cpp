@@ -187,7 +187,26 @@ const KeyTable& section_keys() {
            .one_of("weight"),
        Key::number("unit_weight", dimension::unit_weight, Range::not_negative, {"Unit weight", "Berat isi"},
                    "of the member; exactly one of the three")
-           .one_of("weight")}};
+           .one_of("weight"),
+       Key::number("moment_capacity", dimension::moment, Range::positive_or_infinite,
+                   {"Moment capacity", "Kapasitas momen"},
+                   "moment at which its ends [yield](#hinges): of columns also one per column line, of beams also "
+                   "those with the tension below and above")
+           .for_each("one per column line, or below and above")
+           .optional("it stays elastic"),
+       Key::number("hardening", dimension::none, Range::ratio, {"Hardening", "Pengerasan"},
+                   "stiffness after yielding over that before, of a member bent to an S")
+           .goes_with("moment_capacity")
+           .by_default(0),
+       Key::number("rotation_limits", dimension::none, Range::positive, {"Limits of rotation", "Batas rotasi"},
+                   "IO, LS and CP of ASCE 41, ascending, that rotations of its hinges are told as parts of")
+           .list("IO, LS, CP", 3)
+           .counted_in("rad")
+           .goes_with("moment_capacity")
+           .optional("none"),
+       Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
+                   "on a beam, downwards: the moments that its hinges bear at rest")
+           .by_default(0)}};
   return table;
 }
 

@@ -15,14 +15,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Rows over the coordinates of a building (docs/theory/exact-solver.md): displacements, drift ratios (of a slab's, the
-/// drift), storey shears; then its forces in columns with nodes, and sway and rocking of its foundation. Columns:
-/// modes, ground, and the forces of storeys that yield.
+/// drift), storey shears; then its forces in columns with nodes, moments at hinges, and sway and rocking of its
+/// foundation. Columns: modes, ground, and the forces of what yields.
 MatrixXd output_rows(const Building& building, Index size) {
   const StructuralModel& model = building.model;
   const Index floors = model.floors();
   const Index modes = building.modes.omega.size();
   const Index columns = model.column_forces.rows();
-  MatrixXd rows = MatrixXd::Zero(3 * floors + columns + (model.has_soil ? 2 : 0), size);
+  const Index hinges = model.hinges.rows.rows();
+  MatrixXd rows = MatrixXd::Zero(3 * floors + columns + hinges + (model.has_soil ? 2 : 0), size);
   const auto of_dofs = [&](const MatrixXd& of) { return MatrixXd(of * building.modes.shapes); };
   rows.block(0, 0, floors, modes) = building.modes.shapes.topRows(floors);
   rows.block(floors, 0, floors, modes) = of_dofs(drift_rows(model));
@@ -38,7 +39,12 @@ MatrixXd output_rows(const Building& building, Index size) {
     force += shares.cols();
   }
   if (columns > 0) rows.block(3 * floors, 0, columns, modes) = of_dofs(model.column_forces);
-  if (model.has_soil) rows.block(3 * floors + columns, 0, 2, modes) = building.modes.shapes.bottomRows(2);
+  if (hinges > 0) {
+    rows.block(3 * floors + columns, 0, hinges, modes) = of_dofs(model.hinges.rows);
+    rows.block(3 * floors + columns, size - hinges, hinges, hinges) = model.hinges.stiffness;
+    rows.block(3 * floors, size - hinges, columns, hinges) = -model.hinges.column_forces;
+  }
+  if (model.has_soil) rows.bottomLeftCorner(2, modes) = building.modes.shapes.bottomRows(2);
   return rows;
 }
 
@@ -63,6 +69,10 @@ ModalSystem::Block make_block(const Building& building, Index begin) {
   block.outputs = output_rows(building, block.size);
   block.nodes = building.modes.shapes.middleRows(block.floors, building.model.nodes());
   block.column_forces = building.model.column_forces.rows();
+  block.hinges = building.model.hinges.rows.rows();
+  block.rotations = block.size - block.hinges;
+  block.offsets = VectorXd::Zero(block.outputs.rows());
+  block.offsets.segment(3 * block.floors + block.column_forces, block.hinges) = building.model.hinges.at_rest;
   block.acceleration = block.outputs.topRows(block.floors);
   block.acceleration.col(modes).setOnes();
 

@@ -66,6 +66,9 @@ struct ModalSystem {
     Eigen::MatrixXd acceleration;    ///< floors × size, applied to q̈
     Eigen::MatrixXd nodes;           ///< nodes in struck columns × modes: displacement
     Eigen::Index column_forces = 0;  ///< number of outputs that are forces in these columns, after those of floors
+    Eigen::Index hinges = 0;         ///< number of outputs that are moments at hinges, after those
+    Eigen::Index rotations = 0;      ///< where the force coordinates of hinges begin in the block, which are −θ
+    Eigen::VectorXd offsets;         ///< of outputs where all coordinates are zero
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
     double omega_max = 0;                    ///< largest Ω [1/s]

@@ -13,6 +13,8 @@
 
 namespace bentur::engine {
 
+inline constexpr double round_off_band = 0x1p-46;  ///< of displacements and speeds at an element, and resting forces
+
 /// Where every element stands, when that changes next, and what it does to the buildings.
 ///
 /// Every branch of a law is guarded by functions of δ and δ̇ (law.h); a branch ends when one of them falls below minus

@@ -11,9 +11,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Those of columns that are struck, and of foundations.
-std::array<std::vector<MatrixXd>*, 3> of_some(Histories& h) {
-  return {&h.node_displacement, &h.column_forces, &h.foundation};
+/// Those of columns that are struck, of foundations, and of hinges.
+std::array<std::vector<MatrixXd>*, 5> of_some(Histories& h) {
+  return {&h.node_displacement, &h.column_forces, &h.foundation, &h.hinge_moment, &h.hinge_rotation};
 }
 
 /// Those of every floor or storey.
@@ -37,6 +37,9 @@ Sampler::Sampler(const ModalSystem& system, const Problem& problem, double outpu
     for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
     histories_.node_displacement.emplace_back(MatrixXd::Zero(block.nodes.rows(), count_));
     histories_.column_forces.emplace_back(MatrixXd::Zero(block.column_forces, count_));
+    for (auto* list : {&histories_.hinge_moment, &histories_.hinge_rotation}) {
+      list->emplace_back(MatrixXd::Zero(block.hinges, count_));
+    }
     histories_.foundation.emplace_back(MatrixXd::Zero(block.has_foundation ? 4 : 0, count_));
   }
   const Index points = system.switched;
@@ -69,6 +72,10 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
       histories_.storey_shear[b].col(taken_) = block.outputs.middleRows(2 * block.floors, block.floors) * q;
       histories_.node_displacement[b].col(taken_) = block.nodes * q.head(block.modes);
       histories_.column_forces[b].col(taken_) = block.outputs.middleRows(3 * block.floors, block.column_forces) * q;
+      const Index moments = 3 * block.floors + block.column_forces;
+      histories_.hinge_moment[b].col(taken_) =
+          block.outputs.middleRows(moments, block.hinges) * q + block.offsets.segment(moments, block.hinges);
+      histories_.hinge_rotation[b].col(taken_) = -q.segment(block.rotations, block.hinges);
       histories_.foundation[b].col(taken_) = block.foundation(state_);
       histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
       histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);

@@ -137,8 +137,8 @@ bool reach_of_rows(Peaks of, const PackedRows& rows, const double* offset, const
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-bool reach_of_samples(const PackedRows& rows, int count, const double* x, const double* rise, double* peak,
-                      const double* reach_before, double* reach) {
+bool reach_of_samples(const PackedRows& rows, const double* offset, int count, const double* x, const double* rise,
+                      double* peak, const double* reach_before, double* reach) {
   const Index columns = rows.columns();
   Bits beyond_peak{};
   for (Index r = 0; r < rows.rows(); r += four) {
@@ -153,7 +153,8 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
     int i = 0;
     for (; i + 3 <= count; i += 3) {
       const double* at = x + i * columns;
-      Four value[3] = {};  // NOLINT(modernize-avoid-c-arrays): registers
+      const Four start = load(offset + r);
+      Four value[3] = {start, start, start};  // NOLINT(modernize-avoid-c-arrays): registers
       for (Index j = 0; j < columns; ++j) {
         const Four weight = load(weights + four * j);
         value[0] += weight * all(at[j]);
@@ -163,7 +164,7 @@ bool reach_of_samples(const PackedRows& rows, int count, const double* x, const 
       most = max(most, max(abs(value[0]), max(abs(value[1]), abs(value[2]))));
     }
     for (; i < count; ++i) {
-      Four value = all(0.0);
+      Four value = load(offset + r);
       for (Index j = 0; j < columns; ++j) value += load(weights + four * j) * all(x[i * columns + j]);
       most = max(most, abs(value));
     }

@@ -62,11 +62,11 @@ enum class Peaks { of_abs, of_values };
 bool reach_of_rows(Peaks of, const PackedRows& weights, const double* offset, const double* start, const double* end,
                    const double* rise, double* peak, const double* before, double* reach);
 
-/// For every row r: the largest |Σ_j w_rj x_j| over `count` vectors x, one after the other, raises `peak`; and `reach`
-/// is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four rows whose
-/// reaches were not above their peaks `before` are left alone. Returns whether no reach exceeds its peak.
-bool reach_of_samples(const PackedRows& weights, int count, const double* x, const double* rise, double* peak,
-                      const double* before, double* reach);
+/// For every row r: the largest |Σ_j w_rj x_j + offset_r| over `count` vectors x, one after the other, raises `peak`;
+/// and `reach` is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four
+/// rows whose reaches were not above their peaks `before` are left alone. Returns whether no reach exceeds its peak.
+bool reach_of_samples(const PackedRows& weights, const double* offset, int count, const double* x, const double* rise,
+                      double* peak, const double* before, double* reach);
 
 /// Raises `peak` for every row r by `count` vectors x, `stride` apart; `values` has what rows r to r + 3 (r a multiple
 /// of four) are at vector n from entry r count + 4 n on.

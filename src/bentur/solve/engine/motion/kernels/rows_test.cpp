@@ -27,7 +27,8 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
   Numbers peak(rows, 5.0), reach(rows, unknown), ends_peak(rows, 5.0), ends_reach(rows, unknown);
   bool settled = true, ends_settled = true;
   const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
-  const bool found = reach_of_samples(packed, count, x.data(), rise.data(), peak.data(), reach.data(), reach.data());
+  const bool found = reach_of_samples(packed, Numbers(rows, 0.0).data(), count, x.data(), rise.data(), peak.data(),
+                                      reach.data(), reach.data());
   const bool ends_found = reach_of_rows(Peaks::of_abs, packed, Numbers(rows, 0.0).data(), x.data(), x.data() + columns,
                                         rise.data(), ends_peak.data(), ends_reach.data(), ends_reach.data());
   for (Index r = 0; r < rows; ++r) {
@@ -163,7 +164,8 @@ TEST(Kernels, WhatIsNoNumberIsBelowNothing) {
                             reach.data(), reach.data()));
   EXPECT_EQ(reach, none);
   reach.assign(4, 0.0);
-  EXPECT_FALSE(reach_of_samples(packed, 1, none.data(), rise.data(), peak.data(), unknown.data(), reach.data()));
+  EXPECT_FALSE(
+      reach_of_samples(packed, none.data(), 1, none.data(), rise.data(), peak.data(), unknown.data(), reach.data()));
 }
 
 TEST(Kernels, LumpIsTheLargestPartOfALimit) {

@@ -14,6 +14,7 @@ PeakWatch::PeakWatch(const ModalSystem& system) : system_(&system) {
   Index most_quantities = 0;
   for (const auto& block : system.blocks) {
     positions_.emplace_back(block.outputs, block.padded_size, kernels::Peaks::of_abs);
+    positions_.back().offset.head(block.offsets.size()) = block.offsets;
     accelerations_.emplace_back(block.acceleration, block.padded_size, kernels::Peaks::of_abs);
     most = std::max(most, block.padded_size);
     most_quantities = std::max(most_quantities, quantities(positions_.size() - 1));
@@ -84,8 +85,8 @@ bool PeakWatch::settled_by_samples(std::size_t b, const Curves& step, int parts,
   kernels::bound(n, step.c, step.stride, step.degree, step.end, chord, chord * rate, rise_.data(), second_rise_.data());
   const auto look = [&](BoundedOutputs& rows, const VectorXd& samples, const VectorXd& rise, const double* rows_before,
                         double* rows_reach) {
-    return kernels::reach_of_samples(rows.weights(), parts + 1, samples.data(), rise.data(), rows.peak.data(),
-                                     rows_before, rows_reach);
+    return kernels::reach_of_samples(rows.weights(), rows.offset.data(), parts + 1, samples.data(), rise.data(),
+                                     rows.peak.data(), rows_before, rows_reach);
   };
   const Index first = positions_[b].size();
   const bool positions = look(positions_[b], samples_, rise_, before, reach);
@@ -110,6 +111,7 @@ void PeakWatch::scan(std::size_t b, const Curves& step, const double* reach) {
   for (Index r = 0; r < positions.size(); ++r) {
     if (reach[r] <= positions.peak(r)) continue;
     combine(positions, r);
+    row[0] += positions.offset(r);
     raise_to_largest(row, step.end, positions.peak(r));
   }
   BoundedOutputs& accelerations = accelerations_[b];
@@ -130,8 +132,11 @@ void PeakWatch::report(std::size_t b, BuildingPeaks& peaks) const {
   peaks.acceleration = accelerations_[b].peak.head(floors);
   const Index columns = system_->blocks[b].column_forces;
   const Index foundation = system_->blocks[b].has_foundation ? 2 : 0;
+  const Index hinges = system_->blocks[b].hinges;
   peaks.column_forces = peak.segment(3 * floors, columns);
-  peaks.foundation = peak.segment(3 * floors + columns, foundation);
+  peaks.hinges.resize(hinges);
+  for (Index h = 0; h < hinges; ++h) peaks.hinges[h].peak_moment = peak(3 * floors + columns + h);
+  peaks.foundation = peak.segment(3 * floors + columns + hinges, foundation);
 }
 
 }  // namespace bentur::engine

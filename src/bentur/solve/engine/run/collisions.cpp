@@ -1,0 +1,95 @@
+// Impacts that take no time, and contacts that rest.
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/elements/complementarity.h"
+#include "bentur/solve/engine/run/elements.h"
+
+namespace bentur::engine {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double resting_threshold = 0x1p-20;  // of the speeds at a point: slower impacts do not bounce
+
+}  // namespace
+
+/// At an instant at which an opening is zero. What overlaps at the start never was.
+void Elements::note_opening(Index i, double time, const State& state) {
+  if (time > 0.0) worst_openings_[i] = std::max(worst_openings_[i], std::abs(deformation(i, state)));
+}
+
+/// A contact rests within its tolerance of zero, or as far from it as the errors of steps that are approximations add
+/// up to. It lets go at zero, or what is left would decide whether it closes again at once.
+void Elements::let_go(Index element, State& state) {
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(std::ssize(forces_.resting));
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    if (forces_.resting[n] == element) missing(n) = deformation(element, state);
+  }
+  const Eigen::VectorXd moves = system_->forces_for(forces_.resting, missing);
+  for (Index n = 0; n < std::ssize(forces_.resting); ++n) {
+    system_->push(forces_.resting[n], moves(n), state.q);
+  }
+  set(element, {}, state);
+}
+
+/// Impacts without duration: every point that is closed and has such a law takes part; or a resting point lets go.
+void Elements::collide(Index element, double time, State& state) {
+  if (resting(element)) {
+    let_go(element, state);
+    log_.end(element, time, 0.0);
+    return;
+  }
+  note_opening(element, time, state);
+  // Where errors of steps have brought it farther than they were thought to, it still parts from zero; else the next
+  // step would end at once, and so on.
+  tolerances_[element] = std::max(tolerances_[element], std::abs(deformation(element, state)) / start_slack_);
+  std::vector<Index> at;
+  for (Index i = idle_; i < count(); ++i) {
+    if (!two_bodies(i)) continue;
+    if (law(i).restitution() && (i == element || resting(i) || deformation(i, state) >= -tolerances_[i])) {
+      at.push_back(i);
+    }
+    fastest_ = std::max(fastest_, relation(i).along_abs(state.v));
+  }
+  const Index count = std::ssize(at);
+  Eigen::MatrixXd a(count, count);
+  Eigen::VectorXd before(count), b(count);
+  std::vector<char> slow(at.size(), 0);
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
+    before(n) = speed(i, state);
+    slow[n] = std::abs(before(n)) <= resting_threshold * fastest_ ? 1 : 0;
+    b(n) = before(n) * (1.0 + (slow[n] != 0 ? 0.0 : *law(i).restitution()));
+    for (Index m = 0; m < count; ++m) {
+      a(n, m) = system_->coupling(i, at[m]);
+    }
+  }
+  const std::optional<Eigen::VectorXd> found = complementary(a, b);
+  failed_ = !found;
+  if (failed_) return;
+  const Eigen::VectorXd& p = *found;
+  for (Index n = 0; n < count; ++n) system_->push(at[n], p(n), state.v);
+  for (Index n = 0; n < count; ++n) {
+    const Index i = at[n];
+    const double after = speed(i, state);
+    const double lost = 0.5 * p(n) * (before(n) + after);
+    if (p(n) > 0.0) jumps_.push_back({i, p(n), lost});
+    const bool was_resting = resting(i);
+    const bool pressed = p(n) > 0.0 || (was_resting && after >= -round_off_band * fastest_);
+    const bool rests = pressed && slow[n] != 0;
+    if (!was_resting && p(n) > 0.0) {
+      const bool touched_before = touches_[i].time >= 0.0;
+      log_.begin(i, touched_before ? std::min(touches_[i].time, time) : time, before(n));
+    }
+    log_.under_way(i).impulse += p(n);
+    log_.under_way(i).energy_lost += lost;
+    if (was_resting && !rests && deformation(i, state) > start_slack_ * tolerances_[i]) let_go(i, state);
+    if (rests != was_resting) set(i, rests ? LawState{1, time, before(n)} : LawState{}, state);
+    if (!rests && (was_resting || p(n) > 0.0)) log_.end(i, was_resting ? time : log_.under_way(i).start, -after);
+    touches_[i] = {};
+  }
+}
+
+}  // namespace bentur::engine
