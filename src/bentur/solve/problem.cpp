@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bentur/core/errors.h"
+#include "bentur/elements/hinges.h"
 
 namespace bentur {
 namespace {
@@ -40,6 +41,22 @@ void check_elements(const Building& building, const std::string& name) {
   }
 }
 
+/// Elements of several deformations, and that what is told of hinges is of them.
+void check_coupled(const Building& building, const std::string& name) {
+  Eigen::Index hinges = 0;
+  for (std::size_t i = 0; i < building.coupled.size(); ++i) {
+    const CoupledElement& element = building.coupled[i];
+    const auto what = fmt::format("{}.coupled[{}]", name, i);
+    require(element.law != nullptr, what + ".law", "none", "must be given");
+    require(element.rows.rows() == element.law->size() && element.rows.cols() == building.model.dofs(), what + ".rows",
+            building.name, "must have a row per deformation and a column per degree of freedom");
+    require(element.rows.allFinite(), what + ".rows", building.name, "must be finite");
+    if (dynamic_cast<const HingeLaw*>(element.law.get()) != nullptr) hinges += element.law->size();
+  }
+  require(hinges == building.model.hinges.rows.rows(), name + ".model.hinges", building.name,
+          "must be those of its elements");
+}
+
 void check_building(const Building& building, Eigen::Index b, double duration) {
   const Eigen::Index dofs = building.model.dofs();
   const auto name = fmt::format("buildings[{}]", b);
@@ -66,6 +83,7 @@ void check_building(const Building& building, Eigen::Index b, double duration) {
             "must be > 0 where storeys yield");
     check_elements(building, name);
   }
+  check_coupled(building, name);
   require(building.modal_damping.allFinite() && building.modal_damping.norm() * duration <= most_times,
           name + ".modal_damping", building.modal_damping.norm(), "must be finite, and at most 1e15 over the duration");
 }

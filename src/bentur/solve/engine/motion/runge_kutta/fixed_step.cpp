@@ -27,26 +27,26 @@ void FixedStep::step(const State& from, const std::vector<GroundInput>& inputs, 
   at_.q = from_.q + h * (from_.v + h / 2 * k2_);
   at_.v = from_.v + h * k3_;
   accelerate(at_, h, forces, k4_);
-  to_.q = from_.q + h * (from_.v + h / 6 * (k1_ + k2_ + k3_));
+  bend_ = h * h / 6 * (k1_ + k2_ + k3_);
+  gain_ = h * h / 6 * (k1_ + 2 * k2_ + 2 * k3_ + k4_);
+  to_.q = from_.q + (h * from_.v + bend_);
   to_.v = from_.v + h / 6 * (k1_ + 2 * k2_ + 2 * k3_ + k4_);
   to = to_;
 }
 
 void FixedStep::expand(const ForceFunction& forces, Expansion& motion) {
   accelerate(to_, h_, forces, k4_);
-  const auto v0 = h_ * from_.v;
-  const auto v1 = h_ * to_.v;
   const auto a0 = h_ * h_ * k1_;
   const auto a1 = h_ * h_ * k4_;
-  const Eigen::VectorXd change = to_.q - from_.q;
   auto& c = motion.coefficients();
   c.rightCols(highest_degree - degree).setZero();
   c.col(0) = from_.q;
-  c.col(1) = v0;
+  c.col(1) = h_ * from_.v;
   c.col(2) = 0.5 * a0;
-  c.col(3) = 10.0 * change - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1;
-  c.col(4) = -15.0 * change + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1;
-  c.col(5) = 6.0 * change - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1;
+  // From what k's add up to, not from differences of q and v, of which nothing is left in a step that is very short.
+  c.col(3) = 10.0 * bend_ - 4.0 * gain_ - 1.5 * a0 + 0.5 * a1;
+  c.col(4) = -15.0 * bend_ + 7.0 * gain_ + 1.5 * a0 - a1;
+  c.col(5) = 6.0 * bend_ - 3.0 * gain_ - 0.5 * a0 + 0.5 * a1;
 }
 
 }  // namespace bentur::engine

@@ -27,6 +27,7 @@ class FixedStep {
   double h_ = 0;
   State from_, at_, to_;
   Eigen::VectorXd forces_, k1_, k2_, k3_, k4_;
+  Eigen::VectorXd bend_, gain_;  ///< q⁺ − q − h v and h (v⁺ − v)
 };
 
 }  // namespace bentur::engine
