@@ -375,7 +375,7 @@ test("from a change to the new curves", async () => {
     });
     const [whole, worker] = [0, 1].map((part) => times.map((one) => one[part]).sort((a, b) => a - b));
     console.log(`# from a change to the new curves ${whole[12].toFixed(0)} ms (median), ${whole[2].toFixed(0)} to ${whole[22].toFixed(0)} ms; ${worker[12].toFixed(0)} ms of it solved and drawn`);
-    within(whole[12], 50, "ms from a change to the curves");
+    within(whole[12], 25, "ms from a change to the curves");
   });
 });
 
