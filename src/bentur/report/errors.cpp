@@ -134,6 +134,10 @@ std::optional<std::string> error_sentence(const std::string& english, const std:
   return translated(english, patterns_of(language));
 }
 
+std::string error_words(const std::string& english, const std::string& language) {
+  return error_sentence(english, language).value_or(english);
+}
+
 std::optional<std::string> error_message(const Diagnostic& error, const std::string& language) {
   return told(error, &Diagnostic::message, language);
 }
