@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/results/result_csv.h"
@@ -233,6 +234,20 @@ TEST(Report, SamplesAreThoseOfTheResponseWithinTheirScale) {
   ASSERT_EQ(data["impacts"].size(), m12.response.impacts.size());
   EXPECT_EQ(data["impacts"][6][1], m12.response.impacts[6].start);
   EXPECT_EQ(nlohmann::json::parse(json_of(page, "impacts-csv")), impacts_csv(m12.view()));
+}
+
+/// What has no colour of its own is that of the page, on a dark screen too.
+TEST(Report, DuctilitiesStandInTheInkOfThePage) {
+  const Simulated pair = run(example("yielding-pair"));
+  const std::string page = pair.page();
+  const std::size_t from = page.find("class=\"damage\"");
+  ASSERT_NE(from, std::string::npos);
+  const std::string drawn = page.substr(from, page.find("</svg>", from) - from);
+  EXPECT_TRUE(has(drawn, R"(fill="none" stroke="currentColor")"));
+  const Eigen::VectorXd& ductility = pair.response.buildings[0].yielding.ductility;
+  EXPECT_TRUE(has(drawn, R"(fill="currentColor">)" + number(ductility(2)) + "<"));
+  EXPECT_TRUE(has(drawn, R"(fill="#1c2024">)" + number(ductility(0)) + "<"));
+  EXPECT_FALSE(has(drawn, R"(fill="#fff" stroke)"));
 }
 
 TEST(Report, LongRunsStaySmall) {
