@@ -1097,6 +1097,28 @@ test("where nothing may be kept the page works, and a large record is asked for 
   });
 });
 
+test("letters can be read and lines are whole on small screens", async () => {
+  await on(async (page) => {
+    await page.click('[data-case="row"]');
+    await solved(page);
+    await atSizes(page, [[390, 844], [844, 390]], async (width, height) => {
+      const where = `${width} × ${height}`;
+      await page.waitForFunction((most) => document.querySelector("#motion .stage").clientWidth < most, width);
+      const letters = await page.locator("#motion .stage").evaluate((stage) => [...stage.querySelectorAll("text")].filter((one) => one.textContent)
+        .map((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a));
+      assert.ok(letters.length > 3 && Math.min(...letters) >= 8.9, `${where}: ${letters}`);
+      assert.deepEqual(await page.locator(".readout .wide").evaluate((box) => [...box.querySelectorAll("tr")].filter((row) => {
+        const end = box.getBoundingClientRect().top + box.clientHeight, place = row.getBoundingClientRect();
+        return place.top < end - 2 && place.bottom > end + 2;
+      }).map((row) => row.textContent)), [], where);
+      const modes = page.locator('[data-figure="modes"]');
+      await modes.scrollIntoViewIfNeeded();
+      const size = await modes.locator("text").first().evaluate((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a);
+      assert.ok(size >= 8.9, `${where}: modes ${size}`);
+    });
+  });
+});
+
 test("a storey or a bay more and then fewer is the same case, of every example", async () => {
   const names = examples(source, 1);
   await on(async (page) => {
