@@ -12,6 +12,7 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/errors.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
 #include "commands.h"
@@ -132,7 +133,8 @@ void run_study(const GapArguments& arguments) {
     study = gap_study(
         arguments.file, arguments.at, [&](double fraction) { progress.show(fraction); }, diagnostics);
   } catch (const std::runtime_error& error) {
-    throw Failure(exit_numbers_failed, std::string("the numbers failed: ") + error.what());
+    throw Failure(exit_numbers_failed,
+                  error_words(std::string("the numbers failed: ") + error.what(), arguments.language));
   }
   if (!study) throw Failure(diagnostics, arguments.language);
   print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(study_text(*study, say)));
@@ -140,7 +142,8 @@ void run_study(const GapArguments& arguments) {
 
 void run(const GapArguments& arguments) {
   if (is_study(arguments.file)) return run_study(arguments);
-  if (arguments.at) throw Failure(exit_bad_input, "bentur gap: --at is for a study with [ida]");
+  if (arguments.at)
+    throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
   const Words say(arguments.language);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);

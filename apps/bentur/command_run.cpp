@@ -12,6 +12,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/errors.h"
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
@@ -281,21 +282,21 @@ class RunOutput {
 };
 
 void execute(const RunArguments& arguments) {
+  const auto refuse = [&](const std::string& why) {
+    throw Failure(exit_bad_input, "bentur run: " + error_words(why, arguments.language));
+  };
   if (!arguments.figures.empty() && arguments.directory.empty()) {
-    throw Failure(exit_bad_input, "bentur run: --figures needs --output, the folder for them");
+    refuse("--figures needs --output, the folder for them");
   }
   if (arguments.file.empty() && !arguments.directory.empty()) {
-    throw Failure(exit_bad_input,
-                  "bentur run: --output needs a CASE; the built-in example is written out by "
-                  "bentur example m12-el-centro -o DIR");
+    refuse("--output needs a CASE; the built-in example is written out by bentur example m12-el-centro -o DIR");
   }
   if (is_standard_output(arguments.directory)) {
-    throw Failure(exit_bad_input, fmt::format("bentur run: --output {}: must be a folder; --json prints the summary to "
-                                              "standard output",
-                                              arguments.directory));
+    refuse(fmt::format("--output {}: must be a folder; --json prints the summary to standard output",
+                       arguments.directory));
   }
   if (arguments.file.empty() && !arguments.quiet) {
-    message("No case given: running the built-in example m12-el-centro.");
+    message(error_words("No case given: running the built-in example m12-el-centro.", arguments.language));
   }
   Loaded loaded =
       arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file, Purpose::run, arguments.language);

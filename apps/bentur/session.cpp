@@ -38,8 +38,7 @@ std::string all_of(const Diagnostics& diagnostics, const std::string& language) 
     text += (text.empty() ? "" : "\n") + error_text(errors[i], language);
   }
   if (errors.size() <= most_errors_shown) return text;
-  const std::string rest = fmt::format("and {} more errors", errors.size() - most_errors_shown);
-  return text + "\n" + error_sentence(rest, language).value_or(rest);
+  return text + "\n" + error_words(fmt::format("and {} more errors", errors.size() - most_errors_shown), language);
 }
 
 std::atomic<bool> stop_asked = false;
@@ -132,13 +131,12 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
     response = solve(loaded.problem, loaded.c.analysis.solver, options);
   }
   if (response.status == Status::stopped) {
-    throw Failure(exit_other,
-                  fmt::format("Stopped at {:.0f} % of the work. Nothing is written; results written before are "
-                              "as they were",
-                              100 * done));
+    const std::string stopped = fmt::format(
+        "Stopped at {:.0f} % of the work. Nothing is written; results written before are as they were", 100 * done);
+    throw Failure(exit_other, error_words(stopped, language));
   }
   if (response.status != Status::done && response.status != Status::collapsed) {
-    throw Failure(exit_numbers_failed, "the numbers failed: " + response.message);
+    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + response.message, language));
   }
   return run_results(loaded.c, loaded.problem, std::move(response));
 }

@@ -6,6 +6,7 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 
 import csv
 import html
+import itertools
 import json
 import math
 import os
@@ -455,10 +456,10 @@ class Run(CommandLine):
     def test_tables_fit_the_width_asked_for(self):
         for width in 60, 80, 100:
             environment = {**os.environ, "COLUMNS": str(width)}
-            for case in "m12-el-centro", "row-of-three", "yielding-pair":
-                shown = subprocess.run([BENTUR, "run", str(SOURCE / "examples" / f"{case}.toml")], capture_output=True, text=True,
-                                       env=environment, timeout=60).stdout
-                self.assertLessEqual(max(map(len, shown.splitlines())), width, f"{case} at {width}")
+            for command, case, language in itertools.product(("run", "gap"), ("m12-el-centro", "row-of-three", "yielding-pair"), ("en", "id")):
+                shown = subprocess.run([BENTUR, command, str(SOURCE / "examples" / f"{case}.toml"), "--lang", language],
+                                       capture_output=True, text=True, env=environment, timeout=60).stdout
+                self.assertLessEqual(max(map(len, shown.splitlines())), width, f"{command} {case} {language} at {width}")
                 self.assertNotIn("\x1b", shown, "no colour but on a terminal")
 
     def test_letters_of_two_columns_fit_too(self):

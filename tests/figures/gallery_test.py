@@ -47,6 +47,11 @@ class Gallery(unittest.TestCase):
         shown = set(re.findall(r"\]\(figures/([^)]+)\)", pages))
         self.assertEqual(shown, {file.name for file in (SOURCE / "docs/figures").iterdir()})
 
+    def test_numbers_have_the_sign_for_minus(self):
+        signs = "".join(file.read_text() for folder in ("figures", "monograph") for file in (SOURCE / "docs" / folder).glob("*.svg"))
+        self.assertEqual(re.findall(r"<text[^>]*>[^<]*(?<!\w)-\d[^<]*<", signs), [])
+        self.assertGreater(len(re.findall(r">−\d", signs)), 50)
+
     def test_small_and_well_formed(self):
         for name, picture in self.pictures.items():
             self.assertLess(len(picture), 250_000, name)

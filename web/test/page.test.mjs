@@ -375,7 +375,7 @@ test("from a change to the new curves", async () => {
     });
     const [whole, worker] = [0, 1].map((part) => times.map((one) => one[part]).sort((a, b) => a - b));
     console.log(`# from a change to the new curves ${whole[12].toFixed(0)} ms (median), ${whole[2].toFixed(0)} to ${whole[22].toFixed(0)} ms; ${worker[12].toFixed(0)} ms of it solved and drawn`);
-    within(whole[12], 50, "ms from a change to the curves");
+    within(whole[12], 25, "ms from a change to the curves");
   });
 });
 
@@ -1094,6 +1094,28 @@ test("where nothing may be kept the page works, and a large record is asked for 
     await drop(page, "large.AT2", at2(0.01));
     await solved(page);
     assert.equal((await page.textContent(".errors")).trim(), "");
+  });
+});
+
+test("letters can be read and lines are whole on small screens", async () => {
+  await on(async (page) => {
+    await page.click('[data-case="row"]');
+    await solved(page);
+    await atSizes(page, [[390, 844], [844, 390]], async (width, height) => {
+      const where = `${width} × ${height}`;
+      await page.waitForFunction((most) => document.querySelector("#motion .stage").clientWidth < most, width);
+      const letters = await page.locator("#motion .stage").evaluate((stage) => [...stage.querySelectorAll("text")].filter((one) => one.textContent)
+        .map((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a));
+      assert.ok(letters.length > 3 && Math.min(...letters) >= 8.9, `${where}: ${letters}`);
+      assert.deepEqual(await page.locator(".readout .wide").evaluate((box) => [...box.querySelectorAll("tr")].filter((row) => {
+        const end = box.getBoundingClientRect().top + box.clientHeight, place = row.getBoundingClientRect();
+        return place.top < end - 2 && place.bottom > end + 2;
+      }).map((row) => row.textContent)), [], where);
+      const modes = page.locator('[data-figure="modes"]');
+      await modes.scrollIntoViewIfNeeded();
+      const size = await modes.locator("text").first().evaluate((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a);
+      assert.ok(size >= 8.9, `${where}: modes ${size}`);
+    });
   });
 });
 

@@ -24,12 +24,10 @@
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
 #include "bentur/model/limits.h"
-#include "bentur/report/errors.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/kinds/kinds.h"
-#include "bentur/report/words.h"
 #include "bentur/solve/effort.h"
 #include "shell_answers.h"
 
@@ -53,16 +51,7 @@ Json list_of(const std::vector<Diagnostic>& errors, const std::string& file) {
   Json list = Json::array();
   for (const Diagnostic& one : errors) {
     const bool here = fs::path(one.position.file).filename() == file;
-    Json told = Json::object();  // in other languages, for the page to choose
-    for (const std::string& language : report_languages()) {
-      if (const auto message = error_message(one, language)) told[language] = *message;
-    }
-    list.push_back({{"file", here ? "" : fs::path(one.position.file).filename().string()},
-                    {"line", one.position.line},
-                    {"column", one.position.column},
-                    {"key", one.key},
-                    {"message", one.message()},
-                    {"told", std::move(told)}});
+    list.push_back(error_of(one, here ? "" : fs::path(one.position.file).filename().string()));
     if (list.size() == 200) break;
   }
   return list;

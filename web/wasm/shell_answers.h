@@ -4,8 +4,12 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
+#include "bentur/core/diagnostics.h"
 #include "bentur/core/errors.h"
+#include "bentur/report/errors.h"
+#include "bentur/report/words.h"
 #include "bentur/solve/response.h"
 
 namespace bentur::web {
@@ -14,9 +18,21 @@ using Json = nlohmann::ordered_json;
 
 inline std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// Why there is no answer, in the library's words.
+/// An error in the library's words, and `told`, what it is in other languages, for the page to choose.
+inline Json error_of(const Diagnostic& one, const std::string& file = "") {
+  Json told = Json::object();
+  for (const std::string& language : report_languages()) {
+    if (const auto message = error_message(one, language)) told[language] = *message;
+  }
+  return {{"file", file},   {"line", one.position.line}, {"column", one.position.column},
+          {"key", one.key}, {"message", one.message()},  {"told", std::move(told)}};
+}
+
+/// Why there is no answer.
 inline Json failure(const std::string& message, const std::string& key = "") {
-  return {{"ok", false}, {"errors", {{{"file", ""}, {"line", 0}, {"column", 0}, {"key", key}, {"message", message}}}}};
+  Json error = error_of({.rule = message});
+  error["key"] = key;
+  return {{"ok", false}, {"errors", Json::array({std::move(error)})}};
 }
 
 /// What is more than a page takes: the page has a text "error." + `word` in each of its languages, filled with

@@ -48,6 +48,16 @@ STYLE: dict[str, Any] = {
 }
 
 
+def _of_building(number: int) -> str:
+    """Colour of a building, by its number from 0 on."""
+    return BUILDINGS[number % len(BUILDINGS)]
+
+
+def _apart(number: int) -> dict[str, Any]:
+    """Line and colour of one of several curves that are no buildings."""
+    return {"linestyle": LINES[number % len(LINES)], "color": TONES[number % len(TONES)]}
+
+
 def _axes(ax: Axes | None, height: float = 2.2) -> Axes:
     if ax is not None:
         return ax
@@ -68,7 +78,7 @@ def displacement(result: Result, floor: int = -1, *, ax: Axes | None = None) -> 
     ax = _axes(ax)
     course = result._course
     for b, name in enumerate(result.case.buildings):
-        ax.plot(course["time"], course["displacement"][b][:, floor], LINES[b % 4], color=BUILDINGS[b % 6], label=name)
+        ax.plot(course["time"], course["displacement"][b][:, floor], **_apart(b) | {"color": _of_building(b)}, label=name)
     starts = result.impact_arrays["start"]
     if len(starts):
         ax.plot(starts, np.full(len(starts), 0.98), "|", color=GREY, transform=ax.get_xaxis_transform(), ms=4)
@@ -85,7 +95,7 @@ def force(result: Result, *, ax: Axes | None = None) -> Axes:
     shown = [i for i in range(len(elevations)) if course["force"][:, i].any()]
     for n, i in enumerate(reversed(shown)):
         label = f"{elevations[i]:g} {result.case.length}"
-        ax.plot(course["time"], course["force"][:, i], LINES[n % 4], color=TONES[n % 3], label=label)
+        ax.plot(course["time"], course["force"][:, i], **_apart(n), label=label)
     ax.set(xlabel="time $t$ [s]", ylabel=f"contact force $F$ [{result.case.force}]", xlim=_ends(course["time"]))
     ax.set_ylim(bottom=0)
     _legend(ax)
@@ -123,10 +133,10 @@ def envelope(result: Result, quantity: str = "peak_displacement", *, ax: Axes | 
         if building[quantity] is None:
             continue
         levels = building["elevations"]
-        ax.plot(building[quantity], levels, "-o", ms=3, color=BUILDINGS[b % 6], label=building["name"])
+        ax.plot(building[quantity], levels, "-o", ms=3, color=_of_building(b), label=building["name"])
         alone = building.get(quantity + "_no_contact")
         if alone:
-            ax.plot(alone, levels, "--o", ms=3, mfc="white", color=BUILDINGS[b % 6], label=building["name"] + ", alone")
+            ax.plot(alone, levels, "--o", ms=3, mfc="white", color=_of_building(b), label=building["name"] + ", alone")
     unit = {"peak_displacement": f" [{result.case.length}]", "peak_storey_shear": f" [{result.case.force}]"}.get(quantity, "")
     if quantity == "peak_acceleration":
         unit = f" [{result.case.length}/s²]"
@@ -149,7 +159,7 @@ def modes(case: Case, building: str | int = 0, count: int = 3, *, ax: Axes | Non
         shape = found["shapes"][n][: len(elevations)]
         shape = shape / np.abs(shape).max()
         label = f"{n + 1}: {found['periods'][n]:.3g} s"
-        ax.plot([0, *shape], [elevations[0] * 0, *elevations], LINES[n % 4], marker="o", ms=3, color=TONES[n % 3], label=label)
+        ax.plot([0, *shape], [elevations[0] * 0, *elevations], marker="o", ms=3, **_apart(n), label=label)
     ax.set(xlabel="sway, largest 1", ylabel=f"elevation $z$ [{case.length}]")
     ax.set_title(name, fontsize=8)
     _legend(ax)
@@ -161,7 +171,7 @@ def spectrum(*found: Spectrum, labels: Sequence[str] = (), ax: Axes | None = Non
     ax = _axes(ax)
     for n, one in enumerate(found):
         label = labels[n] if n < len(labels) else f"damping {100 * one.damping_ratio:g} %"
-        ax.semilogx(one.period, one.pseudo_acceleration, LINES[n % 4], color=TONES[n % 3], label=label)
+        ax.semilogx(one.period, one.pseudo_acceleration, **_apart(n), label=label)
     ax.set(xlabel="period $T$ [s]", ylabel=f"pseudo-acceleration $S_a$ [{found[0].length}/s²]")
     ax.set_ylim(bottom=0)
     _legend(ax)
@@ -180,7 +190,7 @@ def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | No
         at = lines["other"].values[n]
         chosen = zip(others, at if isinstance(at, tuple) else (at,), strict=True) if others else ()
         label = ", ".join(f"{of} = {x}".replace("_", " ") for of, x in chosen) or None
-        ax.plot(results[along], lines[n], LINES[n % 4], color=TONES[n % 3], label=label)
+        ax.plot(results[along], lines[n], **_apart(n), label=label)
     unit, of = values.attrs.get("units", ""), results[along].attrs.get("units", "")
     ax.set(
         xlabel=along.replace("_", " ") + (f" [{of}]" if of not in ("", "1") else ""),
@@ -210,11 +220,11 @@ def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None)
         if curve["median"] is not None:  # else no curve fits, and the fractions stand alone
             z = np.log(x / curve["median"]) / curve["dispersion"]
             probability = [0.5 * (1 + erf(one / sqrt(2))) for one in z]
-            ax.plot(x, probability, LINES[n % 4], color=TONES[n % 3], label=label or None)
+            ax.plot(x, probability, **_apart(n), label=label or None)
         counts = [c for c in curve["counts"] if c["runs"] > 0]
         at, parts = [c["intensity"] for c in counts], [c["events"] / c["runs"] for c in counts]
         alone = label if curve["median"] is None else None
-        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=TONES[n % 3], label=alone or None)
+        ax.plot(at, parts, "o", ms=2.5, mfc="white", color=_apart(n)["color"], label=alone or None)
     unit = re.sub(r"^gravity$|^[\d.]+ \w+ s-2$", "g", found["intensity"]["units"])  # a case's g may be its own
     ax.set(
         xlabel=f"{found['intensity']['name'].split(',')[0]} [{unit}]",

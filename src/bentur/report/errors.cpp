@@ -103,6 +103,18 @@ std::optional<std::string> translated(std::string_view english, const Patterns& 
   return std::nullopt;
 }
 
+/// What an error says in that language; nothing where one of its sentences is known in English alone.
+std::optional<std::string> told(const Diagnostic& error, std::string (Diagnostic::*says)(const Wording&) const,
+                                const std::string& language) {
+  bool known = true;
+  const std::string text = (error.*says)([&](const std::string& english) {
+    const auto sentence = error_sentence(english, language);
+    known = known && sentence;
+    return sentence.value_or(english);
+  });
+  return known ? std::optional(text) : std::nullopt;
+}
+
 }  // namespace
 
 const std::map<std::string, std::map<std::string, std::string>>& error_sentences() {
@@ -122,19 +134,16 @@ std::optional<std::string> error_sentence(const std::string& english, const std:
   return translated(english, patterns_of(language));
 }
 
+std::string error_words(const std::string& english, const std::string& language) {
+  return error_sentence(english, language).value_or(english);
+}
+
 std::optional<std::string> error_message(const Diagnostic& error, const std::string& language) {
-  bool known = true;
-  const std::string message = error.message([&](const std::string& english) {
-    const auto sentence = error_sentence(english, language);
-    known = known && sentence;
-    return sentence.value_or(english);
-  });
-  return known ? std::optional(message) : std::nullopt;
+  return told(error, &Diagnostic::message, language);
 }
 
 std::string error_text(const Diagnostic& error, const std::string& language) {
-  if (!error_message(error, language)) return error.text();
-  return error.text([&](const std::string& english) { return error_sentence(english, language).value_or(english); });
+  return told(error, &Diagnostic::text, language).value_or(error.text());
 }
 
 }  // namespace bentur

@@ -79,6 +79,12 @@ TEST(Errors, PlaceKeyAndValueStandAroundTheSentence) {
   EXPECT_EQ(error_message(one, "id"), "gap[0].width = \"hertzz\", apakah maksudnya \"hertz\"?");
 }
 
+TEST(Errors, WhatARunThatFailsSaysIsToldToo) {
+  EXPECT_EQ(error_words("the numbers failed: the limit of 100 steps is reached at t = 0.123 s", "id"),
+            "hitungannya gagal: batas 100 langkah tercapai pada t = 0.123 s");
+  EXPECT_EQ(error_words("the numbers failed: it is odd", "id"), "the numbers failed: it is odd");
+}
+
 TEST(Errors, ASentenceMayHoldAnother) {
   EXPECT_EQ(
       error_sentence("with gap[0].width = -1: building[\"A b\"] is missing (one per floor) (case.toml:3:1)", "id"),

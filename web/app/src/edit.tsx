@@ -44,10 +44,12 @@ export function Errors({ goTo }: { goTo: (line: number, column: number) => void 
   );
 }
 
+const lineHeight = (area: HTMLTextAreaElement) => parseFloat(getComputedStyle(area).lineHeight);
+
 /** The case file with line numbers; lines with an error are marked. Only numbers that are in sight are there. */
 export function Editor({ area }: { area: { current: HTMLTextAreaElement | null } }) {
   const [shown, show] = useState(text.value);
-  const [top, scrolled] = useState(0);
+  const [{ top, height }, scrolled] = useState({ top: 0, height: 19 }); // of a line there
   useEffect(() => {
     show(text.value);
     const field = area.current;
@@ -59,7 +61,6 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
   }, [text.value]);
   const lines = useMemo(() => shown.split("\n").length, [shown]);
   const wrong = new Set(errors.value.filter((one) => one.file === "").map((one) => one.line));
-  const height = area.current ? parseFloat(getComputedStyle(area.current).lineHeight) || 19 : 19;
   const first = Math.min(Math.floor(top / height), lines - 1), last = Math.min(lines, first + 60); // a text may end above what was in sight
   return (
     <div class="editor">
@@ -68,7 +69,7 @@ export function Editor({ area }: { area: { current: HTMLTextAreaElement | null }
       </div>
       <textarea ref={area} spellcheck={false} autocapitalize="off" autocomplete="off" wrap="off" aria-label={say("edit.label")} aria-invalid={wrong.size > 0} value={shown}
         maxLength={2 ** 20} onPaste={(event) => { if (tooLong(event.clipboardData?.getData("text") ?? "")) event.preventDefault(); }}
-        onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
+        onScroll={({ currentTarget }) => scrolled({ top: currentTarget.scrollTop, height: lineHeight(currentTarget) })}
         onInput={(event) => {
           show(event.currentTarget.value);
           type(event.currentTarget.value);
@@ -82,8 +83,7 @@ export function goTo(area: HTMLTextAreaElement | null, line: number, column: num
   const before = text.value.split("\n").slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
   area.focus();
   area.setSelectionRange(before + column - 1, before + column - 1);
-  const height = parseFloat(getComputedStyle(area).lineHeight);
-  area.scrollTop = Math.max(0, (line - 4) * height);
+  area.scrollTop = Math.max(0, (line - 4) * lineHeight(area));
 }
 
 /** A number to type, and to slide. */

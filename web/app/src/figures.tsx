@@ -72,11 +72,12 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   const made = drawn.value[kind], shown = made?.error === undefined ? made : undefined;
   useEffect(() => {
     let visible = false;
-    const look = () => see(kind, visible && root.current ? root.current.clientWidth : null);
+    const figure = root.current!.parentElement!;
+    const look = () => see(kind, visible ? figure.clientWidth : null);
     const sight = new IntersectionObserver(([{ isIntersecting }]) => { visible = isIntersecting; look(); }, { rootMargin: "50%" });
     const size = new ResizeObserver(look);
-    sight.observe(root.current!);
-    size.observe(root.current!);
+    sight.observe(figure);
+    size.observe(figure);
     return () => { sight.disconnect(); size.disconnect(); see(kind, null); };
   }, [kind]);
   const placeHeads = () => heads.current.forEach((head, i) => {
@@ -105,8 +106,9 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
     pull(null);
   };
   const left = (at: Place) => `${(100 * (at.panel.left + ofAxis(at.panel.x, at.x) * at.panel.width)) / ((shown!.width / 2.54) * 96)}%`;
+  const isBroad = (shown?.width ?? 0) > 15; // on a telephone it is moved sideways
   return (
-    <figure class={`drawn${(shown?.width ?? 0) > 15 ? " broad" : ""}`} data-figure={kind}>
+    <figure class={`drawn${isBroad ? " broad" : ""}`} data-figure={kind} tabIndex={isBroad ? 0 : undefined}>
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(""); pull(null); }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>

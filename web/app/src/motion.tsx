@@ -12,17 +12,6 @@ export let main: Motion | null = null;
 /** What is shown beside the main one, of the same instants. */
 const followers = new Set<Motion>();
 
-let coloured = false;
-
-/** The colours of figures, which the picture is drawn in, come from the program. */
-function colourFigures(style: string) {
-  if (coloured) return;
-  coloured = true;
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(style);
-  document.adoptedStyleSheets.push(sheet);
-}
-
 /** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
@@ -34,7 +23,6 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
       motion.current.update(read);
       return;
     }
-    colourFigures(read.style);
     const parts: Record<string, unknown> = {};
     for (const one of root.current!.querySelectorAll<HTMLElement>("[data-part]")) parts[one.dataset.part!] = one;
     if (primary) parts.shown = (now: number, since?: number, fading?: number) => {

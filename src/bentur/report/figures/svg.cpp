@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <iterator>
 #include <vector>
 
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/pixels.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/figures/internal/visible.h"
@@ -51,20 +51,6 @@ std::string shade(double part, bool ratio) {
 }
 
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
-
-/// A length in pixels, to a hundredth; far outside of every frame where it would have no end or is none.
-std::string length(double pixels) {
-  constexpr double far = 1e5;
-  // By whole numbers: most of the time of a figure goes into these, in WebAssembly even more so.
-  const long hundredths = std::lrint(100 * std::fmin(std::fmax(pixels, -far), far)), size = std::labs(hundredths);
-  std::string text = hundredths < 0 ? "-" : "";
-  text += fmt::format_int(size / 100).str();
-  if (size % 100 == 0) return text;
-  text += '.';
-  text += static_cast<char>('0' + size / 10 % 10);
-  if (size % 10 != 0) text += static_cast<char>('0' + size % 10);
-  return text;
-}
 
 std::string drawn_in(const char* what, const Colour& of) {
   return fmt::format("class=\"{}-{}\" {}=\"{}\"", what, of.name, what, of.paper);
@@ -264,9 +250,9 @@ class Drawing {
         continue;
       }
       data += is_begun ? 'L' : 'M';
-      data += length(px);
+      add_length(data, px);
       data += ' ';
-      data += length(py);
+      add_length(data, py);
       if (is_area) back.insert(0, fmt::format("L{} {}", length(px), length(upper)));
       is_begun = true;
     }

@@ -140,6 +140,7 @@ class Reader {
   void read(const Node& node, const std::string& where, double& to) {
     if (!node.is_number() || !std::isfinite(node.get<double>())) return error(where, kind(node), "must be a number");
     to = node.get<double>();
+    if (std::abs(to) > 1e300) error(where, kind(node), "must be in [-1e300, 1e300]");  // so that an axis has a length
   }
 
   void read(const Node& node, const std::string& where, std::pair<double, double>& to) {

@@ -69,6 +69,19 @@ TEST(FigureJson, TellsAllMistakesAtOnce) {
   }
 }
 
+TEST(FigureJson, NumbersAreSuchThatAnAxisHasALength) {
+  const auto figure = [](const std::string& size) {
+    return R"({"panels": [{"curves": [{"x": [0, 1], "y": [)" + size + ", -" + size + "]}]}]}";
+  };
+  const std::string errors = errors_of(figure("1e308"));
+  EXPECT_NE(errors.find("panels[0].curves[0].y[1] = -1e+308, must be in [-1e300, 1e300]"), std::string::npos) << errors;
+  Diagnostics diagnostics;
+  const auto largest = figure_from_json(figure("1e300"), "f.json", diagnostics);
+  ASSERT_TRUE(largest);
+  const std::string svg = figure_svg(*largest);
+  for (const char* const number : {">−1.0<", ">0<", ">1.0<", ">[10³⁰⁰]<"}) EXPECT_NE(svg.find(number), std::string::npos) << number;
+}
+
 TEST(FigureJson, TextThatIsNoJsonIsRefusedWithItsPlace) {
   EXPECT_NE(errors_of("{\"panels\": [}").find("line 1, column 13"), std::string::npos) << errors_of("{\"panels\": [}");
   EXPECT_NE(errors_of("").find("f.json: error: "), std::string::npos);

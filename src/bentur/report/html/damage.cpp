@@ -25,9 +25,9 @@ std::string name_of(const Report& report, Eigen::Index b, Eigen::Index storey) {
   return std::to_string(report.problem.buildings[b].model.storey_number(storey));
 }
 
-/// White up to first yield, from there on the darker the more.
+/// Nothing up to first yield, from there on the darker the more, on paper and on a dark screen alike.
 std::string fill_of(double ductility) {
-  if (!(ductility > 1)) return "#fff";
+  if (!(ductility > 1)) return "none";
   const double share = std::min(1.0, std::log(ductility) / std::log(darkest));
   const auto mix = [share](double light, double dark) { return std::lround(light + share * (dark - light)); };
   return fmt::format("#{:02x}{:02x}{:02x}", mix(253, 127), mix(224, 39), mix(190, 4));
@@ -35,7 +35,7 @@ std::string fill_of(double ductility) {
 
 /// The building, each storey a box of two halves: without contact and with it.
 Html drawing(const Report& report, Eigen::Index b) {
-  constexpr double half = 34;    // width of a half
+  constexpr double half = 48;    // width of a half
   constexpr double height = 30;  // of a storey
   constexpr double margin = 8;
   const BuildingPeaks& peaks = report.response.buildings[b];
@@ -44,20 +44,20 @@ Html drawing(const Report& report, Eigen::Index b) {
   for (Eigen::Index f = 0; f < storeys; ++f) {
     const double y = margin + height * static_cast<double>(storeys - 1 - f);
     const auto box = [&](double x, double ductility) {
-      const std::string text = std::isfinite(ductility) ? fmt::format("{:.3g}", ductility) : "–";
       const double damage = is_slab(report, b, f) ? 0 : ductility;
-      const bool dark = damage > 3;
+      const char* const ink = damage > 3 ? "#fff" : damage > 1 ? "#1c2024" : "currentColor";
       boxes += fmt::format(
-          "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#444\" stroke-width=\".7\"/>"
+          "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"currentColor\" stroke-width=\".7\"/>"
           "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
-          x, y, half, height, fill_of(damage), x + 0.5 * half, y + 0.5 * height + 4, dark ? "#fff" : "#1c2024", text);
+          x, y, half, height, fill_of(damage), x + 0.5 * half, y + 0.5 * height + 4, ink,
+          std::isfinite(ductility) ? number(ductility) : "–");
     };
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
     box(margin, f < without.size() ? without(f) : std::nan(""));
     box(margin + half, peaks.yielding.ductility(f));
   }
   const double ground = margin + height * static_cast<double>(storeys);
-  boxes += fmt::format("<line x1=\"0\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"#1c2024\" stroke-width=\"2\"/>",
+  boxes += fmt::format("<line x1=\"0\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"currentColor\" stroke-width=\"2\"/>",
                        2 * (margin + half), ground, ground);
   const std::string box = fmt::format("0 0 {} {}", 2 * (margin + half), ground + margin);
   const Html svg = element(

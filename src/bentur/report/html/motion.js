@@ -209,8 +209,11 @@ function benturMotion(parts, data) {
     const place = benturPlaces(scene, magnification, buildings.map(({ rows }) => new Array(rows).fill(0)));
     const ground = scene.shapes[0].lines[0]; // as wide as all may move
     const left = unit * place(ground[0]), right = unit * place(ground[ground.length - 1]), wide = right - left;
-    const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1)); // lines and names keep their size on a narrow page
-    const storey = unit * scene.storey / pixel, base = y(scene.bottom), tall = base + 92 * pixel;
+    const base = y(scene.bottom), below = 92; // of names and caption
+    // Lines and names keep their size on a narrow page, and most of it on a low one.
+    const low = 0.7 * base / Math.max(parseFloat(getComputedStyle(stage).maxHeight) - 0.7 * below, below);
+    const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1), low || 0);
+    const storey = unit * scene.storey / pixel, tall = base + below * pixel;
     drawn.pixel = pixel;
     stage.style.setProperty("--px", pixel.toFixed(3));
     stage.style.setProperty("--slab", `${Math.min(5, 0.35 * storey).toFixed(2)}px`);

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/markup.h"
@@ -31,6 +33,19 @@ std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
                    [&](std::size_t a, std::size_t b) { return is_harder(impacts[a], impacts[b]); });
   order.resize(std::min(order.size(), most_impacts));
   return order;
+}
+
+/// impacts.csv of these.
+std::string csv_of(const Report& report, std::vector<Eigen::Index> listed) {
+  std::sort(listed.begin(), listed.end());
+  Response shown;
+  for (const Eigen::Index k : listed) shown.impacts.push_back(report.response.impacts[k]);
+  return impacts_csv({report.problem, shown, report.c.units});
+}
+
+Html json_script(const char* id, const std::string& json) {
+  return element("script", html::json_markup(json), fmt::format("type=\"application/json\" id=\"{}\"", id)) +
+         Html::markup("\n");
 }
 
 Html button(const Words& say, const std::string& id) {
@@ -179,10 +194,12 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                    html::impacts_section(report, listed),
                    html::figures_section(say, figures),
                    html::input_section(report)};
-  body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
-                element("script", html::json_markup(html::animation_json(report, listed)),
-                        "type=\"application/json\" id=\"data\"") +
-                Html::markup("\n");
+  body.footer =
+      element("footer", element("p", say("report.footer"), "class=\"note\"")) +
+      json_script("data", html::animation_json(report, listed)) +
+      json_script(
+          "impacts-csv",
+          nlohmann::json(csv_of(report, listed)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   return html::page(say, title, body, true);
 }
 

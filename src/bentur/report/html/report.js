@@ -70,8 +70,8 @@
       });
     }
     document.getElementById("download").addEventListener("click", () => {
-      const link = html("a");
-      link.href = URL.createObjectURL(new Blob([data.csv], { type: "text/csv" }));
+      const link = html("a"), csv = JSON.parse(document.getElementById("impacts-csv").textContent);
+      link.href = URL.createObjectURL(new Blob([csv], { type: "text/csv" }));
       link.download = "impacts.csv";
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 10000);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/results/result_csv.h"
@@ -50,8 +51,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 /// The JSON that the script gets to read.
-std::string json_of(const std::string& page) {
-  const std::string opening = R"(<script type="application/json" id="data">)";
+std::string json_of(const std::string& page, const std::string& id = "data") {
+  const std::string opening = "<script type=\"application/json\" id=\"" + id + "\">";
   const std::size_t start = page.find(opening) + opening.size();
   return page.substr(start, page.find("</script>", start) - start);
 }
@@ -214,7 +215,8 @@ TEST(Report, Indonesian) {
 
 TEST(Report, SamplesAreThoseOfTheResponseWithinTheirScale) {
   const Simulated m12 = run(example("m12-el-centro"));
-  const nlohmann::json data = data_of(m12.page());
+  const std::string page = m12.page();
+  const nlohmann::json data = data_of(page);
   for (std::size_t b = 0; b < 2; ++b) {
     const Eigen::MatrixXd& x = m12.response.histories.displacement[b];
     const std::string bytes = decoded(data["buildings"][b]["samples"]);
@@ -231,7 +233,21 @@ TEST(Report, SamplesAreThoseOfTheResponseWithinTheirScale) {
   EXPECT_NEAR(data["step"], 5e-4, 1e-12);
   ASSERT_EQ(data["impacts"].size(), m12.response.impacts.size());
   EXPECT_EQ(data["impacts"][6][1], m12.response.impacts[6].start);
-  EXPECT_EQ(data["csv"], impacts_csv(m12.view()));
+  EXPECT_EQ(nlohmann::json::parse(json_of(page, "impacts-csv")), impacts_csv(m12.view()));
+}
+
+/// What has no colour of its own is that of the page, on a dark screen too.
+TEST(Report, DuctilitiesStandInTheInkOfThePage) {
+  const Simulated pair = run(example("yielding-pair"));
+  const std::string page = pair.page();
+  const std::size_t from = page.find("class=\"damage\"");
+  ASSERT_NE(from, std::string::npos);
+  const std::string drawn = page.substr(from, page.find("</svg>", from) - from);
+  EXPECT_TRUE(has(drawn, R"(fill="none" stroke="currentColor")"));
+  const Eigen::VectorXd& ductility = pair.response.buildings[0].yielding.ductility;
+  EXPECT_TRUE(has(drawn, R"(fill="currentColor">)" + number(ductility(2)) + "<"));
+  EXPECT_TRUE(has(drawn, R"(fill="#1c2024">)" + number(ductility(0)) + "<"));
+  EXPECT_FALSE(has(drawn, R"(fill="#fff" stroke)"));
 }
 
 TEST(Report, LongRunsStaySmall) {
@@ -263,8 +279,12 @@ TEST(Report, TextOfACaseCannotBringInMarkupOrScript) {
     const Simulated harmless = run(example("m12-el-centro"));
     for (const std::string language : {"en", "id"}) {
       const std::string page = injected.page(language);
-      EXPECT_FALSE(has(json_of(page), "<")) << text;
-      EXPECT_FALSE(has(replaced(page, json_of(page), ""), text)) << text;
+      std::string shown = page;
+      for (const char* const id : {"data", "impacts-csv"}) {
+        EXPECT_FALSE(has(json_of(page, id), "<")) << text;
+        shown = replaced(shown, json_of(page, id), "");
+      }
+      EXPECT_FALSE(has(shown, text)) << text;
       EXPECT_EQ(data_of(page)["buildings"][0]["name"], text);
       // As many tags of every kind as without it: nothing was opened or closed.
       for (const std::string tag : {"<script", "</script", "<img", "<svg", "<!--", "</title", "</style", "</td"}) {

@@ -53,6 +53,20 @@ TEST(Overview, TellsWhatTheVerdictTellsFirst) {
   EXPECT_NE(overview(run, "id").panels[0].title.find("benturan 4"), std::string::npos);
 }
 
+TEST(Overview, SaysItsGapsWithTheirUnits) {
+  for (const char* const name : {"free-impact", "linked-pair"}) {  // "not known", and the longest numbers
+    const RunResults run = example_run(name);
+    for (const std::string language : {"en", "id"}) {
+      const Figure figure = overview(run, language, column_width);
+      const Layout placing = layout(figure);
+      ASSERT_EQ(placing.panels.back().y.labels.size(), 3U);
+      for (const auto& [at, text] : placing.panels.back().y.labels) {
+        EXPECT_EQ(text.find("…"), std::string::npos) << name << ": " << text;
+      }
+    }
+  }
+}
+
 TEST(Overview, MarksTheHardestImpactWhereTheGapOpens) {
   const RunResults run = example_run("row-of-three");  // whose forces are largest where they are deepest
   const Impact& hardest = *std::max_element(run.response.impacts.begin(), run.response.impacts.end(),

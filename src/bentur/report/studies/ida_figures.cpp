@@ -226,7 +226,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
               .height = 5.5};
   std::vector<Curve> areas, lines;
   std::string finding;
-  bool any_event = false;
+  bool any_event = false, is_observed_named = false;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Curve observed;
     tell_apart(observed, c);
@@ -249,7 +249,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       Curve line{.label = name.empty() ? word(options, "lognormal fit") : name, .width = 1.3};
       tell_apart(line, c);
       line.mark = Mark::none;
-      Curve area{.label = c == 0 ? word(options, "95 % bounds") : "", .tone = pale_of(line.tone)};
+      Curve area{.label = areas.empty() ? word(options, "95 % bounds") : "", .tone = pale_of(line.tone)};
       constexpr int steps = 200;
       for (int i = 1; i <= steps; ++i) {
         const double x = *panel.x.to * i / steps;
@@ -283,8 +283,9 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     } else {
       observed.label = name;
     }
-    if (!name.empty() || fit.kind == Fragility::Kind::fitted) {
-      if (c == 0 && observed.label.empty()) observed.label = word(options, "observed");
+    if (fit.kind == Fragility::Kind::fitted && !is_observed_named) {
+      observed.label = word(options, "observed");
+      is_observed_named = true;
     }
     lines.push_back(std::move(observed));
   }

@@ -18,7 +18,8 @@ constexpr int widths = 2;
 double force(int record, int level, int width) { return std::max(0, (record + 1) * (level - width) * 10); }
 
 /// Results as docs/studies.md has them: record × width × intensity × point.
-std::filesystem::path write_results(const std::filesystem::path& folder) {
+/// @param step at the first width all records pound from the second level on
+std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false) {
   const std::filesystem::path path = folder / "ida.nc";
   NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
   const ResultDimension record{"record", records}, width{"width", widths}, intensity{"intensity", levels},
@@ -34,7 +35,7 @@ std::filesystem::path write_results(const std::filesystem::path& folder) {
       for (int level = 0; level < levels; ++level) {
         forces.push_back(force(r, level, w));
         // The higher the level the more records pound: 0, 1, 2, 3 at width 0, one less at the other.
-        impacts.push_back(r < level - w ? 2 : 0);
+        impacts.push_back(r < (step && w == 0 ? records * level : level - w) ? 2 : 0);
       }
     }
   }
@@ -139,6 +140,15 @@ TEST(IdaFigure, FragilityOfEachWidth) {
   const Curve& area = labelled(alone, "95 % bounds");
   ASSERT_EQ(area.x.size(), area.top.size());
   for (std::size_t i = 0; i < area.x.size(); ++i) EXPECT_LE(area.y[i], area.top[i]);
+}
+
+TEST(IdaFigure, FragilityNamesBoundsAndMarksWhereTheFirstWidthHasNoFit) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path(), true));
+  const Figure figure = make_figure(results, "fragility");
+  EXPECT_EQ(labelled(figure, "gap 0.1 m").line, Line::none);
+  EXPECT_FALSE(labelled(figure, "95 % bounds").x.empty());
+  EXPECT_EQ(labelled(figure, "observed").mark, labelled(figure, "gap 0.2 m").legend_mark);
 }
 
 TEST(IdaFigure, APanelForEachWidthWhereNoneIsChosen) {

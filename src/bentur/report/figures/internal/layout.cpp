@@ -113,6 +113,7 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
   const bool plain = is_upright && !axis.places.empty();  // levels are said as they are
   Ticks ticks = make_ticks({low, high, axis.from, axis.to, axis.logarithmic, most, axis.least, plain});
   if (is_upright) put_at(ticks, axis.places, line_height / panel.height);
+  if (!axis.numbers) ticks.exponent = 0;  // that of a neighbour
   return ticks;
 }
 
@@ -250,7 +251,7 @@ class Arrangement {
       for (const auto& [at, text] : placed.y.labels) numbers = std::max(numbers, text_width(text));
       if (!panel.y.numbers) numbers = 0;
       double& before = left[cells_[i].column];
-      before = std::max(before, (panel.y.label.empty() ? 0.1 : label_room) + 0.2 + numbers);
+      before = std::max(before, (scaled(panel.y.label, placed.y).empty() ? 0.1 : label_room) + 0.2 + numbers);
       if (!panel.map) continue;
       placed.scale = scale_of(*panel.map);
       double widest = 0;

@@ -11,7 +11,7 @@
 namespace bentur {
 namespace {
 
-constexpr double longest_name = 3.2;  // of a place along an axis [cm]
+constexpr double longest_name = 3.6;  // of a place along an axis [cm]
 
 /// The smallest of 1, 2, 5, 10 · 10^n that is at least `step`.
 double round_step(double step) {
@@ -111,10 +111,10 @@ Ticks logarithmic(const TickRequest& request) {
 }  // namespace
 
 std::string scaled(const std::string& label, const Ticks& ticks, const std::string& number) {
-  if (label.empty()) return label;  // a neighbour's serves
-  if (ticks.numbered) return label + " (" + number + ")";
+  if (ticks.numbered) return label.empty() ? label : label + " (" + number + ")";
   if (ticks.exponent == 0) return label;
   const std::string power = power_of_ten(ticks.exponent);
+  if (label.empty()) return "[" + power + "]";
   const std::size_t unit = label.rfind('[');
   if (unit == std::string::npos) return label + " [" + power + "]";
   const bool none = label.compare(unit, std::string::npos, "[–]") == 0;

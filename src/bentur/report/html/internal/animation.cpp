@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "bentur/io/results/result_csv.h"
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/scene/scene.h"
@@ -142,10 +141,8 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
   std::sort(by_start.begin(), by_start.end());
   Json impacts = Json::array();
   const ShownUnits& units = report.run.shown;
-  Response shown;
   for (const std::size_t k : by_start) {
     const Impact& impact = report.response.impacts[k];
-    shown.impacts.push_back(impact);
     impacts.push_back({impact.point, impact.start, impact.end, units.force * impact.peak_force, impact.peak_force_time,
                        impact.closing_speed, k + 1});
   }
@@ -162,9 +159,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
                     {"points", points},
                     {"shown", telling_instant(report.response).time},
                     {"scene", scene_json(scene_of(report.problem, report.response))},
-                    {"style", figure_style()},
                     {"impacts", impacts},
-                    {"csv", impacts_csv({report.problem, shown, report.c.units})},
                     {"buildings", buildings}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
