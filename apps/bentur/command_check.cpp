@@ -54,7 +54,7 @@ void run(const std::string& file, const Words& say) {
                         count(building.model.elevations.size(), "floor", "floors"),
                         count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
                         proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
-    if (building.can_yield()) text += yielding_text(building, loaded.c.buildings[b]);
+    if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b]);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];

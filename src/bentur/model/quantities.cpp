@@ -281,7 +281,7 @@ bool is_of_yielding(const Quantity& quantity, const Building& building) {
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   if (source == nullptr) return false;
   const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
-  return building.can_yield() || (residual && !building.model.hinges.places.empty());
+  return building.storeys_yield() || (residual && !building.model.hinges.places.empty());
 }
 
 bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }

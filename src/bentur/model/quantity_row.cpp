@@ -65,7 +65,7 @@ std::size_t row_size(const std::vector<RowPart>& parts) {
 
 bool same_places(const Problem& a, const Problem& b) {
   const auto floors = [](const Building& x, const Building& y) {
-    return x.model.floors() == y.model.floors() && x.can_yield() == y.can_yield() &&
+    return x.model.floors() == y.model.floors() && x.storeys_yield() == y.storeys_yield() &&
            x.model.has_soil == y.model.has_soil && x.model.hinges.places.size() == y.model.hinges.places.size();
   };
   const auto left = [&](const ContactPoint& x, const ContactPoint& y) {

@@ -69,7 +69,7 @@ void summarise_yielding(const Problem& problem, Run& run, const ModalSystem& sys
   Eigen::Index element = system.storeys;
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    if (!building.can_yield()) continue;
+    if (!building.storeys_yield()) continue;
     const Eigen::Index floors = building.model.floors();
     BuildingPeaks::Yielding& yielding = buildings[b].*to;
     yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());

@@ -144,7 +144,9 @@ struct Building {
 
   /// The law of storey `storey` (0 the lowest); none: it stays elastic.
   [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const;
-  [[nodiscard]] bool can_yield() const { return !elements.empty(); }
+  [[nodiscard]] bool storeys_yield() const { return !elements.empty(); }
+  /// Storeys, or hinges at the ends of members.
+  [[nodiscard]] bool can_yield() const { return storeys_yield() || !coupled.empty(); }
   /// Moves with the ground (a moat wall): it has no modes.
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
   /// ω₁ [rad/s]; 0 of a free body and of what has no modes.

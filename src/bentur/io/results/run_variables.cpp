@@ -146,7 +146,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       std::vector<double> values;
       if constexpr (File::reads) {
         const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity) ||
-                             is_of_columns(*quantity);
+                             is_of_columns(*quantity) || is_of_hinges(*quantity);
         if (!is_kept(*quantity) || (of_some && !file_.has(variable.name, false))) continue;
         made(variable, values);
         for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], at[i], response_);
@@ -201,6 +201,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     quantities(Owner::floor, floors, floors_of(problem_, item), number, of_floors);
     quantities(Owner::building, {}, {{item, 0}}, number, " of " + owner);
     nodes(b, number, owner);
+    hinges(b, number, owner);
     modes(building, floors, number, owner);
     foundation("", time_, histories_.foundation, b);
   }
@@ -231,6 +232,43 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
            values);
       if constexpr (File::reads) forces(rows, Eigen::all) = values;
     }
+  }
+
+  /// Where members of a frame yield, and what they did there.
+  void hinges(std::size_t b, const std::string& number, const std::string& owner) {
+    auto& places = problem_.buildings[b].model.hinges.places;
+    const ResultDimension hinges = file_.dimension({"hinge" + number, places.size()});
+    fit(places, hinges.size);
+    if constexpr (File::reads) {
+      for (auto* list : {&histories_.hinge_moment, &histories_.hinge_rotation}) {
+        list->emplace_back(static_cast<Eigen::Index>(hinges.size), static_cast<Eigen::Index>(time_.size));
+      }
+    }
+    if (hinges.size == 0) return;
+    std::vector<std::string> members, ends;
+    std::vector<int> levels, numbers;
+    for (const HingePlace& place : places) {
+      members.emplace_back(place.of_beam ? "beam" : "column");
+      levels.push_back(static_cast<int>(place.level));
+      numbers.push_back(static_cast<int>(place.number));
+      ends.emplace_back(word_of(place.end));
+    }
+    const std::string of = " of the hinges of " + owner;
+    made({"hinge_member" + number, {hinges}, "", "members" + of}, members);
+    made({"hinge_level" + number, {hinges}, "", "storeys of columns, floors of beams" + of}, levels);
+    made({"hinge_number" + number, {hinges}, "", "lines of columns, bays of beams" + of}, numbers);
+    made({"hinge_end" + number, {hinges}, "", "ends of the members" + of}, ends);
+    if constexpr (File::reads) {
+      for (std::size_t h = 0; h < places.size(); ++h) {
+        places[h] = {
+            .of_beam = members[h] == "beam", .level = levels[h], .number = numbers[h], .end = hinge_end(ends[h])};
+      }
+    }
+    quantities(Owner::hinge, hinges, hinges_of(problem_, static_cast<Eigen::Index>(b)), number, of);
+    if (time_.size == 0) return;
+    pass({"hinge_moment" + number, {time_, hinges}, moment_, "moments, that at rest included," + of},
+         histories_.hinge_moment[b]);
+    pass({"hinge_rotation" + number, {time_, hinges}, "rad", "rotations" + of}, histories_.hinge_rotation[b]);
   }
 
   /// None of a building that moves with the ground.

@@ -372,6 +372,7 @@ Story run_story(const RunResults& run) {
   }
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);
+  story::tell_hinges(run, told);
   tell_motion(run, told.statements);
   tell_remarks(run, told);
   return told;

@@ -37,6 +37,9 @@ void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>&
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap);
 
+/// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
+void tell_hinges(const RunResults& run, Story& told);
+
 /// The building that a watched floor faces.
 [[nodiscard]] const std::string& faced_name(const Problem& problem, const WatchedFloor& floor);
 /// {building}, {faced_building} and the word {faced}.

@@ -27,7 +27,7 @@ Tracer::Tracer(const ModalSystem& system, const Problem& problem, const std::vec
     : system_(&system), problem_(&problem), points_(system.switched), room_(first_room) {
   for (const auto& block : system.blocks) floors_ += block.floors;
   for (const Building& building : problem.buildings) {
-    others_ += building.model.nodes() + (building.can_yield() ? 2 * building.model.floors() : 0) +
+    others_ += building.model.nodes() + (building.storeys_yield() ? 2 * building.model.floors() : 0) +
                (building.model.has_soil ? 4 : 0);
   }
   others_ += 2 * std::ssize(problem.links);
@@ -88,7 +88,7 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
     const Eigen::VectorXd foundation = block.foundation(state_);
     result.values.segment(extra, foundation.size()) = foundation;
     extra += foundation.size();
-    if (!problem_->buildings[b].can_yield()) continue;
+    if (!problem_->buildings[b].storeys_yield()) continue;
     result.values.segment(extra, 2 * block.floors) = block.outputs.middleRows(block.floors, 2 * block.floors) * q;
     extra += 2 * block.floors;
   }
@@ -268,7 +268,7 @@ Histories Tracer::finish() {
     extra += foundation;
     course.drift_ratio.emplace_back();
     course.storey_shear.emplace_back();
-    if (!problem_->buildings[b].can_yield()) continue;
+    if (!problem_->buildings[b].storeys_yield()) continue;
     course.drift_ratio.back() = all.middleRows(extra, floors);
     course.storey_shear.back() = all.middleRows(extra + floors, floors);
     extra += 2 * floors;

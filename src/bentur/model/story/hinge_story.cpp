@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bentur/model/quantities.h"
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur::story {
+namespace {
+
+using Eigen::Index;
+
+constexpr std::size_t most_told = 10;  // hinges of a table
+
+/// The end of a member as a word of a table.
+std::string end_word(const HingePlace& place) { return "hinge." + std::string(word_of(place.end)); }
+
+/// Hinges that have yielded, those that turned furthest first.
+std::vector<Index> by_rotation(const BuildingPeaks& peaks) {
+  std::vector<Index> hinges(peaks.hinges.size());
+  std::iota(hinges.begin(), hinges.end(), 0);
+  std::erase_if(hinges, [&](Index h) { return !peaks.hinges[h].first_yield; });
+  std::stable_sort(hinges.begin(), hinges.end(),
+                   [&](Index a, Index b) { return peaks.hinges[a].peak_rotation > peaks.hinges[b].peak_rotation; });
+  return hinges;
+}
+
+/// Fills {where}: "the top of the column of line 2 in storey 1".
+void add_place(const HingePlace& place, std::vector<StoryValue>& values) {
+  values.push_back(word_of("where", "hinge.at." + std::string(word_of(place.end))));
+  values.push_back(count_of("level", static_cast<long>(place.level)));
+  values.push_back(count_of("number", static_cast<long>(place.number)));
+}
+
+/// The first storeys that sway without bending, "1, 2".
+std::string storeys_text(const Building& building, const std::vector<Index>& storeys) {
+  std::string text;
+  for (const Index storey : storeys) {
+    text += (text.empty() ? "" : ", ") + std::to_string(building.model.storey_number(storey));
+  }
+  return text;
+}
+
+void tell_mechanism(const Building& building, Index b, const BuildingPeaks& peaks, std::vector<Statement>& statements) {
+  if (!peaks.mechanism) return;
+  const std::vector<Index>& storeys = peaks.mechanism->storeys;
+  const bool whole = std::ssize(storeys) == building.model.floors() - building.model.first_storey();
+  Statement statement{.kind = whole                 ? "mechanism"
+                              : storeys.size() == 1 ? "soft_storey"
+                                                    : "soft_storeys",
+                      .severity = Severity::warning,
+                      .buildings = {b}};
+  statement.values = {text_of("building", building.name), value_in("time", peaks.mechanism->time, "s"),
+                      text_of("storeys", storeys_text(building, storeys))};
+  statements.push_back(std::move(statement));
+}
+
+void tell_rotations(const Building& building, Index b, const BuildingPeaks& peaks, const std::vector<Index>& turned,
+                    std::vector<Statement>& statements) {
+  Statement statement{.kind = turned.empty() ? "hinges_none" : "hinges", .buildings = {b}};
+  statement.values = {text_of("building", building.name), count_of("count", std::ssize(peaks.hinges)),
+                      count_of("formed", std::ssize(turned))};
+  if (!turned.empty()) {
+    const Index worst = turned.front();
+    add_place(building.model.hinges.places[worst], statement.values);
+    statement.values.push_back(value_in("rotation", 1e3 * peaks.hinges[worst].peak_rotation, "mrad"));
+  }
+  statements.push_back(std::move(statement));
+  // The level of ASCE 41 that the worst of those with limits passes.
+  const Eigen::MatrixXd& limits = building.model.hinges.rotation_limits;
+  constexpr const char* levels[] = {"IO", "LS", "CP"};
+  for (Index level = 3; level-- > 0;) {
+    Index passed = -1;
+    long count = 0;
+    double most = 1;
+    for (const Index h : turned) {
+      if (h >= limits.rows() || std::isnan(limits(h, level))) continue;
+      const double demand = peaks.hinges[h].peak_rotation / limits(h, level);
+      count += demand > 1 ? 1 : 0;
+      if (!(demand > most)) continue;
+      most = demand;
+      passed = h;
+    }
+    if (passed < 0) continue;
+    Statement beyond{.kind = "hinges_beyond", .severity = Severity::warning, .buildings = {b}};
+    beyond.values = {text_of("building", building.name), text_of("limit", levels[level]), count_of("count", count),
+                     value_in("demand", most)};
+    add_place(building.model.hinges.places[passed], beyond.values);
+    statements.push_back(std::move(beyond));
+    return;
+  }
+}
+
+StoryTable hinge_table(const RunResults& run, const Building& building, const BuildingPeaks& peaks,
+                       const std::vector<Index>& turned) {
+  const ShownUnits shown = shown_units(run.c.units, run.response);
+  const double moments = shown.factor("F L");
+  const std::string of_moment = unit_text("F L", shown.units);
+  StoryColumn member{.label = "column.member", .are_words = true}, end{.label = "column.end", .are_words = true};
+  StoryColumn level{.label = "column.of_storey", .are_counts = true};
+  StoryColumn number{.label = "column.of_line", .are_counts = true};
+  StoryColumn rotation{"column.rotation", "mrad"}, residual{"column.at_the_end", "mrad"},
+      moment{"column.moment", of_moment};
+  StoryColumn energy{"column.energy", of_moment}, yield{"column.first_yield", "s"};
+  StoryTable table{.kind = "hinges", .values = {text_of("building", building.name)}};
+  for (std::size_t n = 0; n < std::min(turned.size(), most_told); ++n) {
+    const Index h = turned[n];
+    const HingePlace& place = building.model.hinges.places[h];
+    const BuildingPeaks::Hinge& hinge = peaks.hinges[h];
+    member.texts.emplace_back(place.of_beam ? "hinge.beam" : "hinge.column");
+    level.texts.push_back(std::to_string(place.level));
+    number.texts.push_back(std::to_string(place.number));
+    end.texts.emplace_back(end_word(place));
+    rotation.numbers.push_back(1e3 * hinge.peak_rotation);
+    residual.numbers.push_back(1e3 * hinge.residual_rotation);
+    moment.numbers.push_back(moments * hinge.peak_moment);
+    energy.numbers.push_back(moments * hinge.dissipated_energy);
+    yield.numbers.push_back(hinge.first_yield.value_or(0));
+  }
+  table.columns = {member, level, number, end, rotation, residual, moment, energy, yield};
+  return table;
+}
+
+}  // namespace
+
+void tell_hinges(const RunResults& run, Story& told) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const BuildingPeaks& peaks = run.response.buildings[b];
+    if (building.model.hinges.places.empty() || peaks.hinges.empty()) continue;
+    const std::vector<Index> turned = by_rotation(peaks);
+    tell_mechanism(building, b, peaks, told.statements);
+    tell_rotations(building, b, peaks, turned, told.statements);
+    if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
+  }
+}
+
+}  // namespace bentur::story
