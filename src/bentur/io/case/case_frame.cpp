@@ -37,7 +37,7 @@ void read_hinges(const TableView& view, std::size_t lines, Section& section) {
   const auto capacity = view.get("moment_capacity");
   if (!capacity) {
     for (const std::string key : {"hardening", "rotation_limits"}) {
-      view.refuse({key}, "goes with moment_capacity, which is missing");
+      view.refuse({key}, "goes with moment_capacity, which is not given");
     }
   }
   section.moment_capacity = view.numbers("moment_capacity");
