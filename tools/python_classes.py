@@ -36,8 +36,8 @@ LAWS = ("linear Linear", "kelvin_voigt KelvinVoigt", "kelvin_voigt_approach Kelv
 # Of a class: the way to its table in the schema, what of Python alone is to be said, and headers with declarations.
 CLASSES = {
     "Units": (("units",), "", []),
-    "Section": (("building", "frame", "columns"), "", [("structure/plane_frame.h", "Section")]),
-    "Frame": (("building", "frame"), "", [("structure/plane_frame.h", "PlaneFrame")]),
+    "Section": (("building", "frame", "columns"), "", [("structure/frame/plane_frame.h", "Section")]),
+    "Frame": (("building", "frame"), "", [("structure/frame/plane_frame.h", "PlaneFrame")]),
     "Stick": (("building", "stick"), "", [("structure/stick.h", "Stick")]),
     "Matrices": (("building", "matrices"), "", []),
     "Modal": (("building", "modal"), "", [("structure/known/modal.h", "ModalBuilding"), ("structure/known/modal.h", "ModalModel")]),

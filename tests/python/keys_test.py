@@ -25,6 +25,7 @@ BEYOND = {
             column-elevations-order gap-elevations-order matrices-elevations-order
             modal-elevations-order rayleigh-equal-periods rigid-elevations-order
             spectrum-table-order""",
+        "moments of loads": "hinges-gravity",
         "names of buildings": """
             between-order between-unknown-name building-name-twice initial-unknown-building
             link-order link-unknown-name""",

@@ -43,7 +43,7 @@ struct Added {
 const std::vector<Added> added = {{Owner::run, "made_up_of_run"},     {Owner::building, "made_up_of_building"},
                                   {Owner::floor, "made_up_of_floor"}, {Owner::point, "made_up_of_point"},
                                   {Owner::gap, "made_up_of_gap"},     {Owner::impact, "made_up_of_impact"},
-                                  {Owner::link, "made_up_of_link"}};
+                                  {Owner::link, "made_up_of_link"},   {Owner::hinge, "made_up_of_hinge"}};
 
 class NewQuantity : public testing::Test {
  protected:
@@ -132,8 +132,8 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
   ASSERT_TRUE(report && report->finished && report->failed == 0) << report->first_failure;
   const NetcdfReader file(output);
   for (const Added& one : added) {
-    if (one.owner == Owner::impact) continue;  // as many as there happen to be
-    if (one.owner == Owner::link) continue;    // the example has none
+    if (one.owner == Owner::impact) continue;                             // as many as there happen to be
+    if (one.owner == Owner::link || one.owner == Owner::hinge) continue;  // the example has none
     const bool numbered = one.owner == Owner::building || one.owner == Owner::floor;
     EXPECT_EQ(file.numbers(one.key + (numbered ? "_1" : "")).at(0), 7) << one.key;
     EXPECT_FALSE(make_figure(file, one.key).panels.empty()) << one.key;
@@ -142,7 +142,7 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
 
 /// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
 std::string row_of(const Quantity& quantity) {
-  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link"};
+  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link", "hinge"};
   std::string unit = unit_text(quantity.units, {.length = "length", .force = "force"}), symbol;
   for (const char c : quantity.symbol) symbol += c == '|' ? "\\|" : std::string(1, c);
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.key, owners[static_cast<int>(quantity.owner)],

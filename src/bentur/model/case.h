@@ -26,9 +26,9 @@
 #include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/damping.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/known/generic.h"
 #include "bentur/structure/known/modal.h"
-#include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
 #include "bentur/structure/support.h"
 

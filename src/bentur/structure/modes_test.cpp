@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/stick.h"
 #include "tests/support/exact/monograph_frames.h"
 #include "tests/support/exact/shear_building.h"

@@ -8,8 +8,8 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/elements/kinematic_hardening.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/modes.h"
-#include "bentur/structure/plane_frame.h"
 #include "bentur/structure/stick.h"
 #include "bentur/structure/sway.h"
 

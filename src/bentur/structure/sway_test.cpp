@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "bentur/core/errors.h"
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/stick.h"
 
 namespace bentur {

@@ -158,6 +158,9 @@ class StudyList {
   void values_of(const RowPart& part) {
     ResultVariable variable{part.name, file_.runs, part.units, part.long_name};
     if (part.owner == Owner::floor) variable.dimensions.push_back(floors_[part.building]);
+    if (part.owner == Owner::hinge) {
+      variable.dimensions.push_back({fmt::format("hinge_{}", part.building + 1), static_cast<std::size_t>(part.count)});
+    }
     if (part.owner == Owner::gap) variable.dimensions.push_back(places_.gaps);
     if (part.owner == Owner::point) variable.dimensions.push_back(places_.points);
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);

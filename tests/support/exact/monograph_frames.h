@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 
 // The frames of the monograph's study (theory 6), Tables 1 and 3: cm, kgf, s; storeys and bay of 100 cm, E = 2.1e5
 // kgf/cm², columns 10 × 10 cm of 0.024 kgf·s²/cm each.

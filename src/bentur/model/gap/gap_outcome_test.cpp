@@ -9,7 +9,7 @@
 
 #include "bentur/model/case.h"
 #include "bentur/solve/solver.h"
-#include "bentur/structure/condensation.h"
+#include "bentur/structure/frame/condensation.h"
 
 namespace bentur {
 namespace {

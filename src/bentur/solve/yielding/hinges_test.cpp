@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "bentur/structure/damping.h"
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/support.h"
 #include "tests/support/yielding_buildings.h"
 

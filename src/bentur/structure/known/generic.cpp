@@ -9,7 +9,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/kinematic_hardening.h"
-#include "bentur/structure/condensation.h"
+#include "bentur/structure/frame/condensation.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {

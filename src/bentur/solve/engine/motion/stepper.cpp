@@ -273,20 +273,22 @@ BuildingRange Stepper::island(const ElementForces& forces) const {
     range.end = std::max(range.end, relation.right + 1);
   };
   for (const Eigen::Index i : forces.nonlinear) take(i);
-  std::vector<const std::vector<Eigen::Index>*> joining{&forces.pressing, &forces.resting};
-  for (const ElementForces::Coupled& of : forces.coupled) joining.push_back(&of.at);
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const auto* list : joining) {
-      for (const Eigen::Index i : *list) {
-        const ModalSystem::Relation& relation = system_->elements[i].relation;
-        const bool reaches_in = relation.left < range.end && relation.right >= range.first;
-        const bool reaches_out = relation.left < range.first || relation.right >= range.end;
-        if (!reaches_in || !reaches_out) continue;
-        take(i);
-        grows = true;
-      }
+  const auto grows_by = [&](const std::vector<Eigen::Index>& list) {
+    bool grows = false;
+    for (const Eigen::Index i : list) {
+      const ModalSystem::Relation& relation = system_->elements[i].relation;
+      const bool reaches_in = relation.left < range.end && relation.right >= range.first;
+      const bool reaches_out = relation.left < range.first || relation.right >= range.end;
+      if (!reaches_in || !reaches_out) continue;
+      take(i);
+      grows = true;
     }
+    return grows;
+  };
+  for (bool grows = true; grows;) {
+    grows = grows_by(forces.pressing);
+    grows = grows_by(forces.resting) || grows;
+    for (const ElementForces::Coupled& of : forces.coupled) grows = grows_by(of.at) || grows;
   }
   return range;
 }

@@ -66,7 +66,7 @@ void MomentumBalance::push_others(const Expansion& motion, double length, const 
       system_->push(i, impulse, pushed_);
     }
   }
-  const VectorXd& start = motion.coefficients().col(0);
+  const auto start = motion.coefficients().col(0);
   for (const ElementForces::Coupled& of : forces.coupled) {
     VectorXd impulses = length * of.base + of.stiffness * system_->speeds(of.at, of_step_);
     if (of.damping.size() > 0) impulses += of.damping * system_->speeds(of.at, end_ - start);

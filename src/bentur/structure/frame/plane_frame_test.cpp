@@ -1,4 +1,4 @@
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/structure/condensation.h"
+#include "bentur/structure/frame/condensation.h"
 #include "bentur/structure/modes.h"
 #include "bentur/structure/stick.h"
 #include "tests/support/exact/monograph_frames.h"

@@ -1,6 +1,6 @@
 // Plastic hinges of frames against numbers worked out by hand (docs/theory/hinges.md): the portal of (H-2),
 // collapse loads of the static theorem, moments of gravity loads.
-#include "bentur/structure/frame_hinges.h"
+#include "bentur/structure/frame/frame_hinges.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/elements/hinges.h"
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 
 namespace bentur {
 namespace {

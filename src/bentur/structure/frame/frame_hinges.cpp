@@ -1,4 +1,4 @@
-#include "bentur/structure/frame_hinges.h"
+#include "bentur/structure/frame/frame_hinges.h"
 
 #include <fmt/format.h>
 

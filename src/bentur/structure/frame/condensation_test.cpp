@@ -1,4 +1,4 @@
-#include "bentur/structure/condensation.h"
+#include "bentur/structure/frame/condensation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "bentur/core/errors.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/modes.h"
-#include "bentur/structure/plane_frame.h"
 #include "tests/support/exact/monograph_frames.h"
 
 namespace bentur {

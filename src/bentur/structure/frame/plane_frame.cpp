@@ -1,4 +1,4 @@
-#include "bentur/structure/plane_frame.h"
+#include "bentur/structure/frame/plane_frame.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
-#include "bentur/structure/condensation.h"
-#include "bentur/structure/frame_hinges.h"
+#include "bentur/structure/frame/condensation.h"
+#include "bentur/structure/frame/frame_hinges.h"
 
 namespace bentur {
 namespace {

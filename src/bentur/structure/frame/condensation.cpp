@@ -1,4 +1,4 @@
-#include "bentur/structure/condensation.h"
+#include "bentur/structure/frame/condensation.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,0 +1,91 @@
+// Quantities as columns of tables for people, and the places that these are of.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/quantities.h"
+
+namespace bentur {
+
+namespace {
+
+std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantity&), const RunView& r,
+                                    const std::vector<QuantityPlace>& places, std::size_t language) {
+  std::vector<TableColumn> columns;
+  for (const Quantity* quantity : quantities_of(owner)) {
+    if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
+    if (!is_told_at_any(*quantity, r, places)) continue;
+    std::vector<double> values;
+    const double factor = quantity->shown_factor * r.shown.factor(quantity->units);
+    for (const QuantityPlace& at : places) values.push_back(factor * value_of(*quantity, r, at));
+    std::vector<std::string> cells = column(values);
+    if (quantity->decimals) {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i] = std::isnan(values[i]) ? "–" : fmt::format("{:.{}f}", values[i], *quantity->decimals);
+      }
+    }
+    const std::string_view unit = quantity->shown_unit;
+    columns.push_back({std::string(quantity->label[language]),
+                       unit.empty() ? unit_text(quantity->units, r.shown.units) : std::string(unit), std::move(cells)});
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
+                                       std::size_t language) {
+  const auto is_wanted = [](const Quantity& one) {
+    return !is_of_yielding(one) && !is_of_forces(one) && !is_of_columns(one);
+  };
+  return columns_of(owner, is_wanted, r, places, language);
+}
+
+std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
+                                          std::size_t language) {
+  return columns_of(Owner::floor, is_of_yielding, r, floors, language);
+}
+
+std::vector<TableColumn> force_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
+                                       std::size_t language) {
+  return columns_of(Owner::floor, is_of_forces, r, floors, language);
+}
+
+std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vector<QuantityPlace>& points,
+                                               std::size_t language) {
+  return columns_of(Owner::point, is_of_columns, r, points, language);
+}
+
+std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
+  std::vector<QuantityPlace> places;
+  for (Eigen::Index i = 0; i < problem.buildings[b].model.floors(); ++i) places.push_back({b, i});
+  return places;
+}
+
+std::vector<QuantityPlace> hinges_of(const Problem& problem, Eigen::Index b) {
+  std::vector<QuantityPlace> places;
+  for (Eigen::Index h = 0; h < std::ssize(problem.buildings[b].model.hinges.places); ++h) places.push_back({b, h});
+  return places;
+}
+
+std::vector<QuantityPlace> floors_from_top(const Problem& problem, Eigen::Index b) {
+  std::vector<QuantityPlace> places = floors_of(problem, b);
+  std::reverse(places.begin(), places.end());
+  return places;
+}
+
+std::vector<QuantityPlace> first_places(Eigen::Index count) {
+  std::vector<QuantityPlace> places;
+  for (Eigen::Index i = 0; i < count; ++i) places.push_back({i, 0});
+  return places;
+}
+
+std::vector<QuantityPlace> places_of(const std::vector<Eigen::Index>& items) {
+  std::vector<QuantityPlace> places;
+  for (const Eigen::Index item : items) places.push_back({item, 0});
+  return places;
+}
+
+}  // namespace bentur
