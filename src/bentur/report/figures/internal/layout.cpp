@@ -18,6 +18,7 @@ namespace {
 
 constexpr double label_room = 0.45;    // of an axis' label
 constexpr double edge = 0.3;           // free to the right of a frame
+constexpr double beside_label = 0.1;   // free on both sides of an x axis' label
 constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
 constexpr std::size_t most_lines = 4;  // of a title, or of a label in a legend
 
@@ -348,7 +349,7 @@ class Arrangement {
         for (const auto& [at, text] : placed.x.labels) numbers = std::max(numbers, 0.3 + text_width(text));
       }
       const std::string label = plain_text(scaled(panel.x.label, placed.x, panel.x.number));
-      placed.x_label = lines_of(label, placed.cell_right - placed.cell_left, 3);
+      placed.x_label = lines_of(label, placed.cell_right - placed.cell_left - 2 * beside_label, 3);
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }
     const double title = static_cast<double>(titles) * line_height;
@@ -363,7 +364,8 @@ class Arrangement {
       double widest = 0;
       for (const std::string& text : placed.x_label) widest = std::max(widest, text_width(text));
       const double middle = (placed.left + placed.right) / 2;
-      placed.x_label_x = std::max(placed.cell_left + widest / 2, std::min(middle, placed.cell_right - widest / 2));
+      const double room = widest / 2 + beside_label;
+      placed.x_label_x = std::max(placed.cell_left + room, std::min(middle, placed.cell_right - room));
       placed.scale_label_x = placed.cell_right - 0.22;
     }
     const double bottom = -(depth_ + title + legend + 0.1 + frame);
