@@ -12,7 +12,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/remarks.h"
+#include "bentur/model/story/remarks.h"
 
 namespace bentur {
 namespace {

@@ -6,7 +6,7 @@
 #include "bentur/model/case.h"
 #include "bentur/model/close_up.h"
 #include "bentur/model/quantities.h"
-#include "bentur/model/remarks.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 
 namespace bentur {

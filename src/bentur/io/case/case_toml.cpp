@@ -16,7 +16,7 @@
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
-#include "bentur/model/remarks.h"
+#include "bentur/model/story/remarks.h"
 
 namespace bentur {
 namespace {

@@ -51,7 +51,7 @@ using PartOf = std::conditional_t<File::reads, Part, const Part>;
 template <class File, class Run>
 class RunList : private PlaceList<File, PartOf<File, Problem>> {
   using List = PlaceList<File, PartOf<File, Problem>>;
-  using List::each, List::file_, List::fit, List::made, List::pass, List::problem_, List::single;
+  using List::each, List::file_, List::fit, List::made, List::mechanism, List::pass, List::problem_, List::single;
   using List::gaps, List::links, List::places, List::points;
 
  public:
@@ -223,6 +223,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       }
     }
     quantities(Owner::hinge, hinges, hinges_of(problem_, static_cast<Eigen::Index>(b)), number, of);
+    mechanism(problem_.buildings[b].model.floors(), response_.buildings[b].mechanism, number, owner);
     if (time_.size == 0) return;
     pass({"hinge_moment" + number, {time_, hinges}, moment_, "moments, that at rest included," + of},
          histories_.hinge_moment[b]);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,8 @@
 
 namespace bentur {
 
-/// Where gaps, contact points and links are. Without a unit of length they have no elevations.
+/// Where gaps, contact points and links are (without a unit of length they have no elevations), and where frames become
+/// mechanisms.
 template <class File, class Problem>
 class PlaceList : protected VariablePass<File> {
  public:
@@ -48,6 +51,30 @@ class PlaceList : protected VariablePass<File> {
   ResultDimension gaps, points, links;
 
  protected:
+  /// When hinges first let storeys of a building sway without bending, and which.
+  template <class Mechanism>
+  void mechanism(Eigen::Index floors, Mechanism& mechanism, const std::string& number, const std::string& owner) {
+    std::vector<double> time = {mechanism ? mechanism->time : std::numeric_limits<double>::quiet_NaN()};
+    std::vector<int> sways(static_cast<std::size_t>(floors), 0);
+    if constexpr (!File::reads) {
+      if (mechanism) {
+        for (const Eigen::Index storey : mechanism->storeys) sways[storey] = 1;
+      }
+    }
+    this->made({"mechanism_time" + number, {}, "s", "when hinges first let storeys sway without bending, of " + owner},
+               time);
+    const ResultDimension storeys{"elevation" + number, sways.size()};
+    this->made({"mechanism_storey" + number, {storeys}, "", "1 for each storey that did so then, of " + owner}, sways);
+    if constexpr (File::reads) {
+      if (std::isnan(time.at(0))) return;
+      mechanism.emplace();
+      mechanism->time = time[0];
+      for (Eigen::Index j = 0; j < floors; ++j) {
+        if (sways.at(j) != 0) mechanism->storeys.push_back(j);
+      }
+    }
+  }
+
   Problem& problem_;
 };
 

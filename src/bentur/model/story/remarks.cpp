@@ -1,4 +1,4 @@
-#include "bentur/model/remarks.h"
+#include "bentur/model/story/remarks.h"
 
 #include <algorithm>
 #include <cmath>
