@@ -1113,14 +1113,16 @@ test("letters can be read and lines are whole on small screens", async () => {
       }).map((row) => row.textContent)), [], where);
       const modes = page.locator('[data-figure="modes"]');
       await modes.scrollIntoViewIfNeeded();
-      const size = await modes.locator("text").first().evaluate((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a);
-      assert.ok(size >= 8.9, `${where}: modes ${size}`);
+      await page.waitForFunction(() => { // it may still be drawn anew for this width
+        const one = document.querySelector('[data-figure="modes"] text');
+        return one && parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a >= 8.9;
+      });
     });
   });
 });
 
 test("a storey or a bay more and then fewer is the same case, of every example", async () => {
-  const names = examples(source, 1);
+  const names = examples(source, 1, ["hinged-frame.toml"]);
   await on(async (page) => {
     await solved(page);
     await page.click("text=Form");

@@ -37,7 +37,8 @@ export function grown(text: string, building: number, part: Part, by: 1 | -1): s
   const edits = found.lists.filter(({ path }) => under(path, ["building", building])).flatMap((list) => {
     const each = eachOf(list.path);
     const isOne = list === main || (part === "storey" && /one per (storey|floor)$/.test(each) && list.items.length === n && !(n === 1 && each.startsWith("one for all")));
-    if (isOne) return [resized(text, list, by)];
+    const isLine = part === "bay" && list.path[3] === "columns" && /one per column line/.test(each) && list.items.length === n + 1;
+    if (isOne || isLine) return [resized(text, list, by)];
     return /one per mode$/.test(each) && modes > 0 ? [resized(text, list, by * modes)] : [];
   });
   const name = leaf(found, ["building", building, "name"])?.value;
