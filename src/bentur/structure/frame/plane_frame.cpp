@@ -121,7 +121,8 @@ FrameHinges::End end_of(const PlaneFrame& frame, const Section& section, double 
                         Eigen::Index joint) {
   const std::vector<double>& capacity = section.moment_capacity;
   FrameHinges::End end{.place = place, .rotation_limits = section.rotation_limits, .joint = joint};
-  end.clockwise = capacity.empty() ? never_yields : capacity.front();
+  end.clockwise = never_yields;
+  if (!capacity.empty()) end.clockwise = capacity.front();
   if (capacity.size() > 1 && place.of_beam) {
     const bool left = place.end == HingePlace::End::left;
     end.clockwise = capacity[left ? 0 : 1];

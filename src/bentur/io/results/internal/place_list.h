@@ -67,8 +67,7 @@ class PlaceList : protected VariablePass<File> {
     this->made({"mechanism_storey" + number, {storeys}, "", "1 for each storey that did so then, of " + owner}, sways);
     if constexpr (File::reads) {
       if (std::isnan(time.at(0))) return;
-      mechanism.emplace();
-      mechanism->time = time[0];
+      mechanism = typename Mechanism::value_type{.time = time[0], .storeys = {}};
       for (Eigen::Index j = 0; j < floors; ++j) {
         if (sways.at(j) != 0) mechanism->storeys.push_back(j);
       }
