@@ -1,5 +1,5 @@
 // Frames by chance whose members yield, beside a wall or another such frame: `exact` against `adaptive`, which share no
-// way of stepping, their mirror images, and where the energy went.
+// way of stepping, and where the energy went.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -109,11 +109,15 @@ Response run(const Problem& problem, const Solver& solver) {
 
 /// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the test always runs.
 TEST(RandomFrames, AreAlikeByBothSolvers) {
+#ifdef __SANITIZE_ADDRESS__
+  unsigned first = 1, count = 4;
+#else
   unsigned first = 1, count = 20;
+#endif
   if (const char* text = std::getenv("BENTUR_RANDOM_FRAMES")) {
     ASSERT_EQ(std::sscanf(text, "%u:%u", &first, &count), 2) << text;  // NOLINT(cert-err34-c)
   }
-  long yielded = 0, pounded = 0, sensitive = 0;
+  long yielded = 0, pounded = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Problem problem = Generator(seed).make();
@@ -132,7 +136,6 @@ TEST(RandomFrames, AreAlikeByBothSolvers) {
     }
     pounded += std::ssize(exact.impacts);
   }
-  std::printf("%ld hinges yielded, %ld impacts, %ld too sensitive\n", yielded, pounded, sensitive);
   EXPECT_GT(yielded, count);
   EXPECT_GT(pounded, count);
 }
