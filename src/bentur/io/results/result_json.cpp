@@ -127,6 +127,10 @@ void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
   for (const QuantityPlace& at : hinges_of(run.problem, b)) {
     Json hinge = place_json(hinges.places[at.floor]);
     put_quantities(hinge, Owner::hinge, run, at.item, at.floor);
+    const bool known = hinges.clockwise.size() > at.floor;  // not from histories.nc
+    if (known && std::isinf(hinges.clockwise(at.floor)) && std::isinf(hinges.anticlockwise(at.floor))) {
+      hinge["never_flows"] = true;
+    }
     if (hinges.rotation_limits.rows() > at.floor && !std::isnan(hinges.rotation_limits(at.floor, 0))) {
       hinge["rotation_demand"] =
           list(peaks.hinges[at.floor].peak_rotation * hinges.rotation_limits.row(at.floor).cwiseInverse().transpose());

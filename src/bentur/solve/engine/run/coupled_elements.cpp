@@ -227,6 +227,7 @@ void CoupledElements::settle(double time, const State& state, const VectorXd& ac
 void CoupledElements::resume(const std::vector<CoupledState>& states) {
   states_ = states;
   for (std::size_t e = 0; e < states_.size(); ++e) enter(e);
+  go_on();  // their branches began before
 }
 
 std::vector<CoupledState> CoupledElements::states_at(const State& state) const {

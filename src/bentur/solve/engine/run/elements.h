@@ -99,6 +99,9 @@ class Elements {
   /// `time`; `state` is that at `end`. To be called after every step, before change().
   void note_touches(const Expansion& motion, double time, double end, State& state);
 
+  /// A flight has been taken: nothing is at the beginning of its branch any more.
+  void go_on() { coupled_.go_on(); }
+
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
   /// Whether the last change found no impulses (E-1).

@@ -150,6 +150,7 @@ bool Run::cruise() {
   }
   const Eigen::Index steps = buffer_.size();
   if (steps == first) return false;
+  elements_.go_on();
   const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_.size); };
   const auto finite = [&](Eigen::Index n) { return all(buffer_.q(n)).allFinite() && all(buffer_.v(n)).allFinite(); };
   if (!finite(steps)) {
@@ -209,6 +210,7 @@ bool Run::fly(const Flights& flights, std::size_t halvings, double start, double
   const Eigen::Index n = buffer_.size();
   buffer_.fly(flights, halvings, inputs_);
   if (quiet(1) == 0) return false;
+  elements_.go_on();
   buffer_.accept(segment_, start - grid_.start(segment_), flights, halvings, inputs_);
   pass(start, flights, halvings);
   std::copy_n(buffer_.q(n + 1), system_.size, next_.q.data());
