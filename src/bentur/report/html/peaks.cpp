@@ -172,6 +172,11 @@ PageSection peaks_section(const Report& report) {
                proportions_text(report, b) + foundation_text(report, b) +
                floors_table(report, b, "peaks.yielding", yielding_columns(report.run, floors, language));
   }
+  for (const StoryTable& table : report.story.tables) {
+    if (table.kind != "hinges") continue;
+    const SaidTable shown = said(table, say);
+    content += element("h3", shown.heading) + table_of(shown);
+  }
   content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
   if (some_building_yields(report.problem, report.response)) {
     content += element("p", Html::text(say("peaks.yielding_note")), "class=\"note\"");

@@ -123,6 +123,17 @@ TEST(Report, EveryRuleOfTheCaseIsShown) {
   }
 }
 
+TEST(Report, HingesThatTurnedFurthest) {
+  const Simulated pair = run(example("hinged-frame"));
+  const std::string page = plain(pair.page());
+  EXPECT_TRUE(has(page, "Hinges of Old frame, those that turned furthest"));
+  EXPECT_TRUE(has(page, "right end"));
+  EXPECT_TRUE(has(page, "Old frame has a soft storey"));
+  EXPECT_TRUE(has(page, "times that limit"));
+  EXPECT_TRUE(has(plain(pair.page("id")), "Sendi plastis Old frame, yang berputar paling jauh"));
+  EXPECT_FALSE(has(plain(run(example("two-frames-si")).page()), "Hinges"));
+}
+
 TEST(Report, BuildingsThatYield) {
   const Simulated pair = run(example("yielding-pair"));
   const std::string page = plain(pair.page());
@@ -131,7 +142,7 @@ TEST(Report, BuildingsThatYield) {
   EXPECT_TRUE(has(page, "Stiffness-proportional, ratio in mode 1"));
   EXPECT_TRUE(has(page, "Yield forces"));
   EXPECT_TRUE(has(page, "Ductility without contact"));
-  EXPECT_TRUE(has(page, "storeys and bearings yield where the case says so"));
+  EXPECT_TRUE(has(page, "members, storeys and bearings yield where the case says so"));
   EXPECT_FALSE(has(page, "computed as linear elastic"));
   EXPECT_TRUE(has(plain(pair.page("id")), "Daktilitas tanpa kontak"));
   const std::string tangent =
