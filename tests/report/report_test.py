@@ -242,6 +242,14 @@ levels = [0.1, 0.3, 0.6]
             self.assertGreaterEqual(self.js("document.querySelectorAll('figure svg').length"), 2)
             self.assertNotIn("M1", self.js("document.querySelector('h1').textContent"))
 
+    def test_a_figure_that_stands_alone_is_no_wider_than_one_of_many(self):
+        page = self.report(SOURCE / "examples" / "gaps" / "design-spectrum.toml")
+        self.browser.resize(1000, 900)
+        self.browser.open(page)
+        self.assertEqual(self.js("document.querySelectorAll('.figures figure').length"), 1)
+        alone, page_width = self.js("['.figures figure', 'main'].map(s => document.querySelector(s).clientWidth)")
+        self.assertLess(alone, 0.5 * page_width)
+
     def test_sizes(self):
         page = self.example("m12-el-centro")
         self.assertLess(page.stat().st_size, 2e6)
