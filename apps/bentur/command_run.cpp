@@ -16,6 +16,7 @@
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 #include "commands.h"
 #include "output.h"
 #include "picture.h"
@@ -261,7 +262,10 @@ class RunOutput {
   void write_pictures(const RunResults& run) const {
     const std::filesystem::path pictures = folder() / "figures";
     try {
-      const std::vector<NamedFigure> figures = run_figures(run);
+      FigureOptions options;
+      options.say = figure_words(arguments_.language);
+      options.language = arguments_.language;
+      const std::vector<NamedFigure> figures = run_figures(run, options);
       write_figures(pictures, figures, arguments_.figures, rules_);
       if (arguments_.quiet) return;
       std::string list;

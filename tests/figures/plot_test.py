@@ -68,6 +68,14 @@ class Run(Figures):
             self.assertEqual((self.folder / f"out/figures/{kind}.svg").read_bytes(),
                              (self.folder / f"again/figures/{kind}.svg").read_bytes(), kind)
 
+    def test_texts_are_in_the_language_that_is_asked_for(self):
+        for language in "en", "id":
+            self.bentur(0, "run", "-o", language, "--lang", language, "--figures", "svg", EL_CENTRO)
+        for kind, word in ("overview", "kontak"), ("force", "Gaya kontak"), ("displacement", "Perpindahan"):
+            english, indonesian = (" ".join(self.texts(self.folder / f"{one}/figures/{kind}.svg")) for one in ("en", "id"))
+            self.assertIn(word, indonesian, kind)
+            self.assertNotIn(word, english, kind)
+
     def test_peaks_of_the_summary_are_in_the_data(self):
         summary = json.loads(self.bentur(0, "run", EL_CENTRO, "-o", "out", "--figures", "svg", "--json").stdout)
         folder = self.folder / "out/figures"

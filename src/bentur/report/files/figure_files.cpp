@@ -42,9 +42,11 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
   for (const std::string& format : formats) expect("." + format, ResultKind::picture);
 }
 
-std::vector<NamedFigure> run_figures(const RunResults& results) {
+std::vector<NamedFigure> run_figures(const RunResults& results, const FigureOptions& options) {
   std::vector<NamedFigure> figures;
-  for (const FigureKind& kind : figure_kinds(results)) figures.push_back({kind.name, make_figure(results, kind.name)});
+  for (const FigureKind& kind : figure_kinds(results)) {
+    figures.push_back({kind.name, make_figure(results, kind.name, options)});
+  }
   return figures;
 }
 

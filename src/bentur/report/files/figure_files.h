@@ -8,6 +8,7 @@
 #include "bentur/io/output/output_rules.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/figures/figure.h"
+#include "bentur/report/kinds/kinds.h"
 
 namespace bentur {
 
@@ -28,7 +29,7 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
                    const std::vector<std::string>& formats, const OutputRules& rules);
 
 /// All figures that a run can give, each called by its kind.
-[[nodiscard]] std::vector<NamedFigure> run_figures(const RunResults& results);
+[[nodiscard]] std::vector<NamedFigure> run_figures(const RunResults& results, const FigureOptions& options = {});
 
 /// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure
 /// by bentur (io/output/result_kind.h) stays, and so does an input.

@@ -444,8 +444,10 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
     panel.curves.push_back(
         part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dashed}));
   }
+  constexpr double round_off = 1e-9;  // of the energy that came in
   const auto at_end = [&](const Eigen::VectorXd& sum) {
-    return shown_value(run, sum.size() > 0 ? sum(sum.size() - 1) : 0, "F L");
+    const double last = sum.size() > 0 ? sum(sum.size() - 1) : 0;
+    return shown_value(run, std::abs(last) > round_off * energy.input.cwiseAbs().maxCoeff() ? last : 0, "F L");
   };
   return {.title = "Where the energy is, of all buildings together",
           .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
