@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur::bench {
 

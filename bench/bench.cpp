@@ -15,8 +15,8 @@
 #include "bentur/contact/laws.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/solve/engine/motion/polynomial.h"
-#include "bentur/solve/solver.h"
 #include "bentur/structure/modes.h"
 
 namespace {

@@ -18,7 +18,7 @@
 #include "bench/peers/peers.h"
 #include "bench/timing.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace {
 

@@ -7,12 +7,12 @@ function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# bentur_module(NAME [LIGHTLY] [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# bentur_module(NAME [LIGHTLY] [DEPENDS target...] [PRIVATE_DEPENDS target...] [TESTS_USE target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but those in folders named engine or internal, which only the module itself
-# includes. What it depends on is looked for, or built, for its sake: modules that others need come after them.
+# includes. Its tests may use modules that need it. What it depends on is looked for, or built, for its sake: modules that others need come after them.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "LIGHTLY" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHTLY" "" "DEPENDS;PRIVATE_DEPENDS;TESTS_USE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   list(FILTER headers EXCLUDE REGEX "/(engine|internal)/")
@@ -49,7 +49,7 @@ function(bentur_module name)
   endif()
   set_property(GLOBAL APPEND PROPERTY BENTUR_MODULES ${name})
   if(BENTUR_BUILD_TESTS AND tests)
-    bentur_test(${name}_test SOURCES ${tests} LIBRARIES bentur::${name} ${ARG_PRIVATE_DEPENDS})
+    bentur_test(${name}_test SOURCES ${tests} LIBRARIES ${ARG_TESTS_USE} bentur::${name} ${ARG_PRIVATE_DEPENDS})
   endif()
 endfunction()
 

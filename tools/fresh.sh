@@ -106,7 +106,7 @@ try_package() {
       bentur run own.toml -o results
       ls results/summary.json
       apt-get install -y -q --no-install-recommends ./libbentur-dev_*.deb
-      ls /usr/include/bentur/solve/solver.h' >"$folder/$suite-installed.log" 2>&1 || {
+      ls /usr/include/bentur/pounding/pounding.h' >"$folder/$suite-installed.log" 2>&1 || {
     tail -n 30 "$folder/$suite-installed.log" >&2
     echo "$suite: the package cannot be installed or does not run; all of it: $folder/$suite-installed.log"
     exit 1

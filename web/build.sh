@@ -52,7 +52,7 @@ page() {
 mkdir -p "$out"
 case ${1:-page} in
   core) core bentur_web ;;
-  units) core core_test elements_test structure_test excitation_test contact_test solve_test model_test io_test study_test ;;
+  units) core core_test elements_test structure_test excitation_test contact_test solve_test pounding_test model_test io_test study_test ;;
   page) core bentur_web; page ;;
   *) echo "build.sh knows core, units and page"; exit 1 ;;
 esac

@@ -19,10 +19,10 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/utf8.h"
-#include "bentur/solve/solver.h"
 #include "text/effort_text.h"
 #include "text/table.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bentur/solve/problem.h"
+#include "bentur/pounding/problem.h"
 
 namespace bentur::bench {
 

@@ -10,7 +10,7 @@
 
 #include "bentur/elements/kinematic_hardening.h"
 #include "bentur/elements/link_laws.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/small_buildings.h"
 

@@ -10,7 +10,7 @@
 
 #include "bentur/contact/laws/linear.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/stick.h"
 

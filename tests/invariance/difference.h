@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "bentur/solve/response.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur::test {
 

@@ -13,7 +13,7 @@
 
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/invariance/random_case.h"
 #include "tests/support/column_case.h"
 

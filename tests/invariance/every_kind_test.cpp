@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 
 #include "bentur/core/errors.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/invariance/difference.h"
 #include "tests/invariance/every_kind.h"
 #include "tests/invariance/movement.h"

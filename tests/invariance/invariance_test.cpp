@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/invariance/case_text.h"
 #include "tests/invariance/difference.h"
 #include "tests/invariance/movement.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/invariance/difference.h"
 
 // What two descriptions of one case may differ by: what its numbers and the solver's tolerance leave open.

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/solve/response.h"
+#include "bentur/pounding/response.h"
 #include "tests/invariance/random_case.h"
 
 // What a case may be turned into without anything happening differently, and the way back from its response.

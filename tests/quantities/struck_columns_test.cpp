@@ -19,10 +19,10 @@
 #include "bentur/io/results/run_variables.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/run_results.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/studies/file_kinds.h"
 #include "bentur/runner/sweep.h"
-#include "bentur/solve/solver.h"
 #include "tests/support/column_case.h"
 
 namespace bentur {

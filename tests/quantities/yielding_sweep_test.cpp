@@ -9,9 +9,9 @@
 #include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/report/studies/file_kinds.h"
 #include "bentur/runner/sweep.h"
-#include "bentur/solve/solver.h"
 #include "tests/support/study_of.h"
 #include "tests/support/yielding_case.h"
 

@@ -12,7 +12,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_json.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

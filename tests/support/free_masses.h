@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <utility>
 
-#include "bentur/solve/response.h"
+#include "bentur/pounding/response.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::test {

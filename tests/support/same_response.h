@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bentur/solve/response.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur::test {
 

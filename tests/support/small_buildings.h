@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bentur/contact/laws/linear.h"
-#include "bentur/solve/problem.h"
+#include "bentur/pounding/assemble.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bentur/elements/kinematic_hardening.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::test {

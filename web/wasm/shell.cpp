@@ -24,11 +24,11 @@
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
 #include "bentur/model/limits.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/kinds/kinds.h"
-#include "bentur/solve/effort.h"
 #include "shell_answers.h"
 
 namespace bentur::web {

@@ -8,9 +8,9 @@
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/errors.h"
+#include "bentur/pounding/response.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/words.h"
-#include "bentur/solve/response.h"
 
 namespace bentur::web {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/solve/effort.h"
+#include "bentur/pounding/pounding.h"
 #include "session.h"
 
 namespace bentur::cli {

@@ -7,7 +7,7 @@
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

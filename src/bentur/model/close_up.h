@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bentur/model/case.h"
-#include "bentur/solve/effort.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 

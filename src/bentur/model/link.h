@@ -11,7 +11,7 @@
 #include "bentur/elements/law.h"
 #include "bentur/elements/law_entry.h"
 #include "bentur/model/gap/levels.h"
-#include "bentur/solve/problem.h"
+#include "bentur/pounding/problem.h"
 
 namespace bentur {
 

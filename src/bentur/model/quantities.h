@@ -10,8 +10,8 @@
 
 #include "bentur/core/units.h"
 #include "bentur/model/restitution.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

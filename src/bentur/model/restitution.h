@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

@@ -25,11 +25,11 @@ constexpr double seconds_a_coordinate = 3e-7;  // of a step
 constexpr double copies = 4.0;                 // of histories while their file is made, and of a record
 constexpr double overhead = 48e6;              // [byte] of the program and of what its search for peaks keeps
 
-/// The force of every point while its bodies touch, and of every link where it is stiffest.
-engine::ElementForces touching(const Problem& problem, bool& nonlinear) {
+/// The force of every point while its bodies touch, and of every joint where it is stiffest.
+engine::ElementForces touching(const System& system, bool& nonlinear) {
   engine::ElementForces forces;
-  for (Eigen::Index i = 0; i < std::ssize(problem.points); ++i) {
-    const Law& law = *problem.points[i].law;
+  for (Eigen::Index i = 0; i < std::ssize(system.contacts); ++i) {
+    const Law& law = *system.contacts[i].law;
     const LawState closed = law.next({}, 0, 0.0, 0.0, 1.0);
     const Branch branch = law.branch(closed);
     forces.linear.push_back({0.0, branch.stiffness, branch.damping});
@@ -40,10 +40,10 @@ engine::ElementForces touching(const Problem& problem, bool& nonlinear) {
       if (after.guards[g].decaying != 0.0) forces.fading = std::max(forces.fading, after.guards[g].rate);
     }
   }
-  for (const Link& link : problem.links) {
-    Branch stiffest = link.law->branch({});
+  for (const Element& joint : system.joints) {
+    Branch stiffest = joint.law->branch({});
     for (std::size_t g = 0; g < stiffest.guard_count; ++g) {
-      const Branch next = link.law->branch(link.law->next({}, g, 0.0, 0.0, 0.0));
+      const Branch next = joint.law->branch(joint.law->next({}, g, 0.0, 0.0, 0.0));
       if (next.stiffness > stiffest.stiffness) stiffest = next;
     }
     forces.pressing.push_back(std::ssize(forces.linear));
@@ -58,14 +58,14 @@ void raise(Effort::Fastest& fastest, double rate, const Effort::Fastest& other) 
   fastest.frequency = rate / two_pi;
 }
 
-/// Of the buildings and the motion.
-Effort::Fastest fastest_apart(const Problem& problem, const ModalSystem& system) {
+/// Of the bodies and the motion.
+Effort::Fastest fastest_apart(const System& given, const ModalSystem& system) {
   Effort::Fastest fastest;
   raise(fastest, system.nu, {.by = By::motion});
-  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    if (problem.buildings[b].is_rigid()) continue;
+  for (Eigen::Index b = 0; b < std::ssize(given.bodies); ++b) {
+    if (given.bodies[b].is_rigid()) continue;
     Eigen::Index mode = 0;
-    const double omega = problem.buildings[b].modes.omega.maxCoeff(&mode);
+    const double omega = given.bodies[b].modes.omega.maxCoeff(&mode);
     raise(fastest, omega, {.by = By::mode, .building = b, .mode = mode});
     raise(fastest, system.blocks[b].half_damping, {.by = By::damping, .building = b});
   }
@@ -85,17 +85,21 @@ Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::Elem
 }
 
 /// Bytes that grow with the case, into the effort.
-void add_memory(Effort& effort, const Problem& problem, const ModalSystem& system, double segments) {
-  double floors = 0.0;
-  for (const auto& block : system.blocks) floors += static_cast<double>(block.floors);
-  const auto points = static_cast<double>(problem.points.size());
+void add_memory(Effort& effort, const System& given, const ModalSystem& system, double segments) {
+  double peaks = 0.0, sampled = 0.0;  // outputs of which there are some
+  for (const auto& block : system.blocks) {
+    for (const auto& group : block.outputs) {
+      if (group.has_peak) peaks += static_cast<double>(group.count());
+      sampled += static_cast<double>(group.count());
+    }
+  }
+  const auto points = static_cast<double>(given.contacts.size());
   const auto size = static_cast<double>(system.size);
-  const double plan = segments * static_cast<double>(problem.buildings.size()) * sizeof(engine::kernels::FlightInput);
+  const double plan = segments * static_cast<double>(given.bodies.size()) * sizeof(engine::kernels::FlightInput);
   const double reaches = 16.0 * segments * points;
-  const double checkpoints =
-      segments / static_cast<double>(engine::StepBuffer::most) * 8.0 * (2.0 * size + 4.0 * floors);
-  const double histories = 8.0 * effort.samples * (2.0 + 3.0 * floors + 2.0 * points);
-  const auto* record = std::get_if<SampledMotion>(&problem.motion);
+  const double checkpoints = segments / static_cast<double>(engine::StepBuffer::most) * 8.0 * (2.0 * size + peaks);
+  const double histories = 8.0 * effort.samples * (2.0 + sampled + 2.0 * points);
+  const auto* record = std::get_if<SampledMotion>(&given.motion);
   const double motion = record != nullptr ? 8.0 * static_cast<double>(record->acceleration.size()) : 0.0;
   effort.memory_of_steps = plan + reaches + checkpoints + copies * motion;
   effort.memory = overhead + effort.memory_of_steps + copies * histories;
@@ -103,16 +107,15 @@ void add_memory(Effort& effort, const Problem& problem, const ModalSystem& syste
 
 }  // namespace
 
-Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options) {
-  validate(problem);
+Effort effort(const System& given, const Solver& solver, const RunOptions& options) {
   const bool exact = std::holds_alternative<ExactSolver>(solver);
-  const ModalSystem system(problem);
-  const engine::TimeGrid grid(problem, exact);
+  const ModalSystem system(given);
+  const engine::TimeGrid grid(given, exact);
   bool nonlinear = false;
-  const engine::ElementForces forces = touching(problem, nonlinear);
+  const engine::ElementForces forces = touching(given, nonlinear);
 
   Effort result;
-  result.apart = fastest_apart(problem, system);
+  result.apart = fastest_apart(given, system);
   result.in_contact = fastest_in_contact(system, forces, result.apart);
   const double free_rate = system.rate({});
   const double contact_rate = system.rate(forces);
@@ -130,29 +133,29 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
     const double taken = system.classical ? parts : 1.0;
     closed += taken * std::ceil(grid.length(kind) / taken * contact_rate / engine::series_reach);
   }
-  const double periods = problem.duration / period;
+  const double periods = given.duration / period;
   constexpr double round_off = 1e-12;
   const double segments = std::ceil(periods * static_cast<double>(grid.kinds()) * (1.0 - round_off));
-  if (options.output_step > 0.0) result.samples = std::floor(problem.duration / options.output_step) + 1.0;
+  if (options.output_step > 0.0) result.samples = std::floor(given.duration / options.output_step) + 1.0;
   if (exact) {
     result.steps = system.classical ? segments : periods * series;
     // Contact cuts steps short, and what is near to one is halved.
     result.steps_in_contact = nonlinear ? contact_rate / pair_most : closed / period;
     const double audited = options.energy_audit ? periods * halved : 0.0;
     result.certain_steps = result.steps + audited;
-    result.most_steps = 2.0 * (result.steps + result.samples) + audited + problem.duration * result.steps_in_contact;
+    result.most_steps = 2.0 * (result.steps + result.samples) + audited + given.duration * result.steps_in_contact;
   } else if (const auto* fixed = std::get_if<RungeKuttaSolver>(&solver)) {
     result.growing_step = unstable / (two_pi * result.apart.frequency);
-    result.steps = segments + problem.duration / fixed->step;
-    result.steps_in_contact = 3.0 / fixed->step + segments / problem.duration;
-    result.most_steps = result.steps + problem.duration * result.steps_in_contact;
+    result.steps = segments + given.duration / fixed->step;
+    result.steps_in_contact = 3.0 / fixed->step + segments / given.duration;
+    result.most_steps = result.steps + given.duration * result.steps_in_contact;
   } else {
-    result.steps = std::max(segments, problem.duration * free_rate / pair_least);
-    result.steps_in_contact = contact_rate / pair_most + segments / problem.duration;
-    result.most_steps = 2.0 * problem.duration * result.steps_in_contact;
+    result.steps = std::max(segments, given.duration * free_rate / pair_least);
+    result.steps_in_contact = contact_rate / pair_most + segments / given.duration;
+    result.most_steps = 2.0 * given.duration * result.steps_in_contact;
   }
   result.certain_steps = std::max(result.certain_steps, result.steps);
-  add_memory(result, problem, system, exact && system.classical ? segments : 0.0);
+  add_memory(result, given, system, exact && system.classical ? segments : 0.0);
   result.seconds = result.most_steps * (seconds_a_step + seconds_a_coordinate * static_cast<double>(system.size));
   return result;
 }

@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <string>
 
-#include "bentur/solve/problem.h"
 #include "bentur/solve/solver.h"
 
 namespace bentur {
 
-/// What a run takes, from the problem and the algorithm alone and before any of it is done.
+/// What a run takes, from the system and the algorithm alone and before any of it is done.
 ///
-/// While apart, buildings fly over whole steps of the ground motion (T-3); a fast mode costs the logarithm of its
+/// While apart, bodies fly over whole steps of the ground motion (T-3); a fast mode costs the logarithm of its
 /// frequency. In contact, with full damping matrices and with an energy audit, steps are power series of rate · h ≤ 2.4
 /// (T-2), so that the fastest motion there is sets the pace.
 struct Effort {
@@ -24,7 +23,7 @@ struct Effort {
     Eigen::Index point = 0;  ///< of contact
   };
   Fastest apart, in_contact;
-  double steps = 0;             ///< [-] of the response, where no floors touch
+  double steps = 0;             ///< [-] of the response, where nothing touches
   double steps_in_contact = 0;  ///< [1/s] while some do; of a nonlinear law an estimate
   double certain_steps = 0;     ///< [-] that are taken in any case: `steps`, and those of an energy audit
   double most_steps = 0;        ///< [-] were they in contact all the time, and with what is gone over again
@@ -35,7 +34,6 @@ struct Effort {
   double growing_step = 0;  ///< [s] from which on steps of "runge-kutta" make the fastest mode grow; 0: another solver
 };
 
-/// @throws InvalidParameter as solve().
-[[nodiscard]] Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options);
+[[nodiscard]] Effort effort(const System& system, const Solver& solver, const RunOptions& options);
 
 }  // namespace bentur

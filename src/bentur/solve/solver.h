@@ -4,9 +4,10 @@
 #include <memory>
 #include <string_view>
 #include <variant>
+#include <vector>
 
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solution.h"
+#include "bentur/solve/system.h"
 
 namespace bentur {
 
@@ -29,59 +30,42 @@ using Solver = std::variant<ExactSolver, AdaptiveSolver, RungeKuttaSolver>;
 
 /// As a case names it: "exact", "adaptive", "runge-kutta".
 [[nodiscard]] std::string_view name(const Solver& solver);
+/// @throws InvalidParameter when its parameter is not valid.
+void validate(const Solver& solver);
 
-struct SolveOptions {
+struct RunOptions {
   /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
   double output_step = 0;
-  /// Keeps the exact course too (Response::course); it never changes the solution.
+  /// Keeps the exact course too (Solution::course); it never changes the solution.
   bool course = false;
   /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
   long most_steps = 0;
-  /// Looks at both faces of each level in the free response as well (PointSummary::peak_left and the like): what rules
-  /// for gaps combine.
-  bool levels = false;
-  /// And at what the ground motion times −1 needs (PointSummary::gap_needed_reversed).
-  bool both_ways = false;
-  /// Accounts for all energy (Response::energy); it never changes the solution.
+  /// Accounts for all energy (Solution::energy); it never changes the solution.
   bool energy_audit = false;
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress = {};
 };
-
-/// Whether the free response to the ground motion times −1 is the free response times −1: the buildings start from rest
-/// and every law of a storey, bearing or link is odd. What acts in one direction alone, as cables do, makes another
-/// one.
-[[nodiscard]] bool is_mirrored(const Problem& problem);
-
-/// Runs the free response (contact off) first, then the response with contact.
-/// Numerical trouble is a status with time and reason, never an exception.
-/// @throws InvalidParameter when the problem or the solver's parameter is not valid.
-[[nodiscard]] Response solve(const Problem& problem, const Solver& solver = ExactSolver{},
-                             const SolveOptions& options = {});
 
 namespace engine {
 struct FreeParts;
 }
 
-/// The response without contact and whatever else problems share that differ in gap widths and contact laws alone.
-/// Immutable; may serve many threads.
-class FreeResponse {
+/// The response of a system without its contacts, and whatever else runs share that differ in widths and laws of
+/// contacts alone. Immutable; may serve many threads.
+class FreeSolution {
  public:
-  /// @throws InvalidParameter as solve().
-  /// @param levels as SolveOptions::levels; what the reversed motion needs comes with it where it follows from this
-  /// response, as is_mirrored() says.
-  explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
-                        const std::function<bool(double)>& progress = {}, long most_steps = 0, bool levels = false);
+  /// Numerical trouble is a status with time and reason, never an exception.
+  /// @throws InvalidParameter when the solver's parameter is not valid, or there are too many steps.
+  FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress = {},
+               long most_steps = 0);
 
-  /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
-  /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
-  /// @throws InvalidParameter when anything else differs.
-  [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
-
-  /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
-  /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
-  /// it); all else of them is zero. It lives as long as this object and its copies.
-  [[nodiscard]] const Response& response() const;
+  [[nodiscard]] const System& system() const;
+  /// The response without contact, whatever widths and laws the contacts have. It lives as long as this object and its
+  /// copies.
+  [[nodiscard]] const Solution& solution() const;
+  /// The response with these contacts, which are at the places of the system's. Of a free response that did not get to
+  /// its end it is that one.
+  [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const RunOptions& options = {}) const;
 
  private:
   std::shared_ptr<const engine::FreeParts> parts_;

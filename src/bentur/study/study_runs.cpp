@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "bentur/io/temporary_folder.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

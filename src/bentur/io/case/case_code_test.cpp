@@ -7,7 +7,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/gap/minimum_gap.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "bentur/io/results/internal/place_list.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {

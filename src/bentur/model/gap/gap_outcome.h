@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bentur/model/gap/minimum_gap.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "bentur/model/case.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/structure/frame/condensation.h"
 
 namespace bentur {

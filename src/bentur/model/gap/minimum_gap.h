@@ -9,8 +9,8 @@
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/model/gap/facing_levels.h"
 #include "bentur/model/gap/separation_rules.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "bentur/model/gap/levels.h"
-#include "bentur/solve/problem.h"
+#include "bentur/pounding/problem.h"
 
 namespace bentur {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/model/gap/separation_rules.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 
 namespace bentur {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bentur/model/case.h"
-#include "bentur/solve/response.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 

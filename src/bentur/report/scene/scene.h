@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 #include "bentur/report/figures/figure.h"
-#include "bentur/solve/problem.h"
-#include "bentur/solve/response.h"
 
 namespace bentur {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur {

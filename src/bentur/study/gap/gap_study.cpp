@@ -8,7 +8,7 @@
 
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/solve/solver.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/quantiles.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bentur/io/results/internal/variable_pass.h"
-#include "bentur/solve/problem.h"
+#include "bentur/pounding/problem.h"
 
 namespace bentur {
 

@@ -7,11 +7,11 @@
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/quantities.h"
+#include "bentur/pounding/response.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
-#include "bentur/solve/response.h"
 
 namespace bentur::html {
 

@@ -8,7 +8,7 @@
 
 namespace bentur::engine {
 
-/// Coordinates of one building over [0, end] of a step of `h` [s]: coefficients of one power of s after the other,
+/// Coordinates of one body over [0, end] of a step of `h` [s]: coefficients of one power of s after the other,
 /// `stride` apart.
 struct Curves {
   const double* c;

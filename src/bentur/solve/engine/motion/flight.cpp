@@ -98,7 +98,7 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
 Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length), map_(system.size) {
   const double nu = system_->nu;
   const double chord = length_ * length_ / 8.0;
-  const bool loaded = system.storeys < std::ssize(system.elements);
+  const bool loaded = system.members < std::ssize(system.elements);
   if (loaded) map_.loads.assign(system_->size * Map::load_columns, 0.0);
   for (Index j = 0; j < system_->size; ++j) {
     const double w2 = system_->omega_squared(j);

@@ -23,7 +23,7 @@ class Flight {
   /// The same acceleration with its bounds over the flight.
   [[nodiscard]] kernels::FlightInput input(const GroundInput& ground) const;
 
-  /// One building; only its coordinates are looked at and written.
+  /// One body; only its coordinates are looked at and written.
   ///   rise               how far q can leave its chord: |q̈| length²/8,
   ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
   void advance(std::size_t block, const GroundInput& input, const kernels::FlightArrays& arrays) const;

@@ -14,38 +14,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Rows over the coordinates of a building (docs/theory/exact-solver.md): displacements, drift ratios (of a slab's, the
-/// drift), storey shears; then its forces in columns with nodes, moments at hinges, and sway and rocking of its
-/// foundation. Columns: modes, ground, and the forces of what yields.
-MatrixXd output_rows(const Building& building, Index size) {
-  const StructuralModel& model = building.model;
-  const Index floors = model.floors();
-  const Index modes = building.modes.omega.size();
-  const Index columns = model.column_forces.rows();
-  const Index hinges = model.hinges.rows.rows();
-  MatrixXd rows = MatrixXd::Zero(3 * floors + columns + hinges + (model.has_soil ? 2 : 0), size);
-  const auto of_dofs = [&](const MatrixXd& of) { return MatrixXd(of * building.modes.shapes); };
-  rows.block(0, 0, floors, modes) = building.modes.shapes.topRows(floors);
-  rows.block(floors, 0, floors, modes) = of_dofs(drift_rows(model));
-  rows.block(2 * floors, 0, floors, modes) = of_dofs(shear_rows(model));
-  for (Index f = 0; f < floors; ++f) {
-    if (model.storey_heights[f] > 0.0) rows.row(floors + f) /= model.storey_heights[f];
+/// Outputs of a body of `size` coordinates over them: modes, ground, and the forces of what yields.
+ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outputs, Index size) {
+  const Index modes = body.modes.omega.size();
+  ModalSystem::Block::Group group;
+  group.at_rest = outputs.at_rest.size() > 0 ? outputs.at_rest : VectorXd(VectorXd::Zero(outputs.count));
+  group.has_peak = outputs.has_peak;
+  group.course = outputs.course;
+  const auto over = [&](const MatrixXd& of_dofs, MatrixXd& result) {
+    if (of_dofs.size() == 0) return;
+    result = MatrixXd::Zero(outputs.count, size);
+    result.leftCols(modes) = of_dofs * body.modes.shapes;
+  };
+  over(outputs.rows, group.of_position);
+  over(outputs.rates, group.of_speed);
+  over(outputs.absolute, group.of_acceleration);
+  if (outputs.absolute.size() > 0) group.of_acceleration.col(modes).setOnes();
+  if (outputs.forces.size() > 0) {
+    if (group.of_position.size() == 0) group.of_position = MatrixXd::Zero(outputs.count, size);
+    group.of_position.rightCols(size - modes - 1) = outputs.forces;
   }
-  Index force = modes + 1;
-  for (const BuildingElement& element : building.elements) rows(2 * floors + element.storey, force++) = 1.0;
-  for (const CoupledElement& element : building.coupled) {
-    const MatrixXd shares = above_storeys(model) * element.rows.transpose();
-    rows.block(2 * floors, force, floors, shares.cols()) = shares;
-    force += shares.cols();
-  }
-  if (columns > 0) rows.block(3 * floors, 0, columns, modes) = of_dofs(model.column_forces);
-  if (hinges > 0) {
-    rows.block(3 * floors + columns, 0, hinges, modes) = of_dofs(model.hinges.rows);
-    rows.block(3 * floors + columns, size - hinges, hinges, hinges) = model.hinges.stiffness;
-    rows.block(3 * floors, size - hinges, columns, hinges) = -model.hinges.column_forces;
-  }
-  if (model.has_soil) rows.bottomLeftCorner(2, modes) = building.modes.shapes.bottomRows(2);
-  return rows;
+  return group;
 }
 
 Index padded(Index coordinates) {
@@ -53,60 +42,58 @@ Index padded(Index coordinates) {
   return (coordinates + four - 1) / four * four;
 }
 
-ModalSystem::Block make_block(const Building& building, Index begin) {
+ModalSystem::Block make_block(const Body& body, Index begin) {
   ModalSystem::Block block;
-  const Index modes = building.modes.omega.size();
+  const Index modes = body.modes.omega.size();
   block.begin = begin;
   block.modes = modes;
   block.size = modes + 1;
-  block.size += std::ssize(building.elements);
-  for (const CoupledElement& element : building.coupled) block.size += element.rows.rows();
+  block.size += std::ssize(body.elements);
+  for (const CoupledElement& element : body.coupled) block.size += element.rows.rows();
   block.padded_size = padded(block.size);
-  block.floors = building.model.floors();
-  block.has_foundation = building.model.has_soil;
-  block.soil_stiffness << building.model.soil_sway.stiffness, building.model.soil_rocking.stiffness;
-  block.soil_damping << building.model.soil_sway.damping, building.model.soil_rocking.damping;
-  block.outputs = output_rows(building, block.size);
-  block.nodes = building.modes.shapes.middleRows(block.floors, building.model.nodes());
-  block.column_forces = building.model.column_forces.rows();
-  block.hinges = building.model.hinges.rows.rows();
-  block.rotations = block.size - block.hinges;
-  block.offsets = VectorXd::Zero(block.outputs.rows());
-  block.offsets.segment(3 * block.floors + block.column_forces, block.hinges) = building.model.hinges.at_rest;
-  block.acceleration = block.outputs.topRows(block.floors);
-  block.acceleration.col(modes).setOnes();
+  for (const Outputs& outputs : body.outputs) block.outputs.push_back(over_coordinates(body, outputs, block.size));
 
-  MatrixXd off_diagonal = building.modal_damping;
+  MatrixXd off_diagonal = body.modal_damping;
   off_diagonal.diagonal().setZero();
-  double damping_norm = modes > 0 ? building.modal_damping.diagonal().cwiseAbs().maxCoeff() : 0.0;
+  double damping_norm = modes > 0 ? body.modal_damping.diagonal().cwiseAbs().maxCoeff() : 0.0;
   if (!off_diagonal.isZero(0.0)) {
     block.damping = MatrixXd::Zero(block.size, block.size);
-    block.damping->topLeftCorner(modes, modes) = building.modal_damping;
-    damping_norm = building.modal_damping.norm();
+    block.damping->topLeftCorner(modes, modes) = body.modal_damping;
+    damping_norm = body.modal_damping.norm();
   }
   block.half_damping = 0.5 * damping_norm;
-  block.omega_max = modes > 0 ? building.modes.omega.maxCoeff() : 0.0;
+  block.omega_max = modes > 0 ? body.modes.omega.maxCoeff() : 0.0;
   return block;
 }
 
-/// δ of a displacement of the left building less one of the right; `shapes`: theirs over the modes.
-ModalSystem::Relation between(const std::vector<ModalSystem::Block>& blocks, Index left, const VectorXd& left_shapes,
-                              Index right, const VectorXd& right_shapes, Kinematics kinematics) {
-  const auto row = [&](Index b, const VectorXd& shapes, double sign) {
-    VectorXd result = VectorXd::Zero(blocks[b].padded_size);
-    result.head(shapes.size()) = sign * shapes;
-    result(shapes.size()) = kinematics == Kinematics::absolute ? sign : 0.0;
-    return result;
-  };
+/// A row of one body, which may be left out.
+struct Side {
+  Index body = 0, begin = 0, size = 0;
+  VectorXd row = {};
+};
+
+Side side_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Body>& bodies, const BodyRow& of) {
+  const ModalSystem::Block& block = blocks[of.body];
+  Side side{of.body, block.begin, block.padded_size, VectorXd::Zero(block.padded_size)};
+  side.row.head(block.modes) = bodies[of.body].modes.shapes.transpose() * of.row;
+  side.row(block.modes) = of.ground;
+  return side;
+}
+
+ModalSystem::Relation relation_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Body>& bodies,
+                                  const Interface& interface) {
+  const Side left = side_of(blocks, bodies, interface.left);
   ModalSystem::Relation relation;
-  relation.left = left;
-  relation.left_begin = blocks[left].begin;
-  relation.left_size = blocks[left].padded_size;
-  relation.left_row = row(left, left_shapes, 1.0);
-  relation.right = right;
-  relation.right_begin = blocks[right].begin;
-  relation.right_size = blocks[right].padded_size;
-  relation.right_row = row(right, right_shapes, -1.0);
+  relation.left = relation.right = left.body;
+  relation.left_begin = relation.right_begin = left.begin;
+  relation.left_size = left.size;
+  relation.left_row = left.row;
+  if (interface.right.body < 0) return relation;
+  const Side right = side_of(blocks, bodies, interface.right);
+  relation.right = right.body;
+  relation.right_begin = right.begin;
+  relation.right_size = right.size;
+  relation.right_row = right.row;
   return relation;
 }
 
@@ -118,32 +105,26 @@ void let_push(const std::vector<ModalSystem::Block>& blocks, ModalSystem::Relati
   if (relation.right_size > 0) relation.right_push(blocks[relation.right].modes) = 0.0;
 }
 
-/// The drift of one storey; `shape`: that of each mode.
-ModalSystem::Relation drift(const ModalSystem::Block& block, Index building, const VectorXd& shape) {
-  ModalSystem::Relation relation;
-  relation.left = relation.right = building;
-  relation.left_begin = relation.right_begin = block.begin;
-  relation.left_size = block.padded_size;
-  relation.left_row = VectorXd::Zero(block.padded_size);
-  relation.left_row.head(block.modes) = shape;
-  return relation;
-}
-
 }  // namespace
 
-VectorXd ModalSystem::Block::foundation(const State& state) const {
-  if (!has_foundation) return {};
-  const auto rows = outputs.bottomRows<2>();
-  const Eigen::Vector2d moved = rows * state.q.segment(begin, size);
-  const Eigen::Vector2d speed = rows * state.v.segment(begin, size);
-  VectorXd result(4);
-  result << moved, soil_stiffness.cwiseProduct(moved) + soil_damping.cwiseProduct(speed);
+void ModalSystem::Block::Group::evaluate(const Coordinates& q, const Coordinates& v, const Coordinates& a,
+                                         Eigen::Ref<VectorXd> result) const {
+  result = at_rest;
+  if (of_position.size() > 0) result.noalias() += of_position * q;
+  if (of_speed.size() > 0) result.noalias() += of_speed * v;
+  if (of_acceleration.size() > 0) result.noalias() += of_acceleration * a;
+}
+
+ModalSystem::Relation ModalSystem::Relation::times(double factor) const {
+  Relation result = *this;
+  result.left_row *= factor;
+  result.right_row *= factor;
   return result;
 }
 
-ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.motion)) {
-  for (const Building& building : problem.buildings) {
-    blocks.push_back(make_block(building, size));
+ModalSystem::ModalSystem(const System& of) : nu(angular_frequency(of.motion)) {
+  for (const Body& body : of.bodies) {
+    blocks.push_back(make_block(body, size));
     size += blocks.back().padded_size;
     classical = classical && !blocks.back().damping;
   }
@@ -154,80 +135,59 @@ ModalSystem::ModalSystem(const Problem& problem) : nu(angular_frequency(problem.
   initial_q = VectorXd::Zero(size);
   initial_v = VectorXd::Zero(size);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Building& building = problem.buildings[b];
+    const Body& body = of.bodies[b];
     const Index begin = blocks[b].begin;
     const Index modes = blocks[b].modes;
-    omega_squared.segment(begin, modes) = building.modes.omega.cwiseAbs2();
-    two_sigma.segment(begin, modes) = building.modal_damping.diagonal();
+    omega_squared.segment(begin, modes) = body.modes.omega.cwiseAbs2();
+    two_sigma.segment(begin, modes) = body.modal_damping.diagonal();
     gamma(begin + modes) = 1.0;
     of_mode.segment(begin, modes).setOnes();
-    gamma.segment(begin, modes) = -building.modes.shapes.transpose() * building.model.load;
-    const auto to_modes = [&building](const VectorXd& x) -> VectorXd {
-      return building.modes.shapes.transpose() * (building.model.mass * x);
+    gamma.segment(begin, modes) = -body.modes.shapes.transpose() * body.load;
+    const auto to_modes = [&body](const VectorXd& x) -> VectorXd {
+      return body.modes.shapes.transpose() * (body.mass * x);
     };
-    if (!problem.initial_displacement.empty()) {
-      initial_q.segment(begin, modes) = to_modes(problem.initial_displacement[b]);
-    }
-    if (!problem.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(problem.initial_velocity[b]);
+    if (!of.initial_displacement.empty()) initial_q.segment(begin, modes) = to_modes(of.initial_displacement[b]);
+    if (!of.initial_velocity.empty()) initial_v.segment(begin, modes) = to_modes(of.initial_velocity[b]);
   }
 
-  const auto shapes_of = [&](Index b, Index floor) -> VectorXd { return problem.buildings[b].modes.shapes.row(floor); };
-  for (const ContactPoint& point : problem.points) {
-    const Index right = point.left + 1;
-    elements.push_back({between(blocks, point.left, shapes_of(point.left, point.left_floor), right,
-                                shapes_of(right, point.right_floor), problem.kinematics)});
-  }
+  const auto add = [&](const Interface& interface) -> const Relation& {
+    elements.push_back({relation_of(blocks, of.bodies, interface)});
+    return elements.back().relation;
+  };
+  for (const Contact& contact : of.contacts) add(contact.at);
   switched = std::ssize(elements);
-  for (const Link& link : problem.links) {
-    elements.push_back({between(blocks, link.left, shapes_of(link.left, link.left_floor), link.right,
-                                shapes_of(link.right, link.right_floor), problem.kinematics)});
-    spans.push_back(elements.back().relation);
-  }
-  for (std::size_t i = 0, links = spans.size(); i < links; ++i) {
-    Relation opening = spans[i];
-    opening.left_row *= -1.0;
-    opening.right_row *= -1.0;
-    spans.push_back(std::move(opening));
-  }
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Building& building = problem.buildings[b];
-    if (!building.has_gravity_loads) continue;
-    const MatrixXd drifts = drift_rows(building.model);
-    for (Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
-      const auto at = static_cast<Index>(b);
-      elements.push_back({drift(blocks[b], at, building.modes.shapes.transpose() * drifts.row(f).transpose())});
-      limits.push_back({at, f});
-    }
-  }
-  storeys = std::ssize(elements);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Building& building = problem.buildings[b];
+  for (const bentur::Element& joint : of.joints) spans.push_back(add(joint.at));
+  joints = std::ssize(spans);
+  for (Index i = 0; i < joints; ++i) spans.push_back(spans[i].times(-1.0));
+  for (const bentur::Element& limit : of.limits) add(limit.at);
+  members = std::ssize(elements);
+  const auto add_member = [&](Index b, const VectorXd& row, double stiffness, double tangent_damping, Index force) {
+    elements.push_back({relation_of(blocks, of.bodies, {{b, row}}), stiffness, tangent_damping, force});
+  };
+  for (Index b = 0; b < std::ssize(blocks); ++b) {
     Index force = blocks[b].begin + blocks[b].modes + 1;
-    for (const BuildingElement& element : building.elements) {
-      const VectorXd shape = building.modes.shapes.transpose() * element.row;
-      elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), element.law->initial_stiffness(),
-                          building.tangent_damping, force++});
+    for (const BuildingElement& element : of.bodies[b].elements) {
+      add_member(b, element.row, element.law->initial_stiffness(), of.bodies[b].tangent_damping, force++);
     }
   }
   alone = std::ssize(elements);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Building& building = problem.buildings[b];
-    Index force = blocks[b].begin + blocks[b].modes + 1 + std::ssize(building.elements);
-    for (const CoupledElement& element : building.coupled) {
+  for (Index b = 0; b < std::ssize(blocks); ++b) {
+    Index force = blocks[b].begin + blocks[b].modes + 1 + std::ssize(of.bodies[b].elements);
+    for (const CoupledElement& element : of.bodies[b].coupled) {
       coupled.push_back({std::ssize(elements), element.rows.rows(), element.law});
-      for (const auto& row : element.rows.rowwise()) {
-        const VectorXd shape = building.modes.shapes.transpose() * row.transpose();
-        elements.push_back({drift(blocks[b], static_cast<Index>(b), shape), 0.0, 0.0, force++});
-      }
+      for (const auto& row : element.rows.rowwise()) add_member(b, row.transpose(), 0.0, 0.0, force++);
     }
   }
   for (Element& element : elements) let_push(blocks, element.relation);
-  for (const WatchedFloor& floor : problem.watched) {
-    const Index left = floor.left;
-    watched.push_back(between(blocks, left, problem.buildings[left].modes.shapes.transpose() * floor.left_row, left + 1,
-                              problem.buildings[left + 1].modes.shapes.transpose() * floor.right_row,
-                              problem.kinematics));
-  }
+  for (const Interface& interface : of.watched) watched.push_back(relation_of(blocks, of.bodies, interface));
+  for (const Interface& interface : of.watched_free) watched_free.push_back(relation_of(blocks, of.bodies, interface));
+  const auto has_ground = [&](const Relation& at) {
+    return at.left_row(blocks[at.left].modes) != 0.0 ||
+           (at.right_size > 0 && at.right_row(blocks[at.right].modes) != 0.0);
+  };
+  ground_counts =
+      std::any_of(elements.begin(), elements.end(), [&](const auto& e) { return has_ground(e.relation); }) ||
+      std::any_of(watched.begin(), watched.end(), has_ground);
   const Index count = std::ssize(elements);
   coupling = MatrixXd::Zero(count, count);
   for (Index i = 0; i < count; ++i) {
@@ -344,7 +304,7 @@ void ModalSystem::push(Index i, double force, VectorXd& result) const {
 const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& load) const {
   const Block& block = blocks[b];
   bool any = false;
-  for (Index i = storeys; i < std::ssize(elements); ++i) {
+  for (Index i = members; i < std::ssize(elements); ++i) {
     const Element& element = elements[i];
     if (element.relation.left_begin != block.begin || q[element.force] == 0.0) continue;
     if (!any) {
@@ -359,7 +319,7 @@ const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& loa
 
 const double* ModalSystem::load_of(const double* q, VectorXd& load) const {
   bool any = false;
-  for (Index i = storeys; i < std::ssize(elements); ++i) {
+  for (Index i = members; i < std::ssize(elements); ++i) {
     if (q[elements[i].force] == 0.0) continue;
     if (!any) load.setZero(size);
     any = true;

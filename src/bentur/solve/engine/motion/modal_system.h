@@ -7,7 +7,7 @@
 
 #include "bentur/solve/engine/motion/kernels/rows.h"
 #include "bentur/solve/engine/motion/time_grid.h"
-#include "bentur/solve/problem.h"
+#include "bentur/solve/system.h"
 
 namespace bentur::engine {
 
@@ -45,49 +45,52 @@ struct ElementForces {
   [[nodiscard]] const double* load_or_null() const { return loaded ? load.data() : nullptr; }
 };
 
-/// All buildings side by side in modal coordinates. The coordinates of one building are its modes, then its ground
+/// All bodies side by side in modal coordinates. The coordinates of one body are its modes, then its ground
 /// displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
 ///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = offset_i + row_i q,             (T-1)
-/// and then, for each storey that can yield, its force F_i beyond that of K: a coordinate that nothing moves while the
-/// force is constant, and that is what the force is otherwise. Offsets (−w of a gap) are no part of the system.
-/// So every reported quantity is linear in q (displacement, drift, storey shear) or in q̈ (absolute acceleration).
+/// and then, for each element of its own that can yield, its force F_i beyond that of K: a coordinate that nothing
+/// moves while the force is constant, and that is what the force is otherwise. Offsets (−w of a gap) are no part of the
+/// system. So every output is linear in q, q̇ or q̈ (absolute acceleration).
 struct ModalSystem {
   struct Block {
-    Eigen::Index begin = 0;        ///< first coordinate of the building
+    Eigen::Index begin = 0;        ///< first coordinate of the body
     Eigen::Index modes = 0;        ///< the ground coordinate comes after them
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
-    Eigen::Index floors = 0;
-    bool has_foundation = false;                   ///< the last two outputs are its sway and rocking
-    Eigen::Vector2d soil_stiffness, soil_damping;  ///< of these two
-    /// Sway, rocking, force and moment of the foundation as Histories have them; nothing without one.
-    [[nodiscard]] Eigen::VectorXd foundation(const State& state) const;
-    Eigen::MatrixXd outputs;         ///< rows × size: displacement, drift ratio, storey shear of floors, and more
-    Eigen::MatrixXd acceleration;    ///< floors × size, applied to q̈
-    Eigen::MatrixXd nodes;           ///< nodes in struck columns × modes: displacement
-    Eigen::Index column_forces = 0;  ///< number of outputs that are forces in these columns, after those of floors
-    Eigen::Index hinges = 0;         ///< number of outputs that are moments at hinges, after those
-    Eigen::Index rotations = 0;      ///< where the force coordinates of hinges begin in the block, which are −θ
-    Eigen::VectorXd offsets;         ///< of outputs where all coordinates are zero
+    /// Outputs over these coordinates q, their speeds and their accelerations; what is not needed is empty.
+    struct Group {
+      Eigen::MatrixXd of_position, of_speed, of_acceleration;  ///< outputs × size
+      Eigen::VectorXd at_rest;
+      bool has_peak = false;
+      Outputs::Course course = Outputs::Course::none;
+      [[nodiscard]] Eigen::Index count() const { return at_rest.size(); }
+      using Coordinates = Eigen::Ref<const Eigen::VectorXd>;
+      /// The outputs at an instant; `a` is not looked at where they have no part of it.
+      void evaluate(const Coordinates& q, const Coordinates& v, const Coordinates& a,
+                    Eigen::Ref<Eigen::VectorXd> result) const;
+    };
+    std::vector<Group> outputs;              ///< as Body::outputs
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal
     double half_damping = 0;                 ///< ½ ‖D‖ [1/s]
     double omega_max = 0;                    ///< largest Ω [1/s]
-    [[nodiscard]] double rate() const;       ///< growth bound of the building on its own [1/s]
+    [[nodiscard]] double rate() const;       ///< growth bound of the body on its own [1/s]
   };
-  /// δ as a row over the coordinates of one building or of two, and what a unit force does to them.
+  /// δ as a row over the coordinates of one body or of two, and what a unit force does to them.
   struct Relation {
-    Eigen::Index left = 0, right = 0;  ///< buildings; the same one where there is one alone
+    Eigen::Index left = 0, right = 0;  ///< bodies; the same one where there is one alone
     Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks, or 0
     Eigen::VectorXd left_row, right_row;
     Eigen::VectorXd left_push, right_push;  ///< columns of (T-1), zero on ground coordinates; empty where watched
 
-    /// row · x for all coordinates x. Left and right are summed alike, so that two identical buildings that move alike
+    /// row · x for all coordinates x. Left and right are summed alike, so that two identical bodies that move alike
     /// give exactly zero.
     [[nodiscard]] double along(const double* x) const {
       return kernels::dot(right_size, right_row.data(), x + right_begin) +
              kernels::dot(left_size, left_row.data(), x + left_begin);
     }
     [[nodiscard]] double along(const Eigen::VectorXd& x) const { return along(x.data()); }
+    /// δ so many times, as what is watched.
+    [[nodiscard]] Relation times(double factor) const;
     /// |row| · |x|.
     [[nodiscard]] double along_abs(const double* x) const {
       return kernels::dot_abs(right_size, right_row.data(), x + right_begin) +
@@ -109,12 +112,7 @@ struct ModalSystem {
     std::shared_ptr<const CoupledLaw> law;
   };
 
-  /// Of which storey an element watches the drift.
-  struct DriftLimit {
-    Eigen::Index building = 0, storey = 0;
-  };
-
-  explicit ModalSystem(const Problem& problem);
+  explicit ModalSystem(const System& of);
 
   Eigen::Index size = 0;
   Eigen::VectorXd omega_squared;  ///< Ω² [1/s²]
@@ -123,26 +121,26 @@ struct ModalSystem {
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
-  /// Contact points as Problem::points, links, drifts at which storeys collapse, storeys that can yield; then those
-  /// that are coupled.
+  /// Contacts, joints and limits as System has them, the bodies' own elements; then those that are coupled.
   std::vector<Element> elements;
-  std::vector<Coupled> coupled;    ///< in the order of the buildings
-  Eigen::Index alone = 0;          ///< how many elements are not coupled: the first ones
-  Eigen::Index switched = 0;       ///< the first ones, which the free response leaves out
-  std::vector<DriftLimit> limits;  ///< those after the links
-  Eigen::Index storeys = 0;        ///< where the storeys begin
-  std::vector<Relation> watched;   ///< floors that face a neighbour where nothing acts: δ = x_left − x_right
-  /// δ of links, and then −δ: how far they close and open.
+  std::vector<Coupled> coupled;  ///< in the order of the bodies
+  Eigen::Index switched = 0;     ///< contacts: the first ones, which the free response leaves out
+  Eigen::Index joints = 0;       ///< how many come after them
+  Eigen::Index members = 0;      ///< where the bodies' own elements begin
+  Eigen::Index alone = 0;        ///< how many elements are not coupled: the first ones
+  std::vector<Relation> watched, watched_free;
+  /// δ of joints, and then −δ: how far they close and open.
   std::vector<Relation> spans;
-  /// The link that Problem::links has at this place, as an element.
-  [[nodiscard]] Eigen::Index link(Eigen::Index number) const { return switched + number; }
-  Eigen::MatrixXd coupling;  ///< −push_i · row_j [1/mass], elements × elements
-  double nu = 0;             ///< ν of the ground motion [rad/s]
-  bool classical = true;     ///< every D is diagonal
+  /// The joint that System::joints has at this place, as an element.
+  [[nodiscard]] Eigen::Index joint(Eigen::Index number) const { return switched + number; }
+  Eigen::MatrixXd coupling;    ///< −push_i · row_j [1/mass], elements × elements
+  double nu = 0;               ///< ν of the ground motion [rad/s]
+  bool classical = true;       ///< every D is diagonal
+  bool ground_counts = false;  ///< some δ has a part of the ground's displacement
 
   Eigen::VectorXd initial_q, initial_v;
 
-  /// √(v²) over the modes, [length/s] √[mass]; v² is twice the kinetic energy of the buildings' relative motion.
+  /// √(v²) over the modes, [length/s] √[mass]; v² is twice the kinetic energy of the bodies' relative motion.
   [[nodiscard]] double speed(const Eigen::VectorXd& v) const { return v.cwiseProduct(of_mode).norm(); }
 
   /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A ≥ ‖Ω² + stiffness of
@@ -165,7 +163,7 @@ struct ModalSystem {
   /// result += push_i F for one element.
   void push(Eigen::Index element, double force, Eigen::VectorXd& result) const;
 
-  /// What the force coordinates of a state do to the coordinates of one building, or of all: `load` is written there.
+  /// What the force coordinates of a state do to the coordinates of one body, or of all: `load` is written there.
   /// Null where they do nothing.
   const double* load_of(std::size_t block, const double* q, Eigen::VectorXd& load) const;
   const double* load_of(const double* q, Eigen::VectorXd& load) const;

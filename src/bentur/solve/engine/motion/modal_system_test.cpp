@@ -48,7 +48,7 @@ void expect_bound(const ModalSystem& system, const ElementForces& forces) {
 }
 
 TEST(ModalSystem, RateBoundsTheSeriesWhateverTheSignOfStiffnessAndDamping) {
-  const ModalSystem system(two_floors());
+  const ModalSystem system(system_of(two_floors()));
   for (const double first : {-5e4, 0.0, 2e3, 8e4}) {
     for (const double second : {-7e4, -30.0, 4e4}) {
       ElementForces forces;
@@ -60,7 +60,7 @@ TEST(ModalSystem, RateBoundsTheSeriesWhateverTheSignOfStiffnessAndDamping) {
 }
 
 TEST(ModalSystem, WhatSoftensWithinTheStiffnessThatIsThereDoesNotRaiseTheRate) {
-  const ModalSystem system(two_floors());
+  const ModalSystem system(system_of(two_floors()));
   ElementForces forces;
   forces.linear = {{0, -3, 0}, {0, -2, 0}};
   forces.pressing = {0, 1};
@@ -74,7 +74,7 @@ TEST(ModalSystem, GroundHasNoPartInTheSpeedOfTheBuildings) {
   problem.kinematics = Kinematics::absolute;
   problem.initial_velocity[0] = Eigen::Vector2d(0.3, -0.2);
   problem.initial_velocity[1] = Eigen::Vector2d(1, 2);
-  const ModalSystem system(problem);
+  const ModalSystem system(system_of(problem));
   // Twice the kinetic energy: Σ m v².
   const double energy = 2 * 0.09 + 3 * 0.04 + 0.7 * (2 * 1 + 3 * 4);
   Eigen::VectorXd v = system.initial_v;

@@ -24,12 +24,12 @@ class Series {
   /// `offsets`: of each element's δ [length].
   Series(const ModalSystem& system, std::vector<double> offsets);
 
-  /// Expands every building from `state` over a step of `h` [s] under the linear and resting forces.
+  /// Expands every body from `state` over a step of `h` [s] under the linear and resting forces.
   /// rate · h must not exceed series_reach.
   void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
               Expansion& motion);
 
-  /// Expands one building alone, under its constant forces; the coefficients of the others are left as they were.
+  /// Expands one body alone, under its constant forces; the coefficients of the others are left as they were.
   void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
 
  private:

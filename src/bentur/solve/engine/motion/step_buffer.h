@@ -12,7 +12,7 @@ namespace bentur::engine {
 /// What flights over the whole segments of a grid need: the same for all runs of one problem.
 struct FlightPlan {
   FlightTable flights;                       ///< [kind][halvings]
-  std::vector<kernels::FlightInput> inputs;  ///< segments × buildings
+  std::vector<kernels::FlightInput> inputs;  ///< segments × bodies
   long segments = 0;                         ///< whole ones of the analysis; none where there are no flights
   std::vector<long> jumps;                   ///< segments that begin with a jump of some ground acceleration
   Flights rest;                              ///< of what the analysis has beyond them; none where that is nothing
@@ -80,7 +80,7 @@ class StepBuffer {
 
   [[nodiscard]] Eigen::Index size() const { return std::max<Eigen::Index>(last_, 0); }
   [[nodiscard]] const Step& step(Eigen::Index n) const { return steps_[n]; }
-  /// Of every building at the start of a step.
+  /// Of every body at the start of a step.
   [[nodiscard]] const GroundInput* inputs(Eigen::Index step) const {
     return inputs_.data() + step * std::ssize(system_->blocks);
   }
@@ -102,7 +102,7 @@ class StepBuffer {
 
   const ModalSystem* system_;
   const FlightPlan* plan_;
-  std::vector<kernels::CoordinateRange> ranges_;  ///< of the buildings
+  std::vector<kernels::CoordinateRange> ranges_;  ///< of the bodies
   std::vector<const kernels::FlightMap*> maps_;   ///< of the kinds, twice over
   Eigen::Index last_ = -1;                        ///< instant
   bool joined_ = false;

@@ -42,7 +42,7 @@ bool Stepper::advance(const Start& start, double longest, bool touching, Expansi
   const bool adaptive = std::holds_alternative<AdaptiveSolver>(solver_);
   if (adaptive || !start.forces.nonlinear.empty()) {
     way_ = Way::pair;
-    range_ = adaptive ? BuildingRange{0, std::ssize(system_->blocks)} : island(start.forces);
+    range_ = adaptive ? BodyRange{0, std::ssize(system_->blocks)} : island(start.forces);
     return advance_by_pair(start, longest, motion, to);
   }
   way_ = Way::series;
@@ -180,7 +180,7 @@ bool Stepper::advance_by_pair(const Start& start, double longest, Expansion& mot
   return false;
 }
 
-/// The step that the pair has just taken, as an expansion of all buildings.
+/// The step that the pair has just taken, as an expansion of all bodies.
 void Stepper::expand_pair(const Start& start, double h, Expansion& motion, State& to) {
   const bool all = range_.first == 0 && range_.end == std::ssize(system_->blocks);
   int degree = EmbeddedPair::degree;
@@ -264,9 +264,9 @@ double Stepper::accuracy() const {
   return events_over_steps * tolerance_of(solver_);
 }
 
-/// The buildings that a nonlinear force shakes, directly or through other elements.
-BuildingRange Stepper::island(const ElementForces& forces) const {
-  BuildingRange range{std::ssize(system_->blocks), 0};
+/// The bodies that a nonlinear force shakes, directly or through other elements.
+BodyRange Stepper::island(const ElementForces& forces) const {
+  BodyRange range{std::ssize(system_->blocks), 0};
   const auto take = [&](Eigen::Index i) {
     const ModalSystem::Relation& relation = system_->elements[i].relation;
     range.first = std::min(range.first, relation.left);

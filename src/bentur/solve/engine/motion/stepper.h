@@ -13,7 +13,7 @@ namespace bentur::engine {
 /// Takes the next step in the way of a solver and makes it known as an expansion.
 ///
 /// exact: by power series where all forces are linear; where one is not, by the embedded pair for the island of
-/// buildings that it shakes (those joined by elements) and by power series for the others. adaptive: by the embedded
+/// bodies that it shakes (those joined by elements) and by power series for the others. adaptive: by the embedded
 /// pair for all. runge-kutta: by steps of fixed length, a third of it in contact.
 class Stepper {
  public:
@@ -49,7 +49,7 @@ class Stepper {
 
  private:
   enum class Way { series, pair, fixed };
-  [[nodiscard]] BuildingRange island(const ElementForces& forces) const;
+  [[nodiscard]] BodyRange island(const ElementForces& forces) const;
   bool begin_contact(const Start& start, double longest, Expansion& motion, State& to);
   Eigen::VectorXd hold(const std::vector<Eigen::Index>& resting, Eigen::VectorXd& change) const;
   [[nodiscard]] double longest_before_parting(const Start& start, double h) const;
@@ -66,7 +66,7 @@ class Stepper {
   StepControl control_;
   FixedStep fixed_;
   Way way_ = Way::series;
-  BuildingRange range_;
+  BodyRange range_;
   double guess_ = 0;          ///< length for the next attempt [s]
   double first_guess_ = 0;    ///< length of the step that begins a contact [s]
   double parting_scale_ = 0;  ///< step that failed first in a contact [s]; 0: none has

@@ -10,27 +10,28 @@ namespace {
 constexpr double segments_per_period = 32.0;  // where the motion has no step of its own
 constexpr double merge = 1e-9;                // of the grid period: two delays nearer than this have the same phase
 
-double grid_period(const Problem& problem, bool fine) {
-  if (const auto* sampled = std::get_if<SampledMotion>(&problem.motion)) return sampled->time_step;
-  if (!fine) return problem.duration;
-  if (const auto* harmonic = std::get_if<HarmonicMotion>(&problem.motion)) {
-    return std::min(harmonic->period / segments_per_period, problem.duration);
+double grid_period(const System& system, bool fine) {
+  if (const auto* sampled = std::get_if<SampledMotion>(&system.motion)) return sampled->time_step;
+  if (!fine) return system.duration;
+  if (const auto* harmonic = std::get_if<HarmonicMotion>(&system.motion)) {
+    return std::min(harmonic->period / segments_per_period, system.duration);
   }
   double slowest = 0.0;
-  for (const Building& building : problem.buildings) {
-    if (building.first_omega() > 0.0) slowest = std::max(slowest, 2.0 * std::numbers::pi / building.first_omega());
+  for (const Body& body : system.bodies) {
+    const double first = body.is_rigid() ? 0.0 : body.modes.omega(0);
+    if (first > 0.0) slowest = std::max(slowest, 2.0 * std::numbers::pi / first);
   }
-  const double period = slowest > 0.0 ? slowest / segments_per_period : problem.duration / segments_per_period;
-  return std::min(period, problem.duration);
+  const double period = slowest > 0.0 ? slowest / segments_per_period : system.duration / segments_per_period;
+  return std::min(period, system.duration);
 }
 
 }  // namespace
 
-TimeGrid::TimeGrid(const Problem& problem, bool fine)
-    : motion_(&problem.motion), period_(grid_period(problem, fine)), offsets_{0.0} {
+TimeGrid::TimeGrid(const System& system, bool fine)
+    : motion_(&system.motion), period_(grid_period(system, fine)), offsets_{0.0} {
   std::vector<double> phases;
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const double delay = std::min(delay_of(problem, b), problem.duration + period_);  // from there on nothing arrives
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const double delay = std::min(system.delay(b), system.duration + period_);  // from there on nothing arrives
     double steps = std::floor(delay / period_);
     double phase = delay - steps * period_;
     if (phase > period_ * (1.0 - merge)) {

@@ -21,7 +21,8 @@ Problem delayed_record(double time_step, double delay) {
 
 /// At both ends of every segment each building feels a_g(t − τ). It jumps at the record's ends, so not there.
 void expect_delayed(const Problem& problem, double slack) {
-  const TimeGrid grid(problem);
+  const System system = system_of(problem);
+  const TimeGrid grid(system);
   const double step = std::get<SampledMotion>(problem.motion).time_step;
   std::vector<GroundInput> inputs;
   for (long m = 0; grid.start(m) < 60 * step; ++m) {
@@ -47,7 +48,7 @@ TEST(TimeGrid, DelaysOfWholeStepsThatRoundOffMakesAFractionLess) {
       for (const double delay : {std::nextafter(nearest, 0.0), nearest, std::nextafter(nearest, 1.0)}) {
         less += std::floor(delay / step) < steps ? 1 : 0;
         const Problem problem = delayed_record(step, delay);
-        EXPECT_EQ(TimeGrid(problem).kinds(), 1U) << delay;
+        EXPECT_EQ(TimeGrid(system_of(problem)).kinds(), 1U) << delay;
         expect_delayed(problem, 1e-11);  // 1e-16 s of a slope of 2/0.005 a second, and values of 40
       }
     }
@@ -58,7 +59,7 @@ TEST(TimeGrid, DelaysOfWholeStepsThatRoundOffMakesAFractionLess) {
 TEST(TimeGrid, OtherDelaysMakeTwoSegmentsOfAStep) {
   for (const double delay : {0.003, 0.0123, 0.1 / 3, 0.0999}) {
     const Problem problem = delayed_record(0.01, delay);
-    EXPECT_EQ(TimeGrid(problem).kinds(), 2U);
+    EXPECT_EQ(TimeGrid(system_of(problem)).kinds(), 2U);
     expect_delayed(problem, 1e-11);
   }
 }

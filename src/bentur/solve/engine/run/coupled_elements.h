@@ -20,7 +20,7 @@ class CoupledElements {
   /// Tells the monitor of all branches, after which it is told of every change.
   void watch(GuardMonitor& monitor);
 
-  /// Adds what they do, and writes their force coordinates into `state`. Whether they leave buildings to fly.
+  /// Adds what they do, and writes their force coordinates into `state`. Whether they leave bodies to fly.
   [[nodiscard]] bool gather(ElementForces& forces, State& state) const;
   /// Adds F of each deformation.
   void add_forces(const State& state, Eigen::VectorXd& forces) const;

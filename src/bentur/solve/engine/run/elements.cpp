@@ -53,11 +53,26 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system,
 
 }  // namespace
 
-Elements::Elements(const ModalSystem& system, const Problem& problem, Index idle, const Scales& scales, double accuracy,
+Elements::Laws laws_of(const System& system, const ModalSystem& modal, const std::vector<Contact>& contacts) {
+  Elements::Laws result{{}, std::vector<double>(modal.elements.size(), 0.0)};
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    result.laws.push_back(contacts[i].law);
+    result.offsets[i] = -contacts[i].width;
+  }
+  for (const auto* list : {&system.joints, &system.limits}) {
+    for (const bentur::Element& element : *list) result.laws.push_back(element.law);
+  }
+  for (const Body& body : system.bodies) {
+    for (const BuildingElement& element : body.elements) result.laws.push_back(element.law);
+  }
+  return result;
+}
+
+Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, const Scales& scales, double accuracy,
                    State& state)
     : system_(&system),
-      laws_(laws_of(problem, system)),
-      offsets_(offsets_of(problem, system)),
+      laws_(laws.laws),
+      offsets_(laws.offsets),
       idle_(idle),
       tolerances_(offsets_.size(), 0.0),
       least_speeds_(laws_.size(), 0.0),
@@ -260,7 +275,7 @@ double Elements::residual(Index i, const State& state) const {
 }
 
 void Elements::accumulate(const Expansion& motion, double time, double end) {
-  for (Index i = idle_; i < system_->storeys; ++i) {
+  for (Index i = idle_; i < system_->members; ++i) {
     if (branches_[i].touching()) {
       if (resting(i)) {
         log_.rest(i, motion.resting_force(i), motion.h(), time, end);

@@ -8,14 +8,13 @@
 #include "bentur/solve/engine/motion/expansion.h"
 #include "bentur/solve/engine/run/coupled_elements.h"
 #include "bentur/solve/engine/run/impact_log.h"
-#include "bentur/solve/engine/run/laws.h"
 #include "bentur/solve/engine/run/watch/guard_monitor.h"
 
 namespace bentur::engine {
 
 inline constexpr double round_off_band = 0x1p-46;  ///< of displacements and speeds at an element, and resting forces
 
-/// Where every element stands, when that changes next, and what it does to the buildings.
+/// Where every element stands, when that changes next, and what it does to the bodies.
 ///
 /// Every branch of a law is guarded by functions of δ and δ̇ (law.h); a branch ends when one of them falls below minus
 /// its tolerance, some units of round-off of the displacements and speeds it is computed from. The band keeps round-off
@@ -50,14 +49,19 @@ class Elements {
     double peak_tension = 0;  ///< max −F of links, up to now [force]
   };
 
+  /// Of all elements.
+  struct Laws {
+    std::vector<std::shared_ptr<const Law>> laws;  ///< but those that are coupled
+    std::vector<double> offsets;                   ///< [length]
+  };
   /// The first `idle` elements do nothing. `accuracy`: how well states at events are known, relative to displacements
   /// and speeds; a guard that starts its branch below zero by no more starts at zero. `state` is that at the start,
   /// whose force coordinates are filled in.
-  Elements(const ModalSystem& system, const Problem& problem, Eigen::Index idle, const Scales& scales, double accuracy,
+  Elements(const ModalSystem& system, const Laws& laws, Eigen::Index idle, const Scales& scales, double accuracy,
            State& state);
 
   [[nodiscard]] const ElementForces& forces() const { return forces_; }
-  /// No force changes, and guards watch δ alone, so that buildings fly.
+  /// No force changes, and guards watch δ alone, so that bodies fly.
   [[nodiscard]] bool may_fly() const { return may_fly_; }
   /// Whether bodies touch.
   [[nodiscard]] bool any_touching() const { return any_touching_; }
@@ -206,5 +210,9 @@ class Elements {
   long events_ = 0;
   std::vector<double> worst_openings_;
 };
+
+/// Those of a system, with these contacts.
+[[nodiscard]] Elements::Laws laws_of(const System& system, const ModalSystem& modal,
+                                     const std::vector<Contact>& contacts);
 
 }  // namespace bentur::engine

@@ -12,9 +12,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-FreeRun::FreeRun(const Setup& setup, const std::vector<ModalSystem::Relation>& levels)
-    : Run(setup, setup.system.switched, {}, levels) {
-  for (const SpanWatch::Nearest& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
+FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}, setup.system.watched_free) {
+  for (const Reach& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
   result_.speeds.resize(result_.reaches.size(), 0.0);
 }
 
@@ -67,7 +66,7 @@ void FreeRun::approximated() {
 }
 
 FreeResult FreeRun::take_result() {
-  for (const SpanWatch::Nearest& nearest : idle().nearest()) result_.needed.push_back(nearest.reach);
+  for (const Reach& nearest : idle().nearest()) result_.needed.push_back(nearest.reach);
   return std::move(result_);
 }
 
@@ -77,7 +76,7 @@ long first_contact(const FreeResult& free, const std::vector<double>& widths) {
     if (widths[i] > free.needed[i]) continue;
     const auto& reaches = free.reaches[i];
     const auto found = std::lower_bound(reaches.begin(), reaches.end(), widths[i],
-                                        [](const FreeResult::Reach& at, double width) { return at.reach < width; });
+                                        [](const FreeResult::Before& at, double width) { return at.reach < width; });
     // What is needed, and no bound has reached: by round-off, and nobody knows when.
     first = std::min(first, found != reaches.end() ? found->segment : 0);
   }

@@ -6,16 +6,16 @@
 
 namespace bentur::engine {
 
-/// What the free response has in common with all responses that it turns into when two buildings touch.
+/// What the free response has in common with all responses that it turns into when two bodies touch.
 struct FreeResult {
   /// The openings came no lower than −reach before a segment.
-  struct Reach {
+  struct Before {
     long segment = 0;
     double reach = 0;  ///< [length]
   };
-  std::vector<std::vector<Reach>> reaches;   ///< per point, ascending in both
+  std::vector<std::vector<Before>> reaches;  ///< per point, ascending in both
   std::vector<double> needed;                ///< per point: the gap that is never closed [length]
-  std::vector<double> speeds;                ///< per point: both floors' together, the largest seen [length/s]
+  std::vector<double> speeds;                ///< per point: both sides' together, the largest seen [length/s]
   std::vector<Run::Checkpoint> checkpoints;  ///< ascending
 };
 
@@ -25,8 +25,7 @@ struct FreeResult {
 /// Contact switched off: peaks and the gaps that would have been needed.
 class FreeRun final : public Run {
  public:
-  /// @param levels watched besides, as level_relations()
-  explicit FreeRun(const Setup& setup, const std::vector<ModalSystem::Relation>& levels = {});
+  explicit FreeRun(const Setup& setup);
 
   /// After to_end().
   [[nodiscard]] FreeResult take_result();

@@ -4,7 +4,7 @@
 
 #include "bentur/contact/law.h"
 #include "bentur/solve/engine/motion/polynomial.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 

@@ -10,12 +10,12 @@ constexpr long most_followed = 1 << 17;  // some seconds
 }  // namespace
 
 PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact,
-                         const SolveOptions& options)
+                         const RunOptions& options)
     : Run(setup, 0, scales),
       first_contact_(first_contact),
-      sampler_(system_, problem_, options.output_step),
+      sampler_(system_, given_, setup.laws.offsets, options.output_step),
       momentum_(system_) {
-  if (options.energy_audit) energy_.emplace(system_, problem_, options.output_step, state_, elements_);
+  if (options.energy_audit) energy_.emplace(system_, given_.duration, options.output_step, state_, elements_);
 }
 
 Eigen::Index PoundingRun::quiet(Eigen::Index count) {
@@ -45,7 +45,7 @@ void PoundingRun::changed() {
   momentum_.changed(state_, elements_);
 }
 
-bool PoundingRun::notes_flights() const { return sampler_.due(problem_.duration) || tracer_ || energy_; }
+bool PoundingRun::notes_flights() const { return sampler_.due(given_.duration) || tracer_ || energy_; }
 
 void PoundingRun::pass(double start, const Flights& flights, std::size_t halvings) {
   const double length = flights[halvings].length();

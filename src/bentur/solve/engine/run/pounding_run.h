@@ -15,7 +15,7 @@ namespace bentur::engine {
 class PoundingRun final : public Run {
  public:
   /// No gap closes before the segment `first_contact`.
-  PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact, const SolveOptions& options);
+  PoundingRun(const Setup& setup, const Elements::Scales& scales, long first_contact, const RunOptions& options);
 
   /// Keeps the course as well, unless its motion is so fast that to follow it would take too many steps.
   void trace(Tracer tracer) { tracer_.emplace(std::move(tracer)); }

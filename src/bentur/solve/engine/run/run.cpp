@@ -24,12 +24,12 @@ constexpr const char* not_finite = "the response is no longer a finite number";
 Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
          const std::vector<ModalSystem::Relation>& others)
     : system_(setup.system),
-      problem_(setup.problem),
-      stepper_(setup.system, offsets_of(setup.problem, setup.system), setup.solver),
-      motion_(setup.system, offsets_of(setup.problem, setup.system)),
+      given_(setup.given),
+      stepper_(setup.system, setup.laws.offsets, setup.solver),
+      motion_(setup.system, setup.laws.offsets),
       state_{system_.initial_q, system_.initial_v},
       inputs_(system_.blocks.size()),
-      elements_(system_, setup.problem, idle, scales, stepper_.accuracy(), state_),
+      elements_(system_, setup.laws, idle, scales, stepper_.accuracy(), state_),
       buffer_(system_, setup.plan),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
         elements_.forces_at(state, inputs, forces);
@@ -56,8 +56,8 @@ void Run::resume(const Checkpoint& checkpoint) {
   state_ = checkpoint.state;
   elements_.resume(checkpoint.elements, state_);
   search_.watch().resume(checkpoint.peaks);
-  watches_[0].resume(checkpoint.floors);
-  watches_[1].resume(checkpoint.links);
+  watches_[0].resume(checkpoint.watched);
+  watches_[1].resume(checkpoint.spans);
 }
 
 Status Run::to_end(const std::function<bool(double)>& progress) {
@@ -65,7 +65,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
   for (long reported = segment_ - segments_between_reports;;) {
     const double start = grid_.start(segment_);
     const std::size_t kind = segment_ % grid_.kinds();
-    const double left = problem_.duration - start;
+    const double left = given_.duration - start;
     const double length = grid_.length(kind);
     if (left <= end_slack * length) break;
     if (plan_.may_jump(segment_)) buffer_.break_off();
@@ -83,12 +83,12 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
-    if (collapse_) break;
+    if (passed_) break;
     if (status() != Status::done) return status();
     bound_memory();
     if (progress && segment_ - reported >= segments_between_reports) {
       reported = segment_;
-      if (!progress(start / problem_.duration)) return Status::stopped;
+      if (!progress(start / given_.duration)) return Status::stopped;
     }
   }
   flush_buffer();
@@ -100,7 +100,7 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
 Status Run::status() const {
   if (!trouble_.empty()) return Status::failed;
   if (stopped_) return Status::stopped;
-  return collapse_ ? Status::collapsed : Status::done;
+  return passed_ ? Status::collapsed : Status::done;
 }
 
 /// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
@@ -111,7 +111,7 @@ bool Run::go_on(long steps) {
     fail(fmt::format("the limit of {} steps is reached", most_steps_), grid_.start(segment_));
   }
   if (taken_ / steps_between_reports != before / steps_between_reports && *progress_ && !stopped_) {
-    stopped_ = !(*progress_)(std::min(grid_.start(segment_) / problem_.duration, 1.0));
+    stopped_ = !(*progress_)(std::min(grid_.start(segment_) / given_.duration, 1.0));
   }
   return trouble_.empty() && !stopped_;
 }
@@ -188,7 +188,7 @@ void Run::pass_flights(Eigen::Index first) {
 
 /// Part of a segment, after so many halvings.
 void Run::advance(const Flights& flights, std::size_t halvings, double start, double length) {
-  if (collapse_ || !go_on()) return;
+  if (passed_ || !go_on()) return;
   if (elements_.may_fly() && fly(flights, halvings, start, length)) return;
   halve(flights, halvings, start, length);
 }
@@ -259,7 +259,7 @@ void Run::take_steps(double start, double length) {
     elapsed = at_end ? length : elapsed + cut * h;
     arrive();
     arrived(start + elapsed);
-    if (!trouble_.empty() || collapse_) return;
+    if (!trouble_.empty() || passed_) return;
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     // A harmonic motion is one step, however many periods it lasts.
     const double periods = 1.0 + std::floor(elapsed * system_.nu / (2.0 * std::numbers::pi));
@@ -346,8 +346,7 @@ void Run::arrived(double time) {
   if (elements_.failed()) return fail("no impulses part the points that collide", time);
   if (elements_.began()) stepper_.contact_begins();
   if (const auto element = elements_.limit_passed()) {
-    const ModalSystem::DriftLimit& limit = system_.limits[*element - system_.switched - std::ssize(problem_.links)];
-    collapse_ = {limit.building, limit.storey, time};
+    passed_ = {*element - system_.joint(system_.joints), time};
   }
   changed();
 }
@@ -366,7 +365,7 @@ bool Run::step(double time, double longest) {
 
 /// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes
 /// and the other does not, is none of the motion.
-bool Run::lasts(double length) const { return length > instant * problem_.duration; }
+bool Run::lasts(double length) const { return length > instant * given_.duration; }
 
 /// Takes [0, cut] of the expanded step into the peaks.
 void Run::watch_step(double time, double cut) {
@@ -457,7 +456,7 @@ void Run::arrive() {
 }
 
 void Run::note_ground(const double* q) {
-  if (problem_.kinematics != Kinematics::absolute) return;
+  if (!system_.ground_counts) return;
   for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
     const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].modes;
     largest_ground_[b] = std::max(largest_ground_[b], std::abs(q[ground]));

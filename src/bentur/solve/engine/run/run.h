@@ -10,7 +10,7 @@
 #include "bentur/solve/engine/run/elements.h"
 #include "bentur/solve/engine/run/watch/peak_search.h"
 #include "bentur/solve/engine/run/watch/span_watch.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solver.h"
 
 namespace bentur::engine {
 
@@ -20,10 +20,11 @@ namespace bentur::engine {
 /// solver's own steps, cut at events.
 class Run {
  public:
-  /// What all runs of one problem share.
+  /// What all runs of one system share, and the laws of this one.
   struct Setup {
     const ModalSystem& system;
-    const Problem& problem;
+    const System& given;
+    const Elements::Laws& laws;
     const Solver& solver;
     const TimeGrid& grid;
     const FlightPlan& plan;
@@ -42,8 +43,8 @@ class Run {
     long segment = 0, steps = 0;
     State state;
     Elements::Memory elements;
-    Eigen::VectorXd peaks;                          ///< so far
-    std::vector<SpanWatch::Nearest> floors, links;  ///< so far
+    Eigen::VectorXd peaks;              ///< so far
+    std::vector<Reach> watched, spans;  ///< so far
   };
   /// Goes on from there, before to_end().
   void resume(const Checkpoint& checkpoint);
@@ -52,14 +53,14 @@ class Run {
   Status to_end(const std::function<bool(double)>& progress);
 
   [[nodiscard]] const PeakWatch& watch() const { return search_.watch(); }
-  /// How far watched floors came, ModalSystem::spans, and idle elements.
-  [[nodiscard]] const SpanWatch& floors() const { return watches_[0]; }
-  [[nodiscard]] const SpanWatch& links() const { return watches_[1]; }
+  /// How far ModalSystem::watched and spans went, idle elements, and the others.
+  [[nodiscard]] const SpanWatch& watched() const { return watches_[0]; }
+  [[nodiscard]] const SpanWatch& spans() const { return watches_[1]; }
   [[nodiscard]] const SpanWatch& idle() const { return watches_[2]; }
   [[nodiscard]] const SpanWatch& others() const { return watches_[3]; }
   [[nodiscard]] Elements& elements() { return elements_; }
   /// What ended the run before its time.
-  [[nodiscard]] const std::optional<Collapse>& collapse() const { return collapse_; }
+  [[nodiscard]] const std::optional<Solution::Passed>& passed() const { return passed_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const std::vector<GroundInput>& inputs() const { return inputs_; }
   /// Why and when the numbers failed; empty while all is well.
@@ -95,8 +96,8 @@ class Run {
   /// The segment under way.
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] Checkpoint checkpoint() const {
-    return {segment_,           steps_,           state_, elements_.memory(), search_.watch().peaks(),
-            floors().nearest(), links().nearest()};
+    return {segment_,         steps_, state_, elements_.memory(), search_.watch().peaks(), watched().nearest(),
+            spans().nearest()};
   }
 
   /// A stretch without events, by flights[halvings]; without flights it is no longer than one power series.
@@ -121,7 +122,7 @@ class Run {
   void replay(const Stretch& stretch, const Wanted& wanted, const EachStep& each);
 
   const ModalSystem& system_;
-  const Problem& problem_;
+  const System& given_;
   Stepper stepper_;
   Expansion motion_;
   State state_, next_;
@@ -180,7 +181,7 @@ class Run {
   long steps_ = 0;
   long taken_ = 0, most_steps_;  ///< steps, those gone over again included
   bool stopped_ = false;
-  std::optional<Collapse> collapse_;
+  std::optional<Solution::Passed> passed_;
   const std::function<bool(double)>* progress_ = nullptr;
   std::vector<Halving> halvings_;  ///< scratch
   State expanded_, replayed_;      ///< scratch

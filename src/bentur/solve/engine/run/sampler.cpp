@@ -1,7 +1,6 @@
 #include "bentur/solve/engine/run/sampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace bentur::engine {
@@ -9,45 +8,22 @@ namespace bentur::engine {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-namespace {
-
-/// Those of columns that are struck, of foundations, and of hinges.
-std::array<std::vector<MatrixXd>*, 5> of_some(Histories& h) {
-  return {&h.node_displacement, &h.column_forces, &h.foundation, &h.hinge_moment, &h.hinge_rotation};
-}
-
-/// Those of every floor or storey.
-std::array<std::vector<MatrixXd>*, 5> of_floors(Histories& h) {
-  return {&h.displacement, &h.velocity, &h.acceleration, &h.drift_ratio, &h.storey_shear};
-}
-
-}  // namespace
-
 Index sample_count(double duration, double step) {
   return static_cast<Index>(std::floor(duration / step + sample_slack)) + 1;
 }
 
-Sampler::Sampler(const ModalSystem& system, const Problem& problem, double output_step)
-    : system_(&system), problem_(&problem), step_(output_step) {
+Sampler::Sampler(const ModalSystem& system, const System& given, const std::vector<double>& offsets, double output_step)
+    : system_(&system), given_(&given), offsets_(offsets), step_(output_step) {
   if (step_ <= 0.0) return;
-  count_ = sample_count(problem.duration, step_);
+  count_ = sample_count(given.duration, step_);
   state_.q.setZero(system.size);
   state_.v.setZero(system.size);
   for (const auto& block : system.blocks) {
-    for (auto* list : of_floors(histories_)) list->emplace_back(MatrixXd::Zero(block.floors, count_));
-    histories_.node_displacement.emplace_back(MatrixXd::Zero(block.nodes.rows(), count_));
-    histories_.column_forces.emplace_back(MatrixXd::Zero(block.column_forces, count_));
-    for (auto* list : {&histories_.hinge_moment, &histories_.hinge_rotation}) {
-      list->emplace_back(MatrixXd::Zero(block.hinges, count_));
-    }
-    histories_.foundation.emplace_back(MatrixXd::Zero(block.has_foundation ? 4 : 0, count_));
+    std::vector<MatrixXd>& lists = outputs_.emplace_back();
+    for (const auto& group : block.outputs) lists.emplace_back(MatrixXd::Zero(group.count(), count_));
   }
-  const Index points = system.switched;
-  histories_.opening = MatrixXd::Zero(points, count_);
-  histories_.force = MatrixXd::Zero(points, count_);
-  const Index links = std::ssize(problem.links);
-  histories_.link_deformation = MatrixXd::Zero(links, count_);
-  histories_.link_force = MatrixXd::Zero(links, count_);
+  samples_.opening = samples_.force = MatrixXd::Zero(system.switched, count_);
+  samples_.joint_deformation = samples_.joint_force = MatrixXd::Zero(system.joints, count_);
 }
 
 bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= time + sample_slack * step_; }
@@ -61,47 +37,40 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
     system_->advance(now, s * motion.h());
     elements.forces_at(state_, now, forces_);
     system_->acceleration(state_, now, forces_, acceleration_);
-    histories_.time.push_back(next_time());
-    histories_.ground_acceleration.push_back(acceleration_at(problem_->motion, next_time()));
+    samples_.time.push_back(next_time());
+    samples_.ground_acceleration.push_back(acceleration_at(given_->motion, next_time()));
     for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
       const auto& block = system_->blocks[b];
-      const auto rows = block.outputs.topRows(block.floors);
-      const auto q = state_.q.segment(block.begin, block.size);
-      histories_.displacement[b].col(taken_) = rows * q;
-      histories_.drift_ratio[b].col(taken_) = block.outputs.middleRows(block.floors, block.floors) * q;
-      histories_.storey_shear[b].col(taken_) = block.outputs.middleRows(2 * block.floors, block.floors) * q;
-      histories_.node_displacement[b].col(taken_) = block.nodes * q.head(block.modes);
-      histories_.column_forces[b].col(taken_) = block.outputs.middleRows(3 * block.floors, block.column_forces) * q;
-      const Index moments = 3 * block.floors + block.column_forces;
-      histories_.hinge_moment[b].col(taken_) =
-          block.outputs.middleRows(moments, block.hinges) * q + block.offsets.segment(moments, block.hinges);
-      histories_.hinge_rotation[b].col(taken_) = -q.segment(block.rotations, block.hinges);
-      histories_.foundation[b].col(taken_) = block.foundation(state_);
-      histories_.velocity[b].col(taken_) = rows * state_.v.segment(block.begin, block.size);
-      histories_.acceleration[b].col(taken_) = block.acceleration * acceleration_.segment(block.begin, block.size);
+      const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
+      for (std::size_t k = 0; k < block.outputs.size(); ++k) {
+        block.outputs[k].evaluate(of(state_.q), of(state_.v), of(acceleration_), outputs_[b][k].col(taken_));
+      }
     }
     for (Index i = 0; i < system_->switched; ++i) {
-      histories_.opening(i, taken_) = problem_->points[i].width - system_->elements[i].relation.along(state_.q);
-      histories_.force(i, taken_) = forces_(i);
+      samples_.opening(i, taken_) = -offsets_[i] - system_->elements[i].relation.along(state_.q);
+      samples_.force(i, taken_) = forces_(i);
     }
-    for (Index i = 0; i < histories_.link_force.rows(); ++i) {
-      histories_.link_deformation(i, taken_) = system_->elements[system_->link(i)].relation.along(state_.q);
-      histories_.link_force(i, taken_) = forces_(system_->link(i));
+    for (Index i = 0; i < system_->joints; ++i) {
+      samples_.joint_deformation(i, taken_) = system_->elements[system_->joint(i)].relation.along(state_.q);
+      samples_.joint_force(i, taken_) = forces_(system_->joint(i));
     }
   }
 }
 
-void Sampler::finish() {
-  if (taken_ == count_) return;
-  const auto cut = [&](std::vector<MatrixXd>& list) {
-    for (MatrixXd& matrix : list) matrix.conservativeResize(Eigen::NoChange, taken_);
+void Sampler::finish(Solution& solution) {
+  const auto cut = [this](MatrixXd& matrix) {
+    if (taken_ < count_) matrix.conservativeResize(Eigen::NoChange, taken_);
   };
-  for (auto* list : of_floors(histories_)) cut(*list);
-  for (auto* list : of_some(histories_)) cut(*list);
-  for (MatrixXd* matrix :
-       {&histories_.opening, &histories_.force, &histories_.link_deformation, &histories_.link_force}) {
-    matrix->conservativeResize(Eigen::NoChange, taken_);
+  for (std::size_t b = 0; b < outputs_.size(); ++b) {
+    for (std::size_t k = 0; k < outputs_[b].size(); ++k) {
+      cut(outputs_[b][k]);
+      solution.outputs[b][k].history = std::move(outputs_[b][k]);
+    }
   }
+  for (MatrixXd* matrix : {&samples_.opening, &samples_.force, &samples_.joint_deformation, &samples_.joint_force}) {
+    cut(*matrix);
+  }
+  solution.samples = std::move(samples_);
 }
 
 }  // namespace bentur::engine

@@ -2,7 +2,7 @@
 
 #include "bentur/solve/engine/motion/expansion.h"
 #include "bentur/solve/engine/run/elements.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 
@@ -11,10 +11,11 @@ inline constexpr double sample_slack = 1e-9;  ///< of a step: a sample this litt
 /// Samples at 0, `step`, 2 `step`, … up to `duration` [s].
 [[nodiscard]] Eigen::Index sample_count(double duration, double step);
 
-/// Fills histories at equal times from solutions that are known anyway; it never changes the solution.
+/// Samples at equal times from solutions that are known anyway; it never changes the solution.
 class Sampler {
  public:
-  Sampler(const ModalSystem& system, const Problem& problem, double output_step);
+  /// `offsets`: of all elements
+  Sampler(const ModalSystem& system, const System& given, const std::vector<double>& offsets, double output_step);
 
   /// Whether a sample falls in (…, time].
   [[nodiscard]] bool due(double time) const;
@@ -23,18 +24,19 @@ class Sampler {
   void take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
             const Elements& elements);
 
-  [[nodiscard]] Histories& histories() { return histories_; }
-  /// Drops the columns of samples that were not taken.
-  void finish();
+  /// Puts the samples that were taken into a solution, whose outputs have an entry for each.
+  void finish(Solution& solution);
 
  private:
   [[nodiscard]] double next_time() const { return static_cast<double>(taken_) * step_; }
 
   const ModalSystem* system_;
-  const Problem* problem_;
+  const System* given_;
+  std::vector<double> offsets_;
   double step_;
   Eigen::Index count_ = 0, taken_ = 0;
-  Histories histories_;
+  Sampled samples_;
+  std::vector<std::vector<Eigen::MatrixXd>> outputs_;  ///< per body, as its outputs
   State state_;
   Eigen::VectorXd forces_, acceleration_;
 };

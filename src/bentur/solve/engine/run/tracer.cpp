@@ -8,6 +8,7 @@
 namespace bentur::engine {
 
 using Eigen::Index;
+using Course = Outputs::Course;
 
 namespace {
 
@@ -18,27 +19,35 @@ constexpr double penetration_noise = 1e-12;  // of a penetration, over displacem
 constexpr std::size_t longest_wait = 256;
 constexpr double first_room = 4e6;    // numbers kept before the bound grows: 32 MB
 constexpr double no_time = 0x1p-46;   // of the duration: what is over so soon has not been
-constexpr double least_scale = 0.01;  // of the row's largest displacement
+constexpr double least_scale = 0.01;  // of the largest scale
 
 }  // namespace
 
-Tracer::Tracer(const ModalSystem& system, const Problem& problem, const std::vector<BuildingPeaks>& peaks,
+Tracer::Tracer(const ModalSystem& system, const System& given, const std::vector<double>& offsets, const Solution& free,
                const std::vector<double>& openings)
-    : system_(&system), problem_(&problem), points_(system.switched), room_(first_room) {
-  for (const auto& block : system.blocks) floors_ += block.floors;
-  for (const Building& building : problem.buildings) {
-    others_ += building.model.nodes() + (building.storeys_yield() ? 2 * building.model.floors() : 0) +
-               (building.model.has_soil ? 4 : 0);
+    : system_(&system),
+      duration_(given.duration),
+      offsets_(offsets),
+      points_(system.switched),
+      others_(2 * system.joints),
+      room_(first_room) {
+  for (const auto& block : system.blocks) {
+    for (const auto& group : block.outputs) {
+      if (group.course == Course::followed) followed_ += group.count();
+      if (group.course == Course::along) others_ += group.count();
+    }
   }
-  others_ += 2 * std::ssize(problem.links);
-  scales_.setZero(floors_ + points_);
+  scales_.setZero(followed_ + points_);
   Index row = 0;
   for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-    const Index floors = system.blocks[b].floors;
-    scales_.segment(row, floors) = peaks[b].displacement_no_contact.head(floors);
-    row += floors;
+    for (std::size_t k = 0; k < system.blocks[b].outputs.size(); ++k) {
+      const auto& group = system.blocks[b].outputs[k];
+      if (group.course != Course::followed) continue;
+      scales_.segment(row, group.count()) = free.outputs[b][k].peak;
+      row += group.count();
+    }
   }
-  for (Index i = 0; i < points_; ++i) scales_(floors_ + i) = openings[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < points_; ++i) scales_(followed_ + i) = openings[static_cast<std::size_t>(i)];
   const double largest = scales_.size() > 0 ? scales_.maxCoeff() : 0.0;
   scales_ = scales_.cwiseMax(largest > 0.0 ? least_scale * largest : 1.0);
   forces_met_.setZero(points_);
@@ -60,10 +69,13 @@ double Tracer::force(const Step& step, Index point, double s) {
 
 double Tracer::speed(const Step& step, Index row, double s) {
   step.motion.evaluate(s, state_);
-  if (row >= floors_) return -system_->elements[row - floors_].relation.along(state_.v);
+  if (row >= followed_) return -system_->elements[row - followed_].relation.along(state_.v);
   for (const auto& block : system_->blocks) {
-    if (row < block.floors) return block.outputs.row(row).dot(state_.v.segment(block.begin, block.size));
-    row -= block.floors;
+    for (const auto& group : block.outputs) {
+      if (group.course != Course::followed) continue;
+      if (row < group.count()) return group.of_position.row(row).dot(state_.v.segment(block.begin, block.size));
+      row -= group.count();
+    }
   }
   return 0.0;
 }
@@ -72,35 +84,31 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
   evaluate(step, s);
   step.elements.forces_at(state_, inputs_, forces_);
   Instant result{.s = s, .time = step.time + s * step.motion.h(), .values = {}, .speeds = {}};
-  result.values.resize(floors_ + 2 * points_ + others_);
-  result.speeds.resize(floors_ + points_);
+  result.values.resize(followed_ + 2 * points_ + others_);
+  result.speeds.resize(followed_ + points_);
   Index row = 0;
-  Index extra = floors_ + 2 * points_;
-  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
-    const auto& block = system_->blocks[b];
+  Index extra = followed_ + 2 * points_;
+  for (const auto& block : system_->blocks) {
     const auto q = state_.q.segment(block.begin, block.size);
-    result.values.segment(row, block.floors) = block.outputs.topRows(block.floors) * q;
-    result.speeds.segment(row, block.floors) =
-        block.outputs.topRows(block.floors) * state_.v.segment(block.begin, block.size);
-    row += block.floors;
-    result.values.segment(extra, block.nodes.rows()) = block.nodes * q.head(block.modes);
-    extra += block.nodes.rows();
-    const Eigen::VectorXd foundation = block.foundation(state_);
-    result.values.segment(extra, foundation.size()) = foundation;
-    extra += foundation.size();
-    if (!problem_->buildings[b].storeys_yield()) continue;
-    result.values.segment(extra, 2 * block.floors) = block.outputs.middleRows(block.floors, 2 * block.floors) * q;
-    extra += 2 * block.floors;
+    const auto v = state_.v.segment(block.begin, block.size);
+    for (const auto& group : block.outputs) {
+      if (group.course == Course::none) continue;
+      const bool follows = group.course == Course::followed;
+      Index& at = follows ? row : extra;
+      group.evaluate(q, v, v, result.values.segment(at, group.count()));
+      if (follows) result.speeds.segment(at, group.count()).noalias() = group.of_position * v;
+      at += group.count();
+    }
   }
   for (Index i = 0; i < points_; ++i) {
     const auto& relation = system_->elements[i].relation;
-    result.values(floors_ + i) = problem_->points[i].width - relation.along(state_.q);
-    result.speeds(floors_ + i) = -relation.along(state_.v);
-    result.values(floors_ + points_ + i) = forces_(i);
+    result.values(followed_ + i) = -offsets_[i] - relation.along(state_.q);
+    result.speeds(followed_ + i) = -relation.along(state_.v);
+    result.values(followed_ + points_ + i) = forces_(i);
   }
-  for (Index i = 0; i < std::ssize(problem_->links); ++i) {
-    result.values(extra++) = system_->elements[system_->link(i)].relation.along(state_.q);
-    result.values(extra++) = forces_(system_->link(i));
+  for (Index i = 0; i < system_->joints; ++i) {
+    result.values(extra++) = system_->elements[system_->joint(i)].relation.along(state_.q);
+    result.values(extra++) = forces_(system_->joint(i));
   }
   return result;
 }
@@ -111,13 +119,14 @@ bool Tracer::is_on_chord(const Instant& from, const Instant& one, const Instant&
   const auto away = [&](Index i) {
     return std::abs(one.values(i) - from.values(i) - part * (to.values(i) - from.values(i)));
   };
-  for (Index i = 0; i < floors_ + points_; ++i) {
+  for (Index i = 0; i < followed_ + points_; ++i) {
     if (away(i) > bound_ * scales_(i)) return false;
   }
   for (Index i = 0; i < points_; ++i) {
-    const Index row = floors_ + points_ + i;
-    const double deep = std::abs(one.values(floors_ + i));  // the force is no better known than the penetration
-    const double noise = deep > 0.0 ? penetration_noise * scales_(floors_ + i) / deep * std::abs(one.values(row)) : 0.0;
+    const Index row = followed_ + points_ + i;
+    const double deep = std::abs(one.values(followed_ + i));  // the force is no better known than the penetration
+    const double noise =
+        deep > 0.0 ? penetration_noise * scales_(followed_ + i) / deep * std::abs(one.values(row)) : 0.0;
     if (away(row) > bound_ / 4 * forces_met_(i) + noise) return false;
   }
   return true;
@@ -140,7 +149,7 @@ void Tracer::find_extrema(const Step& step, std::vector<Instant>& list) {
   std::vector<double> places;
   for (std::size_t n = 1; n < list.size(); ++n) {
     const Instant &a = list[n - 1], &b = list[n];
-    for (Index i = 0; i < floors_ + points_; ++i) {
+    for (Index i = 0; i < followed_ + points_; ++i) {
       const double before = a.speeds(i), after = b.speeds(i);
       if (!(before * after < 0.0)) continue;
       boost::uintmax_t most = 30;
@@ -150,7 +159,7 @@ void Tracer::find_extrema(const Step& step, std::vector<Instant>& list) {
     }
   }
   for (Index i = 0; i < points_; ++i) {
-    const Index row = floors_ + points_ + i;
+    const Index row = followed_ + points_ + i;
     const auto highest = std::max_element(
         list.begin(), list.end(), [&](const Instant& a, const Instant& b) { return a.values(row) < b.values(row); });
     if (!(highest->values(row) > 0.0)) continue;
@@ -175,10 +184,10 @@ void Tracer::find_extrema(const Step& step, std::vector<Instant>& list) {
 
 void Tracer::take(const Expansion& motion, double time, double end, const std::vector<GroundInput>& inputs,
                   const Elements& elements) {
-  if (!(end * motion.h() > no_time * problem_->duration)) return;
+  if (!(end * motion.h() > no_time * duration_)) return;
   const Step step{motion, time, inputs, elements};
   std::vector<Instant> list = {at(step, 0.0)};
-  const auto forces = [&](const Instant& one) { return one.values.segment(floors_ + points_, points_); };
+  const auto forces = [&](const Instant& one) { return one.values.segment(followed_ + points_, points_); };
   for (Index i = 0; i < points_; ++i) {
     if (forces(list.front())(i) == 0.0) forces_met_(i) = 0.0;
   }
@@ -187,7 +196,7 @@ void Tracer::take(const Expansion& motion, double time, double end, const std::v
   std::vector<Instant> coarse = {list.front()};
   for (int n = 1; n <= parts; ++n) coarse.push_back(at(step, end * n / parts));
   for (const Instant& one : coarse) {
-    scales_.head(floors_) = scales_.head(floors_).cwiseMax(one.values.head(floors_).cwiseAbs());
+    scales_.head(followed_) = scales_.head(followed_).cwiseMax(one.values.head(followed_).cwiseAbs());
   }
   for (const Instant& one : coarse) forces_met_ = forces_met_.cwiseMax(forces(one).cwiseAbs());
   for (std::size_t n = 1; n < coarse.size(); ++n) halve(step, coarse[n - 1], coarse[n], 0, list);
@@ -247,40 +256,29 @@ void Tracer::keep(const Instant& one) {
   kept_ = one;
 }
 
-Histories Tracer::finish() {
+void Tracer::finish(Solution& solution) {
   changed();
-  Histories course;
+  Sampled& course = solution.course;
   course.time = std::move(times_);
   const Index count = std::ssize(course.time);
-  const Index rows = count > 0 ? std::ssize(numbers_) / count : 0;
-  const Eigen::Map<const Eigen::MatrixXd> all(numbers_.data(), rows, count);
+  if (count == 0) return;
+  const Eigen::Map<const Eigen::MatrixXd> all(numbers_.data(), std::ssize(numbers_) / count, count);
   Index row = 0;
-  Index extra = floors_ + 2 * points_;
-  for (std::size_t b = 0; b < system_->blocks.size() && count > 0; ++b) {
-    const Index floors = system_->blocks[b].floors;
-    course.displacement.emplace_back(all.middleRows(row, floors));
-    row += floors;
-    const Index nodes = system_->blocks[b].nodes.rows();
-    course.node_displacement.emplace_back(all.middleRows(extra, nodes));
-    extra += nodes;
-    const Index foundation = system_->blocks[b].has_foundation ? 4 : 0;
-    course.foundation.emplace_back(all.middleRows(extra, foundation));
-    extra += foundation;
-    course.drift_ratio.emplace_back();
-    course.storey_shear.emplace_back();
-    if (!problem_->buildings[b].storeys_yield()) continue;
-    course.drift_ratio.back() = all.middleRows(extra, floors);
-    course.storey_shear.back() = all.middleRows(extra + floors, floors);
-    extra += 2 * floors;
+  Index extra = followed_ + 2 * points_;
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
+    for (std::size_t k = 0; k < system_->blocks[b].outputs.size(); ++k) {
+      const auto& group = system_->blocks[b].outputs[k];
+      if (group.course == Course::none) continue;
+      Index& at = group.course == Course::followed ? row : extra;
+      solution.outputs[b][k].course = all.middleRows(at, group.count());
+      at += group.count();
+    }
   }
-  if (count > 0) {
-    course.opening = all.middleRows(floors_, points_);
-    course.force = all.middleRows(floors_ + points_, points_);
-    const Index links = std::ssize(problem_->links);
-    course.link_deformation = all(Eigen::seqN(extra, links, Eigen::fix<2>), Eigen::all);
-    course.link_force = all(Eigen::seqN(extra + 1, links, Eigen::fix<2>), Eigen::all);
-  }
-  return course;
+  course.opening = all.middleRows(followed_, points_);
+  course.force = all.middleRows(followed_ + points_, points_);
+  const Index joints = system_->joints;
+  course.joint_deformation = all(Eigen::seqN(extra, joints, Eigen::fix<2>), Eigen::all);
+  course.joint_force = all(Eigen::seqN(extra + 1, joints, Eigen::fix<2>), Eigen::all);
 }
 
 }  // namespace bentur::engine

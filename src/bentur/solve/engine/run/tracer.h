@@ -4,21 +4,22 @@
 
 #include "bentur/solve/engine/motion/expansion.h"
 #include "bentur/solve/engine/run/elements.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 
-/// Follows displacements, openings and contact forces by as few instants as a bound allows: straight lines between them
-/// leave no displacement and no opening by more than `course_bound` of its scale, and no contact force by more than
-/// half of that of the contact's largest. Extrema of displacements and openings, the largest force of each contact, and
+/// Follows outputs, openings and contact forces by as few instants as a bound allows: straight lines between them
+/// leave no such output and no opening by more than `course_bound` of its scale, and no contact force by more than
+/// half of that of the contact's largest. Extrema of these outputs and openings, the largest force of each contact, and
 /// whatever changes an element (a contact that begins or ends, a yield) are instants themselves; where a force jumps
 /// there are two at one time. It reads solutions that are known anyway and never changes them.
 class Tracer {
  public:
   static constexpr double course_bound = 1e-3;  ///< [-]
 
-  /// @param peaks of the response without contact, the scale of displacements; `openings`: that of each point [length]
-  Tracer(const ModalSystem& system, const Problem& problem, const std::vector<BuildingPeaks>& peaks,
+  /// @param offsets of all elements
+  /// @param free response without contact, whose peaks are the scales of outputs; `openings`: that of each contact
+  Tracer(const ModalSystem& system, const System& given, const std::vector<double>& offsets, const Solution& free,
          const std::vector<double>& openings);
 
   /// Takes in [0, end] of the expanded step that began at `time` with `inputs`.
@@ -27,17 +28,16 @@ class Tracer {
   /// Elements change at the end of what was taken in last.
   void changed();
 
-  /// Displacements (of nodes in struck columns too), openings and forces over their times, what links and foundations
-  /// do, and of buildings that can yield drifts and shears; all else is empty.
-  [[nodiscard]] Histories finish();
+  /// Puts the course into a solution, whose outputs have an entry for each.
+  void finish(Solution& solution);
 
  private:
-  /// Values at an instant: displacements of all floors, openings, forces, then what comes along without a bound.
+  /// Values at an instant: outputs that are followed, openings, forces, then what comes along without a bound.
   struct Instant {
     double s = 0;  ///< in the step
     double time = 0;
     Eigen::VectorXd values;
-    Eigen::VectorXd speeds;  ///< of displacements and openings
+    Eigen::VectorXd speeds;  ///< of what is followed, and openings
     bool stays = false;
   };
   /// A step to be looked at.
@@ -59,10 +59,11 @@ class Tracer {
   void keep(const Instant& instant);
 
   const ModalSystem* system_;
-  const Problem* problem_;
-  Eigen::Index floors_ = 0, points_ = 0;
+  double duration_;
+  std::vector<double> offsets_;
+  Eigen::Index followed_ = 0, points_ = 0;
   Eigen::Index others_ = 0;     ///< values of an instant that come along without a bound
-  Eigen::VectorXd scales_;      ///< of displacements and openings [length]
+  Eigen::VectorXd scales_;      ///< of what is followed, and openings [length]
   Eigen::VectorXd forces_met_;  ///< largest force of each contact so far [force]; 0 where there is none
   double bound_ = course_bound;
   double room_;  ///< numbers that may be kept before the bound grows

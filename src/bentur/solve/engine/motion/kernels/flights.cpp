@@ -59,8 +59,8 @@ BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, cons
 }
 
 template <bool loaded>
-BENTUR_INLINE void fly_building(const FlightMap& map, CoordinateRange range, const FlightInput& input,
-                                const FlightArrays& arrays) {
+BENTUR_INLINE void fly_body(const FlightMap& map, CoordinateRange range, const FlightInput& input,
+                            const FlightArrays& arrays) {
   const Input in(input);
   for (Index j = range.begin; j < range.begin + range.size; j += four) fly_four<loaded>(map, j, in, arrays);
 }
@@ -82,7 +82,7 @@ BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
                               sequence.load};
     const FlightMap& map = *sequence.maps[kind];
     if (++kind == sequence.maps.size()) kind = 0;
-    for (const CoordinateRange& range : sequence.ranges) fly_building<loaded>(map, range, *input++, arrays);
+    for (const CoordinateRange& range : sequence.ranges) fly_body<loaded>(map, range, *input++, arrays);
   }
 }
 
@@ -90,8 +90,8 @@ BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
 
 BENTUR_FOR_ALL_PROCESSORS
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays) {
-  if (arrays.load != nullptr) return fly_building<true>(map, range, input, arrays);
-  fly_building<false>(map, range, input, arrays);
+  if (arrays.load != nullptr) return fly_body<true>(map, range, input, arrays);
+  fly_body<false>(map, range, input, arrays);
 }
 
 BENTUR_FOR_ALL_PROCESSORS

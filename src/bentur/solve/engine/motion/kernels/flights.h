@@ -10,7 +10,7 @@ namespace bentur::engine::kernels {
 
 using Eigen::Index;
 
-/// Where the coordinates of a building are; `size` a multiple of four.
+/// Where the coordinates of a body are; `size` a multiple of four.
 struct CoordinateRange {
   Index begin = 0, size = 0;
 };
@@ -55,7 +55,7 @@ struct FlightMap {
   }
 };
 
-/// Ground acceleration of one building over a flight: at its start, its slope, bounds of both, and at its end.
+/// Ground acceleration of one body over a flight: at its start, its slope, bounds of both, and at its end.
 struct FlightInput {
   double value = 0, slope = 0, largest = 0, steepest = 0, end = 0;
 };
@@ -68,15 +68,15 @@ struct FlightArrays {
   const double* load = nullptr;  ///< constant, on every coordinate; null: none
 };
 
-/// The coordinates of one building over one flight.
+/// The coordinates of one body over one flight.
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays);
 
-/// Flights of all buildings one after the other. Columns of all coordinates: the FlightArrays of flight n is column n,
+/// Flights of all bodies one after the other. Columns of all coordinates: the FlightArrays of flight n is column n,
 /// and of what is found at its end column n + 1.
 struct FlightSequence {
   std::span<const CoordinateRange> ranges;
   std::span<const FlightMap* const> maps;  ///< taken in turn, from the first on
-  const FlightInput* inputs;               ///< flights × buildings
+  const FlightInput* inputs;               ///< flights × bodies
   Index stride;                            ///< of the columns
   double *q, *v, *acceleration, *rise, *acceleration_rise;
   const double* load;  ///< as of FlightArrays

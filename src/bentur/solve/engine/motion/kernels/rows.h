@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Inner loops of the exact solver: sums over coordinates, many at a time. Each runs over coordinates in fours
-/// (ModalSystem pads every building to a multiple of four) and is compiled for processors with wider vectors too; which
+/// (ModalSystem pads every body to a multiple of four) and is compiled for processors with wider vectors too; which
 /// version runs is picked when the program starts. All versions add and multiply in the same order and never contract,
 /// so that they give the same numbers to the bit.
 namespace bentur::engine::kernels {

@@ -5,7 +5,7 @@
 namespace bentur::engine::kernels {
 namespace {
 
-/// (T-2) for any number of buildings and elements.
+/// (T-2) for any number of bodies and elements.
 BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
                               int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
@@ -57,7 +57,7 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven o
 }
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): registers
-/// The same for two buildings of four coordinates each, which stay in registers, and no more elements than this.
+/// The same for two bodies of four coordinates each, which stay in registers, and no more elements than this.
 constexpr std::size_t most_small = 6;
 BENTUR_INLINE void expand_small(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
                                 int degree, Index stride, double* to) {

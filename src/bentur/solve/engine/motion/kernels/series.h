@@ -18,7 +18,7 @@ struct Pressing {
   double* deformation;              ///< δ_k, filled on the way: degree + 1 of them
 };
 
-/// The ground acceleration of one building as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
+/// The ground acceleration of one body as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
 struct GroundSeries {
   Index begin, size;
   double even, odd;   ///< a_0 h², a_1 h²; then those last asked for

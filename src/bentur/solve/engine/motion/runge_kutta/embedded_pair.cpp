@@ -189,7 +189,7 @@ void EmbeddedPair::stage(int i, const ForceFunction& forces) {
   std::copy_n(acceleration_.data() + begin_, count_, rate_.col(i).data() + begin_);
 }
 
-double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inputs, double h, BuildingRange range,
+double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inputs, double h, BodyRange range,
                           const ForceFunction& forces, State& to) {
   inputs_ = &inputs;
   h_ = h;

@@ -11,18 +11,18 @@ namespace bentur::engine {
 /// Force of every element [force] at a state and ground input; what a Runge-Kutta stage asks for.
 using ForceFunction = std::function<void(const State&, const std::vector<GroundInput>&, Eigen::VectorXd&)>;
 
-/// Buildings [first, end) of the row.
-struct BuildingRange {
+/// Bodies [first, end) of the row.
+struct BodyRange {
   Eigen::Index first = 0, end = 0;
 };
 
 /// The explicit Runge-Kutta pair of Dormand and Prince of order 8(5,3) with its interpolant of order 7
-/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of buildings that no element joins to others. As q̇
+/// ([HairerNorsettWanner1993], II.5 and II.10) on (T-1), for a range of bodies that no element joins to others. As q̇
 /// = v the positions of all stages follow from the accelerations, q_i = q + c_i h v + h² Σ_j (a²)_ij v̇_j.
 ///
 /// Errors are measured in speeds, with positions as what they would make of them in one step: the local error is the
 /// norm of (e_q/h, e_v) over that of the motion, √(v² + Ω²q²) at both ends, the change of v, and what the ground alone
-/// would change of it: a building that is held still against its neighbour has no other. As coordinates are normalised
+/// would change of it: a body that is held still against its neighbour has no other. As coordinates are normalised
 /// by mass this is an error of the square root of energy; ground coordinates, which are not, have no part in it.
 class EmbeddedPair {
  public:
@@ -30,7 +30,7 @@ class EmbeddedPair {
 
   /// Tries to move the range from `from` to `to` over `h` [s], and returns local error/tolerance: more than 1 is a step
   /// not to be accepted, NaN one that has left the numbers. The other coordinates of `to` are not written.
-  double step(const State& from, const std::vector<GroundInput>& inputs, double h, BuildingRange range,
+  double step(const State& from, const std::vector<GroundInput>& inputs, double h, BodyRange range,
               const ForceFunction& forces, State& to);
 
   /// The step last tried as polynomials of degree 8 in q (7 in v); other coordinates are left as they were. Degree and

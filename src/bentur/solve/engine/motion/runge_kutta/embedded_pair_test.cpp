@@ -35,7 +35,7 @@ class Duffing {
   const double big_omega = std::sqrt(omega * omega + beta * amplitude * amplitude);
   const Problem problem =
       test::pair(test::oscillator(1, omega* omega), test::oscillator(1, 9), {test::contact(5, 1)}, 9);
-  const ModalSystem system{problem};
+  const ModalSystem system{system_of(problem)};
   const ForceFunction force = [](const State& state, const std::vector<GroundInput>&, VectorXd& forces) {
     forces = VectorXd::Constant(1, beta * std::pow(state.q(0), 3));
   };
@@ -75,7 +75,7 @@ TEST(EmbeddedPair, JudgesAStepAlikeInAllUnits) {
     Problem problem =
         test::pair(test::oscillator(mass, 4 * mass), test::oscillator(mass, 9 * mass), {test::contact(5, 1)}, 9);
     problem.kinematics = Kinematics::absolute;
-    const ModalSystem system(problem);
+    const ModalSystem system(system_of(problem));
     const ForceFunction force = [mass](const State& state, const std::vector<GroundInput>&, VectorXd& forces) {
       forces = VectorXd::Constant(1, 30 * mass * std::pow(state.q(0) / std::sqrt(mass), 3));
     };
@@ -194,7 +194,7 @@ TEST(EmbeddedPair, TakesTheGroundAlong) {
   // At rest under a_g = c t the ground goes to c t³/6, a free mass to −c t³/6: polynomials that it has exactly.
   Problem problem = test::pair(test::oscillator(1, 0), test::wall(), {}, 1);
   problem.kinematics = Kinematics::absolute;
-  const ModalSystem system(problem);
+  const ModalSystem system(system_of(problem));
   EmbeddedPair pair(system, 1e-9);
   const State from{VectorXd::Zero(system.size), VectorXd::Zero(system.size)};
   State to = from;

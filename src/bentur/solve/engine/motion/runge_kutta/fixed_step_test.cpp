@@ -20,7 +20,7 @@ TEST(FixedStep, OfAnOscillatorIsTheTaylorSeriesToTheFourthPower) {
   const double omega = 3;
   const Problem problem =
       test::pair(test::oscillator(1, omega * omega), test::oscillator(1, 1), {test::contact(9, 1)}, 1);
-  const ModalSystem system(problem);
+  const ModalSystem system(system_of(problem));
   FixedStep scheme(system);
   State from{VectorXd::Zero(system.size), VectorXd::Zero(system.size)};
   from.q(0) = 0.7;
@@ -38,7 +38,7 @@ TEST(FixedStep, OfAnOscillatorIsTheTaylorSeriesToTheFourthPower) {
 TEST(FixedStep, ExpansionHasPositionSpeedAndAccelerationAtBothEnds) {
   // Everything that (T-1) has: damping, ground motion, a force that depends on both δ and δ̇.
   Problem problem = test::pair(test::oscillator(2, 50, 0.1), test::oscillator(3, 40, 0.05), {test::contact(0.1, 1)}, 1);
-  const ModalSystem system(problem);
+  const ModalSystem system(system_of(problem));
   const ForceFunction force = [&](const State& state, const std::vector<GroundInput>&, VectorXd& forces) {
     const ModalSystem::Relation& of = system.elements[0].relation;
     const double depth = of.along(state.q) - 0.1, speed = of.along(state.v);

@@ -52,7 +52,7 @@ void MomentumBalance::take(const Expansion& motion, double end, const State& fro
   push_others(motion, end * motion.h(), elements);
 }
 
-/// What links and storeys that yield have pushed over a step of such a length [s].
+/// What joints and what yields have pushed over a step of such a length [s].
 void MomentumBalance::push_others(const Expansion& motion, double length, const Elements& elements) {
   const ElementForces& forces = elements.forces();
   for (const auto* list : {&forces.constant, &forces.pressing}) {
@@ -115,51 +115,48 @@ void MomentumBalance::close(const State& state, Elements& elements) {
   if (largest > 0.0) worst_ = std::max(worst_, missing / largest);
 }
 
-double force_imbalance(const Problem& problem, const ModalSystem& system, const State& state,
+double force_imbalance(const System& given, const ModalSystem& system, const State& state,
                        const std::vector<GroundInput>& inputs, const Elements& elements) {
   VectorXd forces;
   VectorXd acceleration;
   elements.forces_at(state, inputs, forces);
   system.acceleration(state, inputs, forces, acceleration);
-  std::vector<VectorXd> pushes;  // per building, on its degrees of freedom
-  std::vector<double> largest(problem.buildings.size(), 0.0);
-  for (const Building& building : problem.buildings) pushes.emplace_back(VectorXd::Zero(building.model.dofs()));
-  const auto push = [&](Index b, const VectorXd& row, double force) {
-    pushes[b] += force * row;
-    largest[b] = std::max(largest[b], std::abs(force) * (problem.buildings[b].modes.shapes.transpose() * row).norm());
-  };
-  const auto push_at = [&](Index b, Index dof, double force) {
-    if (force != 0.0 && !problem.buildings[b].is_rigid()) push(b, VectorXd::Unit(pushes[b].size(), dof), force);
+  const std::vector<Body>& bodies = given.bodies;
+  std::vector<VectorXd> pushes;  // per body, on its degrees of freedom
+  std::vector<double> largest(bodies.size(), 0.0);
+  for (const Body& body : bodies) pushes.emplace_back(VectorXd::Zero(body.dofs()));
+  const auto push = [&](const BodyRow& at, double force) {
+    if (at.body < 0 || force == 0.0 || bodies[at.body].is_rigid()) return;
+    pushes[at.body] -= force * at.row;
+    largest[at.body] =
+        std::max(largest[at.body], std::abs(force) * (bodies[at.body].modes.shapes.transpose() * at.row).norm());
   };
   Index element = 0;
-  for (const ContactPoint& point : problem.points) {
-    push_at(point.left, point.left_floor, -forces(element));
-    push_at(point.left + 1, point.right_floor, forces(element++));
+  const auto push_both = [&](const Interface& interface) {
+    push(interface.left, forces(element));
+    push(interface.right, forces(element++));
+  };
+  for (const Contact& contact : given.contacts) push_both(contact.at);
+  for (const bentur::Element& joint : given.joints) push_both(joint.at);
+  element = system.members;
+  for (Index b = 0; b < std::ssize(bodies); ++b) {
+    for (const BuildingElement& member : bodies[b].elements) push({b, member.row}, forces(element++));
   }
-  for (const Link& link : problem.links) {
-    push_at(link.left, link.left_floor, -forces(element));
-    push_at(link.right, link.right_floor, forces(element++));
-  }
-  element = system.storeys;
-  Index hinge = system.alone;
   double worst = 0.0;
-  for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-    const Building& building = problem.buildings[b];
-    if (building.is_rigid()) continue;
+  for (Index b = 0; b < std::ssize(bodies); ++b) {
+    const Body& body = bodies[b];
+    for (const CoupledElement& coupled : body.coupled) {
+      for (const auto& row : coupled.rows.rowwise()) push({b, row.transpose()}, forces(element++));
+    }
+    if (body.is_rigid()) continue;
     const ModalSystem::Block& block = system.blocks[b];
-    const Eigen::MatrixXd& shapes = building.modes.shapes;
-    for (const BuildingElement& yielding : building.elements) {
-      push(static_cast<Index>(b), yielding.row, -forces(element++));
-    }
-    for (const CoupledElement& coupled : building.coupled) {
-      for (const auto& row : coupled.rows.rowwise()) push(static_cast<Index>(b), row.transpose(), -forces(hinge++));
-    }
+    const Eigen::MatrixXd& shapes = body.modes.shapes;
     const auto modes = [&block](const VectorXd& x) { return x.segment(block.begin, block.modes); };
     const VectorXd x = shapes * modes(state.q);
-    const VectorXd inertia = shapes.transpose() * (building.model.mass * (shapes * modes(acceleration)));
-    const VectorXd stiffness = shapes.transpose() * (building.model.stiffness * x);
-    const VectorXd damping = building.modal_damping * modes(state.v);
-    const VectorXd load = inputs[b].value * (shapes.transpose() * building.model.load);
+    const VectorXd inertia = shapes.transpose() * (body.mass * (shapes * modes(acceleration)));
+    const VectorXd stiffness = shapes.transpose() * (body.stiffness * x);
+    const VectorXd damping = body.modal_damping * modes(state.v);
+    const VectorXd load = inputs[b].value * (shapes.transpose() * body.load);
     const VectorXd pushed = shapes.transpose() * pushes[b];
     for (const VectorXd* term : {&inertia, &stiffness, &damping, &load}) {
       largest[b] = std::max(largest[b], term->norm());

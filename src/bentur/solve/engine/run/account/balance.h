@@ -10,7 +10,7 @@ namespace bentur::engine {
 /// Compares what the states of some contacts say with the impulses that are reported of them: over the steps from the
 /// last instant without any contact to the next one, by (T-1),
 ///   q̇ − q̇₀ = −Ω² ∫q dt − D (q − q₀) + γ (v_g − v_g0) + Σ push_i ∫F_i dt
-/// of the modes of every building. Of the 1st, 4th, 16th, 64th, … of these, so that it costs next to nothing.
+/// of the modes of every body. Of the 1st, 4th, 16th, 64th, … of these, so that it costs next to nothing.
 class MomentumBalance {
  public:
   explicit MomentumBalance(const ModalSystem& system);
@@ -38,10 +38,9 @@ class MomentumBalance {
   double worst_ = 0;
 };
 
-/// How far the forces on each building are out of balance by its own matrices and the laws, with the accelerations of
-/// (T-1), as a part of the largest of them [-]: M ẍ + C ẋ + K x + load a_g = contacts, links, storeys that yield. Of
-/// what its modes can see.
-[[nodiscard]] double force_imbalance(const Problem& problem, const ModalSystem& system, const State& state,
+/// How far the forces on each body are out of balance by its own matrices and the laws, with the accelerations of
+/// (T-1), as a part of the largest of them [-]: M ẍ + C ẋ + K x + load a_g = all elements. Of what its modes can see.
+[[nodiscard]] double force_imbalance(const System& given, const ModalSystem& system, const State& state,
                                      const std::vector<GroundInput>& inputs, const Elements& elements);
 
 }  // namespace bentur::engine

@@ -23,10 +23,12 @@ struct Parts {
   }
   Problem problem;
   Solver solver = ExactSolver{};
-  ModalSystem system{problem};
-  TimeGrid grid{problem, true};
+  System given = system_of(problem);
+  ModalSystem system{given};
+  Elements::Laws laws = laws_of(given, system, given.contacts);
+  TimeGrid grid{given, true};
   FlightPlan plan{system, grid, problem.duration, true};
-  PoundingRun run{{system, problem, solver, grid, plan}, scales_of(problem), 0, {}};
+  PoundingRun run{{system, given, laws, solver, grid, plan}, scales_of(problem), 0, {}};
 };
 
 Problem pounding() {
@@ -38,10 +40,10 @@ Problem pounding() {
 TEST(Balance, OfForcesNoticesAnotherMatrix) {
   Parts parts(pounding());
   const auto imbalance = [&parts] {
-    return force_imbalance(parts.problem, parts.system, parts.run.state(), parts.run.inputs(), parts.run.elements());
+    return force_imbalance(parts.given, parts.system, parts.run.state(), parts.run.inputs(), parts.run.elements());
   };
   EXPECT_LT(imbalance(), 1e-14);
-  parts.problem.buildings[1].model.stiffness *= 1.001;
+  parts.given.bodies[1].stiffness *= 1.001;
   EXPECT_GT(imbalance(), 1e-4);
 }
 
@@ -52,8 +54,8 @@ TEST(Balance, OfMomentumNoticesAnotherImpulseOrState) {
   EXPECT_LT(parts.run.momentum().worst(), 1e-12);
   // One step of free flight, taken for one of contact: nothing is missing until an impact or a speed is added.
   const State start = parts.run.state();
-  Expansion motion(parts.system, offsets_of(parts.problem, parts.system));
-  Series series(parts.system, offsets_of(parts.problem, parts.system));
+  Expansion motion(parts.system, parts.laws.offsets);
+  Series series(parts.system, parts.laws.offsets);
   ElementForces forces;
   forces.linear.resize(parts.system.elements.size());
   forces.rate = parts.system.rate({});
@@ -63,7 +65,7 @@ TEST(Balance, OfMomentumNoticesAnotherImpulseOrState) {
   const std::vector<GroundInput> inputs = parts.run.inputs();
   series.expand(from, inputs, h, forces, motion);
   motion.evaluate(1.0, end);
-  Elements elements(parts.system, parts.problem, 0, Parts::scales_of(parts.problem), 1e-12, from);
+  Elements elements(parts.system, parts.laws, 0, Parts::scales_of(parts.problem), 1e-12, from);
   const auto worst = [&](const auto& damage) {
     MomentumBalance balance(parts.system);
     State after = end;

@@ -19,10 +19,10 @@ std::array<Eigen::VectorXd*, 7> all_curves(EnergyHistories& of) {
 
 }  // namespace
 
-EnergyAccount::EnergyAccount(const ModalSystem& system, const Problem& problem, double output_step, const State& start,
+EnergyAccount::EnergyAccount(const ModalSystem& system, double duration, double output_step, const State& start,
                              const Elements& elements)
     : system_(&system), step_(output_step), state_(start) {
-  if (output_step > 0.0) count_ = sample_count(problem.duration, output_step);
+  if (output_step > 0.0) count_ = sample_count(duration, output_step);
   for (auto* curve : all_curves(audit_.histories)) curve->setZero(count_);
   sums_.others = elements.initial_work();
   sums_.input = kinetic(state_) + strain(state_) + sums_.others;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/run/elements.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 
@@ -19,7 +20,7 @@ namespace bentur::engine {
 class EnergyAccount {
  public:
   /// `start`: the initial state.
-  EnergyAccount(const ModalSystem& system, const Problem& problem, double output_step, const State& start,
+  EnergyAccount(const ModalSystem& system, double duration, double output_step, const State& start,
                 const Elements& elements);
 
   /// Takes in [0, end] of the expanded step that began at `time` with `inputs`.

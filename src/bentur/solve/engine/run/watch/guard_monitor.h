@@ -9,7 +9,7 @@
 namespace bentur::engine {
 
 /// Proves that elements stay in branches whose guards say no more than how far δ may go: of many flights by one sum for
-/// all elements of the same buildings (T-4), or element by element.
+/// all elements of the same bodies (T-4), or element by element.
 class GuardMonitor {
  public:
   /// What is known of an element's guards is how many of them there are in its first branch, and which way they look.

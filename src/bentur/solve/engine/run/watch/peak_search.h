@@ -39,8 +39,8 @@ class PeakSearch {
   [[nodiscard]] const PeakWatch& watch() const { return watch_; }
 
  private:
-  /// A flight in which a building may have exceeded its peaks. kept_ has, from `at` on, its reach and q, v and q̈ of the
-  /// building at its start.
+  /// A flight in which a body may have exceeded its peaks. kept_ has, from `at` on, its reach and q, v and q̈ of the
+  /// body at its start.
   struct UnsettledFlight {
     std::size_t block = 0;
     const Flights* flights = nullptr;
@@ -48,7 +48,7 @@ class PeakSearch {
     GroundInput input;
     Eigen::Index at = 0;
   };
-  /// A step in which a building may have exceeded its peaks. kept_ has, from `at` on, its reach and the coefficients of
+  /// A step in which a body may have exceeded its peaks. kept_ has, from `at` on, its reach and the coefficients of
   /// its coordinates.
   struct UnsettledStep {
     std::size_t block = 0;

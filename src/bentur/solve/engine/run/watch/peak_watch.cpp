@@ -9,13 +9,38 @@ namespace bentur::engine {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+using Group = ModalSystem::Block::Group;
+
+/// Those outputs that have peaks, one group above the other.
+BoundedOutputs stacked(const ModalSystem::Block& block, Eigen::MatrixXd Group::*of) {
+  Index count = 0;
+  for (const Group& group : block.outputs) {
+    if (group.has_peak && (group.*of).size() > 0) count += group.count();
+  }
+  Eigen::MatrixXd rows(count, block.size);
+  VectorXd at_rest(count);
+  Index at = 0;
+  for (const Group& group : block.outputs) {
+    if (!group.has_peak || (group.*of).size() == 0) continue;
+    rows.middleRows(at, group.count()) = group.*of;
+    at_rest.segment(at, group.count()) = group.at_rest;
+    at += group.count();
+  }
+  BoundedOutputs outputs(rows, block.padded_size, kernels::Peaks::of_abs);
+  outputs.offset.head(count) = at_rest;
+  return outputs;
+}
+
+}  // namespace
+
 PeakWatch::PeakWatch(const ModalSystem& system) : system_(&system) {
   Index most = 0;
   Index most_quantities = 0;
   for (const auto& block : system.blocks) {
-    positions_.emplace_back(block.outputs, block.padded_size, kernels::Peaks::of_abs);
-    positions_.back().offset.head(block.offsets.size()) = block.offsets;
-    accelerations_.emplace_back(block.acceleration, block.padded_size, kernels::Peaks::of_abs);
+    positions_.push_back(stacked(block, &Group::of_position));
+    accelerations_.push_back(stacked(block, &Group::of_acceleration));
     most = std::max(most, block.padded_size);
     most_quantities = std::max(most_quantities, quantities(positions_.size() - 1));
   }
@@ -123,20 +148,16 @@ void PeakWatch::scan(std::size_t b, const Curves& step, const double* reach) {
   }
 }
 
-void PeakWatch::report(std::size_t b, BuildingPeaks& peaks) const {
-  const Index floors = system_->blocks[b].floors;
-  const VectorXd& peak = positions_[b].peak;
-  peaks.displacement = peak.head(floors);
-  peaks.drift_ratio = peak.segment(floors, floors);
-  peaks.storey_shear = peak.segment(2 * floors, floors);
-  peaks.acceleration = accelerations_[b].peak.head(floors);
-  const Index columns = system_->blocks[b].column_forces;
-  const Index foundation = system_->blocks[b].has_foundation ? 2 : 0;
-  const Index hinges = system_->blocks[b].hinges;
-  peaks.column_forces = peak.segment(3 * floors, columns);
-  peaks.hinges.resize(hinges);
-  for (Index h = 0; h < hinges; ++h) peaks.hinges[h].peak_moment = peak(3 * floors + columns + h);
-  peaks.foundation = peak.segment(3 * floors + columns + hinges, foundation);
+void PeakWatch::report(std::size_t b, std::vector<OutputsFound>& outputs) const {
+  Index position = 0, acceleration = 0;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const Group& group = system_->blocks[b].outputs[k];
+    if (!group.has_peak) continue;
+    const bool accelerates = group.of_acceleration.size() > 0;
+    Index& at = accelerates ? acceleration : position;
+    outputs[k].peak = (accelerates ? accelerations_ : positions_)[b].peak.segment(at, group.count());
+    at += group.count();
+  }
 }
 
 }  // namespace bentur::engine

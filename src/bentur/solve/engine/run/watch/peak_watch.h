@@ -5,23 +5,23 @@
 
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/run/watch/bounded_outputs.h"
-#include "bentur/solve/response.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 
-/// Keeps the extrema of every reported quantity of every building. Peaks are those of the continuous response: an
+/// Keeps the extrema of those outputs of every body that have peaks. Peaks are those of the continuous response: an
 /// interval is looked into unless its ends and a proven bound of its curvature show that it cannot raise a peak.
 ///
-/// The quantities of a building are its displacements, drift ratios, storey shears (as Block::outputs) and, after them,
-/// its absolute accelerations. Their reach in an interval is how far they can have gone at most. What is known of an
-/// interval holds for its parts: only quantities with a reach above their peak are looked at again.
+/// The quantities of a body are its outputs of positions and, after them, those of accelerations. Their reach in an
+/// interval is how far they can have gone at most. What is known of an interval holds for its parts: only quantities
+/// with a reach above their peak are looked at again.
 class PeakWatch {
  public:
   static constexpr int most_parts = 8;  ///< of a step
 
   explicit PeakWatch(const ModalSystem& system);
 
-  /// Peaks of all buildings, one after the other.
+  /// Peaks of all bodies, one after the other.
   [[nodiscard]] Eigen::VectorXd peaks() const;
   /// Goes on with such ones.
   void resume(const Eigen::VectorXd& peaks);
@@ -37,7 +37,7 @@ class PeakWatch {
   /// `before` becomes zero for quantities that do not in that step, unknown for others.
   [[nodiscard]] Eigen::Index next_unsettled(std::size_t block, Eigen::Index step, double* before) const;
 
-  /// One building between two instants, an entry per coordinate of it.
+  /// One body between two instants, an entry per coordinate of it.
   struct Interval {
     const double *start, *end;                            ///< q
     const double *start_acceleration, *end_acceleration;  ///< q̈
@@ -58,12 +58,12 @@ class PeakWatch {
   /// Searches a whole step for what its reach leaves unsettled.
   void scan(std::size_t block, const Curves& step, const double* reach);
 
-  /// Copies what was kept into the response of one building.
-  void report(std::size_t block, BuildingPeaks& peaks) const;
+  /// Copies what was kept into the outputs of one body, which has an entry for each.
+  void report(std::size_t block, std::vector<OutputsFound>& outputs) const;
 
  private:
   const ModalSystem* system_;
-  std::vector<BoundedOutputs> positions_, accelerations_;  ///< per building
+  std::vector<BoundedOutputs> positions_, accelerations_;  ///< per body
   std::vector<double> unknown_;
   Eigen::VectorXd samples_, seconds_, rise_, second_rise_;  ///< scratch
 };

@@ -8,10 +8,10 @@
 
 namespace bentur::engine {
 
-/// Relations over the coordinates of the same buildings, one after the other in a list: how far their δ goes.
+/// Relations over the coordinates of the same bodies, one after the other in a list: how far their δ goes.
 struct RelationGroup {
   Eigen::Index first = 0, count = 0;  ///< relations of the list
-  Eigen::Index begin = 0;             ///< first coordinate of the left building; those up to the right one's follow
+  Eigen::Index begin = 0;             ///< first coordinate of the left body; those up to the right one's follow
   BoundedOutputs rows;                ///< row · q of each
   Eigen::VectorXd reach;              ///< of these, in the interval last looked at
 
@@ -28,7 +28,7 @@ struct Bounded {
   bool switched = false;  ///< of what the free response does without
 };
 
-/// Groups of those that follow one another and are of the same buildings and kind.
+/// Groups of those that follow one another and are of the same bodies and kind.
 [[nodiscard]] std::vector<RelationGroup> relation_groups(const std::vector<Bounded>& relations);
 /// Of their values.
 [[nodiscard]] std::vector<RelationGroup> relation_groups(const std::vector<ModalSystem::Relation>& relations);

@@ -29,7 +29,7 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
   }
 }
 
-void SpanWatch::resume(const std::vector<Nearest>& nearest) {
+void SpanWatch::resume(const std::vector<Reach>& nearest) {
   nearest_ = nearest;
   for (RelationGroup& group : groups_) {
     for (Index n = 0; n < group.count; ++n) {

@@ -4,6 +4,7 @@
 
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/run/watch/relation_group.h"
+#include "bentur/solve/solution.h"
 
 namespace bentur::engine {
 
@@ -15,14 +16,10 @@ class SpanWatch {
  public:
   SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::Relation>& relations, const TimeGrid& grid);
 
-  struct Nearest {
-    double reach = 0;  ///< max(0, δ) so far [length]
-    double time = 0;   ///< when [s]
-  };
-  /// Per relation.
-  [[nodiscard]] const std::vector<Nearest>& nearest() const { return nearest_; }
+  /// Per relation, so far.
+  [[nodiscard]] const std::vector<Reach>& nearest() const { return nearest_; }
   /// Goes on with such ones.
-  void resume(const std::vector<Nearest>& nearest);
+  void resume(const std::vector<Reach>& nearest);
 
   /// The relations, with their largest values so far as peaks.
   [[nodiscard]] const std::vector<RelationGroup>& groups() const { return groups_; }
@@ -61,7 +58,7 @@ class SpanWatch {
   const TimeGrid* grid_;
   std::vector<ModalSystem::Relation> relations_;
   std::vector<RelationGroup> groups_;
-  std::vector<Nearest> nearest_;
+  std::vector<Reach> nearest_;
   std::vector<Unsettled> unsettled_;
 };
 

@@ -1,0 +1,75 @@
+#include "bentur/pounding/assemble.h"
+
+#include "bentur/elements/deformation_limit.h"
+#include "bentur/pounding/internal/levels.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// A degree of freedom of a building: of a floor, or after the floors of a node in a column.
+BodyRow dof_of(const Problem& problem, Index building, Index dof, double sign) {
+  const StructuralModel& model = problem.buildings[building].model;
+  return {building, sign * Eigen::VectorXd::Unit(model.dofs(), dof),
+          problem.kinematics == Kinematics::absolute ? sign : 0.0, dof < model.floors() ? dof : -1};
+}
+
+Interface between(const Problem& problem, Index left, Index left_dof, Index right, Index right_dof) {
+  return {dof_of(problem, left, left_dof, 1.0), dof_of(problem, right, right_dof, -1.0)};
+}
+
+Interface watched(const Problem& problem, const WatchedFloor& floor) {
+  const double ground = problem.kinematics == Kinematics::absolute ? 1.0 : 0.0;
+  return {{floor.left, floor.left_row, ground}, {floor.left + 1, -floor.right_row, -ground}};
+}
+
+/// Storeys that have collapsed where their drift passes a limit: those of buildings that gravity pulls down.
+std::vector<Element> drift_limits(const Problem& problem) {
+  std::vector<Element> limits;
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const Building& building = problem.buildings[b];
+    if (!building.has_gravity_loads) continue;
+    const Eigen::MatrixXd drifts = drift_rows(building.model);
+    for (Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
+      const double most = problem.collapse_drift * building.model.storey_heights[f];
+      Element& limit = limits.emplace_back();
+      limit.at.left = {b, drifts.row(f)};
+      limit.law = std::make_shared<DeformationLimit>(most);
+    }
+  }
+  return limits;
+}
+
+}  // namespace
+
+std::vector<Contact> contacts_of(const Problem& problem) {
+  std::vector<Contact> contacts;
+  for (const ContactPoint& point : problem.points) {
+    contacts.push_back(
+        {between(problem, point.left, point.left_floor, point.left + 1, point.right_floor), point.law, point.width});
+  }
+  return contacts;
+}
+
+System system_of(const Problem& problem, bool levels) {
+  System system;
+  for (const Building& building : problem.buildings) system.bodies.push_back(body_of(building));
+  system.contacts = contacts_of(problem);
+  for (const Link& link : problem.links) {
+    Element& joint = system.joints.emplace_back();
+    joint.at = between(problem, link.left, link.left_floor, link.right, link.right_floor);
+    joint.law = link.law;
+  }
+  system.limits = drift_limits(problem);
+  for (const WatchedFloor& floor : problem.watched) system.watched.push_back(watched(problem, floor));
+  if (levels) system.watched_free = level_interfaces(problem, system);
+  system.motion = problem.motion;
+  system.delays = problem.delays;
+  system.initial_displacement = problem.initial_displacement;
+  system.initial_velocity = problem.initial_velocity;
+  system.duration = problem.duration;
+  return system;
+}
+
+}  // namespace bentur

@@ -1,0 +1,297 @@
+#include "bentur/pounding/internal/summaries.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bentur/elements/hinges.h"
+
+namespace bentur {
+namespace {
+
+constexpr double round_off_watched = 0x1p-40;  // of the displacements that an opening is the difference of
+
+/// The outputs of one kind of one building.
+template <class Found>
+auto& of_kind(Found& solution, std::size_t building, OutputKind kind) {
+  return solution.outputs[building][static_cast<std::size_t>(kind)];
+}
+
+/// What yielding did in storeys, of a building whose peaks are known.
+BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<ElementFound>& members,
+                                    const BuildingPeaks& peaks) {
+  BuildingPeaks::Yielding yielding;
+  const Eigen::Index floors = building.model.floors();
+  yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
+  yielding.residual_drift_ratio.setZero(floors);
+  if (building.model.has_slab) yielding.residual_drift_ratio(0) = std::numeric_limits<double>::quiet_NaN();
+  yielding.hysteretic_energy.setZero(floors);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const BuildingElement& element = building.elements[i];
+    const Eigen::Index f = element.storey;
+    const double of_storey = building.model.storey_heights[f];
+    const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
+    yielding.ductility(f) = peaks.drift_ratio(f) * height / element.law->yield_deformation();
+    const double residual = members[i].residual / height;
+    yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
+    yielding.hysteretic_energy(f) = members[i].energy_lost;
+  }
+  return yielding;
+}
+
+/// Of one building.
+void summarise_hinges(const Building& building, const HingeLaw& law, const CoupledState& state, BuildingPeaks& peaks) {
+  constexpr double still = 1e-6;  // of the largest drift of a mechanism: a storey that has no part in it
+  const Hinges& hinges = building.model.hinges;
+  Eigen::VectorXd theta(law.size());
+  for (Eigen::Index h = 0; h < law.size(); ++h) {
+    const HingeLaw::Record record = law.record(state, h);
+    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
+    theta(h) = record.rotation;
+    hinge.peak_rotation = record.peak_rotation;
+    hinge.residual_rotation = record.rotation;
+    hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
+    hinge.first_yield = record.first_yield;
+    hinge.half_cycles = record.half_cycles;
+  }
+  const Eigen::VectorXd left = hinges.frame_stiffness.llt().solve(hinges.frame_rows.transpose() * theta);
+  const Eigen::Index storeys = hinges.frame_drifts.rows();
+  const Eigen::Index first = building.model.floors() - storeys;  // above a slab
+  Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
+  residual.setConstant(building.model.floors(), std::numeric_limits<double>::quiet_NaN());
+  residual.tail(storeys) = hinges.frame_drifts * left;
+  for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= building.model.storey_heights[j];
+  peaks.mechanism.reset();
+  const std::optional<HingeLaw::Mechanism> mechanism = law.mechanism(state);
+  if (!mechanism) return;
+  const auto shape = free_shape(hinges.frame_stiffness, hinges.frame_rows, hinges.stiffness, mechanism->hinges);
+  const Eigen::VectorXd drifts = (hinges.frame_drifts * *shape).cwiseAbs();
+  peaks.mechanism = BuildingPeaks::Mechanism{.time = mechanism->time, .storeys = {}};
+  for (Eigen::Index j = 0; j < storeys; ++j) {
+    if (drifts(j) > still * drifts.maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
+  }
+}
+
+BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& solution) {
+  const auto peak = [&](OutputKind kind) -> const Eigen::VectorXd& { return of_kind(solution, b, kind).peak; };
+  BuildingPeaks peaks;
+  peaks.displacement = peak(OutputKind::displacement);
+  peaks.drift_ratio = peak(OutputKind::drift_ratio);
+  peaks.storey_shear = peak(OutputKind::storey_shear);
+  peaks.acceleration = peak(OutputKind::acceleration);
+  peaks.column_forces = peak(OutputKind::column_force);
+  peaks.foundation = peak(OutputKind::foundation);
+  for (const double moment : peak(OutputKind::hinge_moment)) peaks.hinges.push_back({.peak_moment = moment});
+  if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
+  return peaks;
+}
+
+/// Slabs have no storey, and nothing holds or strains what moves with the ground.
+void leave_out_what_is_not_there(const Problem& problem, std::vector<BuildingPeaks>& buildings) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (building.model.has_slab) buildings[b].drift_ratio(0) = nothing;
+    if (!building.is_rigid()) continue;
+    buildings[b].drift_ratio.setConstant(nothing);
+    buildings[b].storey_shear.setConstant(nothing);
+  }
+}
+
+/// Of all buildings.
+std::vector<BuildingPeaks> peaks_of(const Problem& problem, const Solution& solution) {
+  std::vector<BuildingPeaks> buildings;
+  std::size_t coupled = 0;
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    buildings.push_back(peaks_of(building, b, solution));
+    for (const CoupledElement& element : building.coupled) {
+      const CoupledState& state = solution.coupled[coupled++];
+      const auto* law = dynamic_cast<const HingeLaw*>(element.law.get());
+      if (law != nullptr) summarise_hinges(building, *law, state, buildings.back());
+    }
+  }
+  leave_out_what_is_not_there(problem, buildings);
+  return buildings;
+}
+
+/// What the columns bear that are struck, of what their buildings' pieces did.
+void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>& buildings,
+                       std::vector<PointSummary>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<StruckColumn> struck = struck_column(problem, problem.points[i]);
+    if (!struck) continue;
+    const BuildingPeaks& peaks = buildings[struck->building];
+    const Eigen::Vector<double, 6> with = peaks.column_forces.segment<6>(6 * struck->node);
+    const Eigen::Vector<double, 6> without = peaks.column_forces_no_contact.segment<6>(6 * struck->node);
+    points[i].column = ColumnPeaks{.shear = with.head<2>().maxCoeff(),
+                                   .moment = with.tail<4>().maxCoeff(),
+                                   .shear_no_contact = without.head<2>().maxCoeff(),
+                                   .moment_no_contact = without.tail<4>().maxCoeff(),
+                                   .shear_below = with(0),
+                                   .shear_above = with(1),
+                                   .moment_bottom = with(2),
+                                   .moment_node = std::max(with(3), with(4)),
+                                   .moment_top = with(5)};
+  }
+}
+
+void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
+  for (const Impact& impact : impacts) {
+    PointSummary& point = points[impact.point];
+    ++point.impacts;
+    if (impact.slow_start) ++point.slow_starts;
+    point.contact_duration += impact.end - impact.start;
+    point.impulse += impact.impulse;
+    point.energy_lost += impact.energy_lost;
+    point.peak_penetration = std::max(point.peak_penetration, impact.peak_penetration);
+    point.peak_closing_speed = std::max(point.peak_closing_speed, impact.closing_speed);
+    point.peak_tension = std::max(point.peak_tension, impact.peak_tension);
+    if (impact.peak_force > point.peak_force) {
+      point.peak_force = impact.peak_force;
+      point.peak_force_time = impact.peak_force_time;
+    }
+  }
+}
+
+std::vector<LinkSummary> links_of(const Solution& solution) {
+  std::vector<LinkSummary> links;
+  for (const ElementFound& joint : solution.joints) {
+    links.push_back(
+        {joint.peak_force, joint.peak_tension, joint.closing.reach, joint.opening.reach, joint.energy_lost});
+  }
+  return links;
+}
+
+/// The storey whose limit a run passed, where it did.
+std::optional<Collapse> collapse_of(const Problem& problem, const Solution& solution) {
+  if (!solution.passed) return std::nullopt;
+  Eigen::Index limit = solution.passed->limit;
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const Building& building = problem.buildings[b];
+    if (!building.has_gravity_loads) continue;
+    const Eigen::Index storeys = building.model.floors() - building.model.first_storey();
+    if (limit < storeys) return Collapse{b, building.model.first_storey() + limit, solution.passed->time};
+    limit -= storeys;
+  }
+  return std::nullopt;
+}
+
+/// The lists of outputs, `of` the samples or the course.
+void take_lists(const Problem& problem, Solution& solution, Eigen::MatrixXd OutputsFound::*of, Histories& to) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const auto take = [&](OutputKind kind, std::vector<Eigen::MatrixXd>& list) {
+      list.push_back(std::move(of_kind(solution, b, kind).*of));
+    };
+    take(OutputKind::displacement, to.displacement);
+    take(OutputKind::drift_ratio, to.drift_ratio);
+    take(OutputKind::storey_shear, to.storey_shear);
+    take(OutputKind::node, to.node_displacement);
+    const Eigen::MatrixXd& moved = of_kind(solution, b, OutputKind::foundation).*of;
+    const Eigen::MatrixXd& forces = of_kind(solution, b, OutputKind::foundation_force).*of;
+    Eigen::MatrixXd& foundation = to.foundation.emplace_back(moved.rows() + forces.rows(), moved.cols());
+    foundation.topRows(moved.rows()) = moved;
+    foundation.bottomRows(forces.rows()) = forces;
+    if (of == &OutputsFound::course) continue;
+    take(OutputKind::velocity, to.velocity);
+    take(OutputKind::acceleration, to.acceleration);
+    take(OutputKind::column_force, to.column_forces);
+    take(OutputKind::hinge_moment, to.hinge_moment);
+    take(OutputKind::hinge_rotation, to.hinge_rotation);
+  }
+}
+
+Histories histories_of(const Problem& problem, Sampled&& sampled, Solution& solution,
+                       Eigen::MatrixXd OutputsFound::*of) {
+  Histories histories;
+  if (sampled.time.empty()) return histories;
+  take_lists(problem, solution, of, histories);
+  histories.time = std::move(sampled.time);
+  histories.ground_acceleration = std::move(sampled.ground_acceleration);
+  histories.opening = std::move(sampled.opening);
+  histories.force = std::move(sampled.force);
+  histories.link_deformation = std::move(sampled.joint_deformation);
+  histories.link_force = std::move(sampled.joint_force);
+  return histories;
+}
+
+}  // namespace
+
+std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {
+  constexpr double at_once = 1e-9;  // of the duration
+  std::vector<std::pair<double, Eigen::Index>> yields;
+  for (Eigen::Index h = 0; h < std::ssize(peaks.hinges); ++h) {
+    if (peaks.hinges[h].first_yield) yields.emplace_back(*peaks.hinges[h].first_yield, h);
+  }
+  std::sort(yields.begin(), yields.end());
+  std::vector<std::vector<Eigen::Index>> groups;
+  double latest = 0;
+  for (const auto& [time, hinge] : yields) {
+    if (groups.empty() || time - latest > at_once * duration) {
+      groups.emplace_back();
+      latest = time;
+    }
+    groups.back().push_back(hinge);
+  }
+  for (std::vector<Eigen::Index>& group : groups) std::sort(group.begin(), group.end());
+  return groups;
+}
+
+Response free_response(const Problem& problem, const Solution& free) {
+  Response response;
+  response.status = free.status;
+  response.message = free.message;
+  response.steps = free.steps;
+  response.collapse = response.collapse_no_contact = collapse_of(problem, free);
+  response.buildings = peaks_of(problem, free);
+  for (BuildingPeaks& peaks : response.buildings) {
+    peaks.displacement_no_contact = peaks.displacement;
+    peaks.column_forces_no_contact = peaks.column_forces;
+    peaks.yielding_no_contact = peaks.yielding;
+    peaks.acceleration_no_contact = peaks.acceleration;
+    peaks.storey_shear_no_contact = peaks.storey_shear;
+  }
+  for (const double needed : free.needed) response.points.push_back({.gap_needed = needed});
+  for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
+  summarise_columns(problem, response.buildings, response.points);
+  response.links = links_of(free);
+  response.coupled = free.coupled;
+  return response;
+}
+
+void take_solution(const Problem& problem, Solution&& solution, Response& response) {
+  response.status = solution.status;
+  response.message = std::move(solution.message);
+  response.steps = solution.steps;
+  response.events = solution.events;
+  response.collapse = collapse_of(problem, solution);
+  std::vector<BuildingPeaks> buildings = peaks_of(problem, solution);
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    BuildingPeaks& free = response.buildings[b];
+    buildings[b].displacement_no_contact = std::move(free.displacement_no_contact);
+    buildings[b].column_forces_no_contact = std::move(free.column_forces_no_contact);
+    buildings[b].yielding_no_contact = std::move(free.yielding_no_contact);
+    buildings[b].acceleration_no_contact = std::move(free.acceleration_no_contact);
+    buildings[b].storey_shear_no_contact = std::move(free.storey_shear_no_contact);
+  }
+  response.buildings = std::move(buildings);
+  response.coupled = std::move(solution.coupled);
+  response.impacts = std::move(solution.impacts);
+  summarise(response.impacts, response.points);
+  summarise_columns(problem, response.buildings, response.points);
+  for (std::size_t i = 0; i < response.watched.size(); ++i) {
+    const double width = problem.watched[i].width;
+    WatchedSummary& watched = response.watched[i];
+    watched.least_opening = width - solution.watched[i].reach;
+    watched.least_time = solution.watched[i].time;
+    watched.closes = watched.least_opening < -round_off_watched * (width + solution.scales[i]);
+  }
+  response.links = links_of(solution);
+  response.histories = histories_of(problem, std::move(solution.samples), solution, &OutputsFound::history);
+  response.course = histories_of(problem, std::move(solution.course), solution, &OutputsFound::course);
+  response.energy = std::move(solution.energy);
+}
+
+}  // namespace bentur

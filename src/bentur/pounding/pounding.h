@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
+#include "bentur/solve/effort.h"
+#include "bentur/solve/solver.h"
+
+namespace bentur {
+
+struct SolveOptions {
+  /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
+  double output_step = 0;
+  /// Keeps the exact course too (Response::course); it never changes the solution.
+  bool course = false;
+  /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
+  long most_steps = 0;
+  /// Looks at both faces of each level in the free response as well (PointSummary::peak_left and the like): what rules
+  /// for gaps combine.
+  bool levels = false;
+  /// And at what the ground motion times −1 needs (PointSummary::gap_needed_reversed).
+  bool both_ways = false;
+  /// Accounts for all energy (Response::energy); it never changes the solution.
+  bool energy_audit = false;
+  /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
+  std::function<bool(double)> progress;
+};
+
+/// Whether the free response to the ground motion times −1 is the free response times −1: the buildings start from rest
+/// and every law of a storey, bearing or link is odd. What acts in one direction alone, as cables do, makes another
+/// one.
+[[nodiscard]] bool is_mirrored(const Problem& problem);
+
+/// Runs the free response (contact off) first, then the response with contact.
+/// Numerical trouble is a status with time and reason, never an exception.
+/// @throws InvalidParameter when the problem or the solver's parameter is not valid.
+[[nodiscard]] Response solve(const Problem& problem, const Solver& solver = ExactSolver{},
+                             const SolveOptions& options = {});
+
+/// What a run takes (effort.h). @throws InvalidParameter as solve().
+[[nodiscard]] Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options);
+
+/// The response without contact and whatever else problems share that differ in gap widths and contact laws alone.
+/// Immutable; may serve many threads.
+class FreeResponse {
+ public:
+  /// @throws InvalidParameter as solve().
+  /// @param levels as SolveOptions::levels; what the reversed motion needs comes with it where it follows from this
+  /// response, as is_mirrored() says.
+  explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
+                        const std::function<bool(double)>& progress = {}, long most_steps = 0, bool levels = false);
+
+  /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
+  /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
+  /// @throws InvalidParameter when anything else differs.
+  [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
+
+  /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
+  /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
+  /// it); all else of them is zero. It lives as long as this object and its copies.
+  [[nodiscard]] const Response& response() const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace bentur

@@ -1,0 +1,144 @@
+// Frames by chance whose members yield, beside a wall or another such frame: `exact` against `adaptive`, which share no
+// way of stepping, and where the energy went.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+#include "bentur/elements/hinges.h"
+#include "bentur/pounding/pounding.h"
+#include "bentur/structure/frame/plane_frame.h"
+#include "bentur/structure/support.h"
+#include "tests/support/small_buildings.h"
+
+namespace bentur::random_frames {
+namespace {
+
+using namespace bentur::test;
+
+class Generator {
+ public:
+  explicit Generator(unsigned seed) : random_(seed) {}
+
+  Problem make() {
+    Problem problem = pair(frame(), chance(0.5) ? frame() : rigid_building("wall", {3, 6, 9}), {}, 4);
+    const double gap = chance(0.3) ? 0 : number(0.002, 0.02);
+    const Eigen::Index levels = std::min(problem.buildings[0].model.floors(), problem.buildings[1].model.floors());
+    for (int floor = 0; floor < levels; ++floor) {
+      problem.points.push_back(contact(gap, number(5e4, 4e5), floor));
+    }
+    std::vector<double> record(200);
+    const double one = number(4, 14), other = number(4, 25), strength = number(2, 7);
+    for (std::size_t n = 0; n < record.size(); ++n) {
+      const double t = 0.02 * static_cast<double>(n);
+      record[n] = strength * (std::sin(one * t) + 0.6 * std::sin(other * t + 1)) * std::exp(-0.2 * t);
+    }
+    problem.motion = SampledMotion{0.02, record};
+    return problem;
+  }
+
+ private:
+  double number(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
+  bool chance(double part) { return number(0, 1) < part; }
+  std::size_t count(int least, int most) {
+    return static_cast<std::size_t>(std::uniform_int_distribution(least, most)(random_));
+  }
+
+  Section member(double inertia, double capacity, std::size_t capacities, double hardening) {
+    Section section{.area = 0.1, .inertia = inertia, .hardening = hardening};
+    if (chance(0.1)) return section;  // stays elastic
+    const std::size_t given = chance(0.5) ? capacities : 1;
+    for (std::size_t n = 0; n < given; ++n) section.moment_capacity.push_back(capacity * number(0.8, 1.25));
+    return section;
+  }
+
+  Building frame() {
+    PlaneFrame frame;
+    frame.elastic_modulus = 3e7;
+    const std::size_t storeys = count(1, 3);
+    const std::size_t bays = count(1, 3);
+    const double hardening = chance(0.4) ? 0 : number(0.005, 0.1);
+    const double strong = chance(0.5) ? 0.6 : 1.6;  // beams over columns
+    frame.mass_matrix = chance(0.7) ? MassMatrix::lumped : MassMatrix::consistent;
+    for (std::size_t bay = 0; bay < bays; ++bay) frame.bay_widths.push_back(number(4, 6));
+    for (std::size_t n = 0; n < storeys; ++n) {
+      frame.storey_heights.push_back(3);
+      frame.columns.push_back(member(number(1e-3, 3e-3), number(80, 160), bays + 1, hardening));
+      frame.beams.push_back(member(number(1e-3, 4e-3), strong * number(80, 160), 2, hardening));
+      frame.columns.back().mass = frame.beams.back().mass = 1;
+      if (chance(0.3)) frame.beams.back().line_load = number(1, 8);
+      frame.floor_masses.push_back(number(20, 60));
+    }
+    if (chance(0.2)) frame.nodes = {{.left = chance(0.5), .elevation = 1.4}};
+    Support support;
+    if (chance(0.25)) {
+      std::vector<double> loads;
+      for (const double mass : frame.floor_masses) loads.push_back(9.81 * mass);
+      support.gravity = GravityLoads{loads};
+    }
+    if (chance(0.2)) support.soil = Soil{{2e5, 2e3}, {3e6, 3e4}, 40, 200};
+    if (!support.soil && chance(0.1)) {
+      support.isolation = Isolation{.mass = 40, .bearings = {.stiffness = 4e3}, .damping = 100};
+    }
+    const Damping damping = MassProportionalDamping{chance(0.3) ? 0 : 0.05};
+    return make_building("frame", plane_frame_model(frame), damping, support);
+  }
+
+  std::mt19937_64 random_;
+};
+
+double apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double most = 0, size = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    if (std::isnan(a(i)) && std::isnan(b(i))) continue;
+    size = std::max(size, std::abs(a(i)));
+    most = std::max(most, std::abs(a(i) - b(i)));
+  }
+  return size > 0 ? most / size : most;
+}
+
+Response run(const Problem& problem, const Solver& solver) {
+  SolveOptions options;
+  options.energy_audit = true;
+  return solve(problem, solver, options);
+}
+
+/// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the test always runs.
+TEST(RandomFrames, AreAlikeByBothSolvers) {
+#ifdef __SANITIZE_ADDRESS__
+  unsigned first = 1, count = 4;
+#else
+  unsigned first = 1, count = 20;
+#endif
+  if (const char* text = std::getenv("BENTUR_RANDOM_FRAMES")) {
+    ASSERT_EQ(std::sscanf(text, "%u:%u", &first, &count), 2) << text;  // NOLINT(cert-err34-c)
+  }
+  long yielded = 0, pounded = 0;
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const Problem problem = Generator(seed).make();
+    const Response exact = run(problem, ExactSolver{});
+    ASSERT_TRUE(exact.status == Status::done || exact.status == Status::collapsed) << exact.message;
+    EXPECT_LE(exact.energy->relative_residual(), 1e-12);
+    const Response adaptive = run(problem, AdaptiveSolver{1e-12});
+    ASSERT_EQ(adaptive.status, exact.status) << adaptive.message;
+    EXPECT_EQ(exact.impacts.size(), adaptive.impacts.size());
+    for (std::size_t b = 0; b < 2; ++b) {
+      const BuildingPeaks& one = exact.buildings[b];
+      const BuildingPeaks& other = adaptive.buildings[b];
+      EXPECT_LE(apart(one.displacement, other.displacement), 1e-8) << b;
+      EXPECT_LE(apart(one.storey_shear, other.storey_shear), 1e-7) << b;
+      for (const BuildingPeaks::Hinge& hinge : one.hinges) yielded += hinge.first_yield ? 1 : 0;
+    }
+    pounded += std::ssize(exact.impacts);
+  }
+  EXPECT_GT(yielded, count);
+  EXPECT_GT(pounded, count);
+}
+
+}  // namespace
+}  // namespace bentur::random_frames

@@ -1,0 +1,96 @@
+// Where gaps stay open the response without contact is that with it, and where one may close the way there is not gone
+// again. Neither changes anything: not beside a run that keeps samples, nor beside one that looks at every gap all the
+// way. Buildings that stand exactly still are among the cases, for a time or for good.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bentur/pounding/assemble.h"
+#include "bentur/solve/engine/run/pounding_run.h"
+#include "tests/support/random_yielding.h"
+#include "tests/support/same_response.h"
+
+namespace bentur::shortcuts {
+namespace {
+
+using namespace bentur::test;
+
+/// From the first instant on it looks at every gap.
+Response whole_run(const Problem& problem) {
+  const System given = system_of(problem);
+  const engine::ModalSystem system(given);
+  const engine::Elements::Laws laws = engine::laws_of(given, system, given.contacts);
+  const engine::TimeGrid grid(given, true);
+  const Solver solver = ExactSolver{};
+  const engine::FlightPlan plan(system, grid, problem.duration, true);
+  engine::Elements::Scales scales;
+  for (const ContactPoint& point : problem.points) {
+    scales.displacement.push_back(1e-3 + point.width);
+    scales.speed.push_back(1e-2);
+  }
+  engine::PoundingRun run({system, given, laws, solver, grid, plan}, scales, 0, {});
+  Response response;
+  response.status = run.to_end({});
+  run.elements().finish(problem.duration);
+  response.impacts = std::move(run.elements().impacts());
+  response.message = run.trouble();
+  return response;
+}
+
+/// Only the first building moves at first: it starts with a speed, and the wave, if there is one, comes to the others
+/// later.
+Problem with_others_at_rest(Problem problem, unsigned seed) {
+  const bool shaken = seed % 2 == 0 && !std::holds_alternative<NoMotion>(problem.motion);
+  if (!shaken) problem.motion = NoMotion{};
+  problem.delays.assign(problem.buildings.size(), shaken ? 0.7 * problem.duration : 0.0);
+  problem.delays[0] = 0;
+  problem.initial_displacement.clear();
+  problem.initial_velocity.clear();
+  for (const Building& building : problem.buildings) {
+    problem.initial_velocity.push_back(Eigen::VectorXd::Zero(building.model.floors()));
+  }
+  // The lower floors may go away from the neighbour: those gaps need nothing.
+  Eigen::VectorXd& speed = problem.initial_velocity[0];
+  for (Eigen::Index f = 0; f < speed.size(); ++f)
+    speed(f) = (f + 1 < speed.size() ? -1.0 : 0.4) / static_cast<double>(f + 1);
+  return problem;
+}
+
+TEST(Shortcuts, LoseNoImpact) {
+  int impacts = 0, still = 0;
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE(seed);
+    Problem problem = YieldingGenerator(seed).make().problem;
+    if (seed % 4 != 0) problem = with_others_at_rest(problem, seed / 4);
+    SolveOptions looked;
+    looked.output_step = 0.0137;
+    const Response quick = solve(problem), sampled = solve(problem, ExactSolver{}, looked), whole = whole_run(problem);
+    ASSERT_EQ(quick.status, Status::done) << quick.message;
+    ASSERT_EQ(whole.status, Status::done) << whole.message;
+    expect_same(quick, sampled);
+    ASSERT_EQ(quick.impacts.empty(), whole.impacts.empty());
+    if (!quick.impacts.empty()) {
+      EXPECT_NEAR(quick.impacts[0].start, whole.impacts[0].start, 1e-9 * problem.duration);
+    }
+    // Those after it may depend on its last digits.
+    for (Eigen::Index i = 0; i < std::ssize(problem.points); ++i) {
+      const auto at_point = [i](const Impact& impact) { return impact.point == i; };
+      const auto one = std::find_if(quick.impacts.begin(), quick.impacts.end(), at_point);
+      const auto other = std::find_if(whole.impacts.begin(), whole.impacts.end(), at_point);
+      ASSERT_EQ(one == quick.impacts.end(), other == whole.impacts.end()) << "point " << i;
+      if (one == quick.impacts.end()) continue;
+      EXPECT_NEAR(one->start, other->start, 1e-3 * problem.duration) << "point " << i;
+    }
+    impacts += static_cast<int>(quick.impacts.size());
+    still += quick.impacts.empty() ? 1 : 0;
+  }
+  fmt::print("{} impacts, {} cases without\n", impacts, still);
+  EXPECT_GT(impacts, 300);
+  EXPECT_GT(still, 5);
+}
+
+}  // namespace
+}  // namespace bentur::shortcuts

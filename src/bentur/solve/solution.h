@@ -1,0 +1,120 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/elements/coupled_law.h"
+
+namespace bentur {
+
+/// One contact from touching to parting.
+struct Impact {
+  Eigen::Index point = 0;    ///< index into System::contacts
+  double start = 0;          ///< [s]
+  double end = 0;            ///< [s]; the end of the analysis where `open_ended`
+  bool open_ended = false;   ///< still closed when the analysis ended
+  bool slow_start = false;   ///< began so slowly that its law was told of a larger closing speed
+  double closing_speed = 0;  ///< −ġ at the start [length/s]; 0 where it is below 10⁻⁹ of the speeds at the point
+  double separation_speed = 0;  ///< ġ at the end [length/s]
+  double peak_force = 0;        ///< [force]
+  double peak_force_time = 0;   ///< [s]
+  double peak_penetration = 0;  ///< [length]
+  double impulse = 0;           ///< ∫F dt [force·s]
+  double peak_tension = 0;      ///< largest pull, of laws that can [force] ≥ 0
+  double energy_lost = 0;       ///< work on the contact that it does not give back [force·length]
+  /// Separation speed over closing speed [-]; nothing where that is not known or means nothing.
+  [[nodiscard]] std::optional<double> restitution() const {
+    if (open_ended || !(closing_speed > 0)) return std::nullopt;
+    return separation_speed / closing_speed;
+  }
+};
+
+/// The outputs of one kind of one body.
+struct OutputsFound {
+  Eigen::VectorXd peak = {};     ///< the largest size of each; empty where none is looked for
+  Eigen::MatrixXd history = {};  ///< outputs × samples
+  Eigen::MatrixXd course = {};   ///< outputs × instants of the exact course; empty where it does not keep them
+};
+
+/// How far a δ went.
+struct Reach {
+  double reach = 0;  ///< max(0, δ) [length]
+  double time = 0;   ///< when [s]
+};
+
+/// What an element did that is no contact.
+struct ElementFound {
+  double peak_force = 0, peak_tension = 0;  ///< max F and max −F of joints, dashpots included [force] ≥ 0
+  Reach closing = {}, opening = {};         ///< how far δ and −δ of joints went
+  double energy_lost = 0;                   ///< [force·length]
+  double residual = 0;                      ///< δ that would be left without force, of members [length]
+};
+
+/// Times, and at each the openings w − δ and forces of contacts, and δ and F of joints; a column each.
+struct Sampled {
+  std::vector<double> time = {};                 ///< [s]
+  std::vector<double> ground_acceleration = {};  ///< of the motion without delay [length/s²]; of samples alone
+  Eigen::MatrixXd opening = {}, force = {};      ///< [length], [force]
+  Eigen::MatrixXd joint_deformation = {}, joint_force = {};
+};
+
+/// Where all energy is [force·length], over the times of samples. Motion is relative to each body's base:
+///   input = kinetic + strain + damping + hysteretic + contact stored + contact lost + residual.
+struct EnergyHistories {
+  /// Initial energy and the work of the ground motion, where that moves what touches also through contact.
+  Eigen::VectorXd input;
+  Eigen::VectorXd kinetic;          ///< of all bodies
+  Eigen::VectorXd strain;           ///< of bodies and joints: what they would give back
+  Eigen::VectorXd damping;          ///< lost so far in the bodies' damping and in the dashpots of joints
+  Eigen::VectorXd hysteretic = {};  ///< lost so far by yielding, of bodies and joints
+  Eigen::VectorXd contact_stored;   ///< in contacts, to be given back
+  Eigen::VectorXd contact_lost;     ///< lost in contacts so far
+};
+
+/// The account of a whole run; looked at after every step, not at samples.
+struct EnergyAudit {
+  double peak_input = 0;  ///< largest |input| [force·length]
+  double residual = 0;    ///< largest |residual| [force·length]
+  [[nodiscard]] double relative_residual() const { return peak_input > 0 ? residual / peak_input : 0; }
+  EnergyHistories histories;  ///< empty unless histories are kept
+};
+
+enum class Status { done, stopped, failed, collapsed };
+
+/// How far numbers of a run are apart that are one, each as a part of the largest of them [-]; 0 where there was
+/// nothing to compare.
+struct SelfMeasures {
+  double momentum = 0;  ///< over contacts: of the states before and after, and the impulses that are reported
+  double opening = 0;   ///< of the bodies at instants at which they begin or cease to touch: from zero
+  double forces = 0;    ///< at the end: inertia, damping, stiffness and elements by the bodies' own matrices
+};
+
+/// What a solver found.
+struct Solution {
+  Status status = Status::done;
+  std::string message = {};  ///< why and when, unless done
+  long steps = 0;            ///< intervals over which the solution was advanced
+  long events = 0;           ///< contacts closed or opened
+  /// The limit that was passed, index into System::limits, and when [s]; nothing where the run went to its end.
+  struct Passed {
+    Eigen::Index limit = 0;
+    double time = 0;
+  };
+  std::optional<Passed> passed = {};
+  std::vector<std::vector<OutputsFound>> outputs = {};  ///< per body, as Body::outputs
+  std::vector<Impact> impacts = {};                     ///< in the order in which they ended
+  std::vector<double> needed = {};                      ///< per contact in the free response, max(0, δ) [length]
+  std::vector<ElementFound> joints = {};
+  std::vector<std::vector<ElementFound>> members = {};  ///< per body, as Body::elements
+  std::vector<CoupledState> coupled = {};               ///< of all bodies' Body::coupled, at the end
+  std::vector<Reach> watched = {}, watched_free = {};   ///< as in the system
+  std::vector<double> scales = {};  ///< per watched interface, the lengths whose difference δ is [length]
+  Sampled samples = {}, course = {};
+  std::optional<EnergyAudit> energy = {};
+  SelfMeasures checks = {};
+};
+
+}  // namespace bentur

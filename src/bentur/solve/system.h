@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "bentur/elements/law.h"
+#include "bentur/excitation/ground_motion.h"
+#include "bentur/structure/body.h"
+
+namespace bentur {
+
+/// A length of one body: row · x over its degrees of freedom, and so many times the displacement of its ground.
+struct BodyRow {
+  Eigen::Index body = -1;  ///< index into System::bodies; −1: none
+  Eigen::VectorXd row = {};
+  double ground = 0;  ///< [-]
+  /// Which of the first Outputs of its body is this length; −1: none. How far that goes tells how well it is known.
+  Eigen::Index output = -1;
+};
+
+/// The deformation δ of an element: of one body, or of two, left + right. A force F of the element pushes both against
+/// it, and moves no ground.
+struct Interface {
+  BodyRow left, right = {};
+};
+
+/// What acts by one deformation beside the bodies' own elements.
+struct Element {
+  Interface at;
+  std::shared_ptr<const Law> law;
+};
+
+/// Bodies that may touch: δ is the interface's less the width.
+struct Contact {
+  Interface at;
+  std::shared_ptr<const Law> law;
+  double width = 0;  ///< w [length] ≥ 0
+};
+
+/// What a solver is given: bodies, what acts between them and on them, what is watched, and how the ground moves.
+struct System {
+  std::vector<Body> bodies;
+  std::vector<Contact> contacts;             ///< switched off in the free response
+  std::vector<Element> joints;               ///< which act in the free response too
+  std::vector<Element> limits;               ///< whose passing ends a run
+  std::vector<Interface> watched;            ///< how far their δ go is asked for
+  std::vector<Interface> watched_free = {};  ///< of the free response alone
+  GroundMotion motion;
+  std::vector<double> delays = {};                    ///< [s] ≥ 0, one per body; empty: all zero
+  std::vector<Eigen::VectorXd> initial_displacement;  ///< per body, over its degrees of freedom; empty: at rest
+  std::vector<Eigen::VectorXd> initial_velocity;      ///< likewise
+  double duration = 0;                                ///< [s] > 0
+
+  /// τ_b [s] of a body: 0 where no delays are given.
+  [[nodiscard]] double delay(std::size_t body) const { return delays.empty() ? 0.0 : delays.at(body); }
+};
+
+}  // namespace bentur

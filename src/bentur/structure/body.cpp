@@ -1,0 +1,99 @@
+#include "bentur/structure/body.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Course = Outputs::Course;
+
+/// Storey shears of what yields: of a storey its own force, of hinges what they push on all that is above.
+MatrixXd shears_of_forces(const Building& building, Index forces) {
+  MatrixXd shears = MatrixXd::Zero(building.model.floors(), forces);
+  Index force = 0;
+  for (const BuildingElement& element : building.elements) shears(element.storey, force++) = 1.0;
+  for (const CoupledElement& element : building.coupled) {
+    shears.middleCols(force, element.rows.rows()) = above_storeys(building.model) * element.rows.transpose();
+    force += element.rows.rows();
+  }
+  return shears;
+}
+
+/// Of the forces of hinges, which are the last ones.
+MatrixXd of_hinges(const MatrixXd& rows, Index forces) {
+  MatrixXd all = MatrixXd::Zero(rows.rows(), forces);
+  all.rightCols(rows.cols()) = rows;
+  return all;
+}
+
+}  // namespace
+
+Body body_of(const Building& building) {
+  const StructuralModel& model = building.model;
+  const Hinges& hinges = model.hinges;
+  const Index floors = model.floors(), hinge_count = hinges.rows.rows(), columns = model.column_forces.rows();
+  Index forces = std::ssize(building.elements);
+  for (const CoupledElement& element : building.coupled) forces += element.rows.rows();
+
+  const MatrixXd unit = MatrixXd::Identity(model.dofs(), model.dofs());
+  const MatrixXd soil = unit.bottomRows(model.has_soil ? 2 : 0);
+  MatrixXd drifts = drift_rows(model);
+  for (Index f = 0; f < floors; ++f) {
+    if (model.storey_heights[f] > 0.0) drifts.row(f) /= model.storey_heights[f];
+  }
+  const Course of_storeys = building.storeys_yield() ? Course::along : Course::none;
+  const Eigen::Vector2d stiffness(model.soil_sway.stiffness, model.soil_rocking.stiffness);
+  const Eigen::Vector2d damping(model.soil_sway.damping, model.soil_rocking.damping);
+
+  Body body{.name = building.name,
+            .modes = building.modes,
+            .modal_damping = building.modal_damping,
+            .mass = model.mass,
+            .stiffness = model.stiffness,
+            .load = model.load,
+            .elements = building.elements,
+            .coupled = building.coupled,
+            .tangent_damping = building.tangent_damping};
+  body.outputs = {
+      {.kind = OutputKind::displacement,
+       .count = floors,
+       .rows = unit.topRows(floors),
+       .has_peak = true,
+       .course = Course::followed},
+      {.kind = OutputKind::drift_ratio, .count = floors, .rows = drifts, .has_peak = true, .course = of_storeys},
+      {.kind = OutputKind::storey_shear,
+       .count = floors,
+       .rows = shear_rows(model),
+       .forces = shears_of_forces(building, forces),
+       .has_peak = true,
+       .course = of_storeys},
+      {.kind = OutputKind::column_force, .count = columns, .rows = model.column_forces, .has_peak = true},
+      {.kind = OutputKind::hinge_moment,
+       .count = hinge_count,
+       .rows = hinges.rows,
+       .forces = of_hinges(hinges.stiffness, forces),
+       .at_rest = hinges.at_rest,
+       .has_peak = true},
+      {.kind = OutputKind::foundation, .count = soil.rows(), .rows = soil, .has_peak = true, .course = Course::along},
+      {.kind = OutputKind::velocity, .count = floors, .rates = unit.topRows(floors)},
+      {.kind = OutputKind::acceleration, .count = floors, .absolute = unit.topRows(floors), .has_peak = true},
+      {.kind = OutputKind::node,
+       .count = model.nodes(),
+       .rows = unit.middleRows(floors, model.nodes()),
+       .course = Course::along},
+      {.kind = OutputKind::hinge_rotation,
+       .count = hinge_count,
+       .forces = of_hinges(-MatrixXd::Identity(hinge_count, hinge_count), forces)},
+      {.kind = OutputKind::foundation_force,
+       .count = soil.rows(),
+       .rows = stiffness.head(soil.rows()).asDiagonal() * soil,
+       .rates = damping.head(soil.rows()).asDiagonal() * soil,
+       .course = Course::along},
+  };
+  if (hinge_count > 0 && columns > 0) {
+    body.outputs[static_cast<std::size_t>(OutputKind::column_force)].forces = of_hinges(-hinges.column_forces, forces);
+  }
+  return body;
+}
+
+}  // namespace bentur
