@@ -23,7 +23,7 @@ namespace bentur::cli {
 namespace {
 
 struct PlotArguments {
-  std::string results, kind, output;
+  std::string results, kind, output, language = "en";
   std::vector<std::string> at;
   FigureOptions options;
   double from = NAN, to = NAN, elevation = NAN;
@@ -35,6 +35,8 @@ std::optional<double> given(double value) { return std::isnan(value) ? std::null
 
 FigureOptions options_of(const PlotArguments& arguments) {
   FigureOptions options = arguments.options;
+  options.say = figure_words(arguments.language);
+  options.language = arguments.language;
   options.from = given(arguments.from);
   options.to = given(arguments.to);
   options.elevation = given(arguments.elevation);
@@ -63,7 +65,7 @@ void draw_own(const PlotArguments& arguments) {
   if (const std::optional<std::string> text = read_input(file, figure_input, diagnostics)) {
     figure = figure_from_json(*text, file.string(), diagnostics);
   }
-  if (!figure) throw Failure(diagnostics);
+  if (!figure) throw Failure(diagnostics, arguments.language);
   if (!arguments.kind.empty() || arguments.list) {
     throw Failure(exit_bad_input, fmt::format("bentur plot: {} is one figure, without kinds", file.string()));
   }
@@ -165,6 +167,8 @@ void add_plot_command(CLI::App& app) {
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
   command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
       ->check(CLI::Range(5.0, 60.0));
+  command->add_option("--lang", arguments->language, "language of the figure: en or id")
+      ->check(CLI::IsMember(report_languages()));
   add_force(*command, arguments->force);
   command->footer(
       "Example: bentur plot results/histories.nc displacement -o displacement.pdf\n"

@@ -27,15 +27,15 @@ _bentur() {
   fi
   case $command in
     '') options='run report gap sweep ida fragility modes check spectrum plot example schema --help --version' ;;
-    run) options='--output --figures --json --quiet --force --help' ;;
+    run) options='--output --figures --lang --json --quiet --force --help' ;;
     report) options='--output --lang --force --help' ;;
-    gap) options='--at --json --help' ;;
+    gap) options='--at --lang --json --help' ;;
     sweep | ida) options='--output --resume --check --threads --quiet --force --help' ;;
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     modes) options='--json --method --help' ;;
-    check) options='--help' ;;
+    check) options='--lang --help' ;;
     spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --force --json --help' ;;
-    plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --help' ;;
+    plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --lang --help' ;;
     example) options='--output --no-schema --force --help' ;;
     schema) options='--output --force --help' ;;
   esac

@@ -71,6 +71,9 @@ class Run(Figures):
     def test_texts_are_in_the_language_that_is_asked_for(self):
         for language in "en", "id":
             self.bentur(0, "run", "-o", language, "--lang", language, "--figures", "svg", EL_CENTRO)
+            self.bentur(0, "plot", language, "force", "--lang", language, "-o", f"{language}/alone.svg")
+            alone = self.texts(self.folder / f"{language}/alone.svg")
+            self.assertEqual(alone, self.texts(self.folder / f"{language}/figures/force.svg"))
         for kind, word in ("overview", "kontak"), ("force", "Gaya kontak"), ("displacement", "Perpindahan"):
             english, indonesian = (" ".join(self.texts(self.folder / f"{one}/figures/{kind}.svg")) for one in ("en", "id"))
             self.assertIn(word, indonesian, kind)

@@ -95,7 +95,7 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     const bool mirrored = response.status == Status::done && is_mirrored(given);
     report_levels(given, free.solution().watched_free, mirrored, response);
   }
-  parts_ = std::make_shared<Parts>(std::move(given), solver, std::move(free), std::move(response));
+  parts_ = std::make_shared<Parts>(Parts{std::move(given), solver, std::move(free), std::move(response)});
 }
 
 const Response& FreeResponse::response() const { return parts_->response; }
