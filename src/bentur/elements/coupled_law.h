@@ -21,15 +21,16 @@ struct CoupledMotion {
   double soon = 0;  ///< a time [s] so short that nothing vibrates in it
 };
 
-/// A branch lasts while  constant + deformation · δ + speed · δ̇ ≥ 0, with the tolerance of Guard. All terms have one
-/// dimension [X].
+/// A branch lasts while  constant + deformation · δ + speed · δ̇ + acceleration · δ̈ ≥ 0, with the tolerance of Guard.
+/// All terms have one dimension [X].
 struct CoupledGuard {
-  Eigen::Index of = 0;          ///< which deformation it is about, for the law
-  double constant = 0;          ///< [X]
-  double size = 0;              ///< of what `constant` is a sum of [X]
-  Eigen::VectorXd deformation;  ///< factors of δ; empty: none
-  Eigen::VectorXd speed;        ///< factors of δ̇; empty: none
-  int zeros = 0;                ///< it begins the branch at zero, and so do that many less one of its derivatives
+  Eigen::Index of = 0;                ///< which deformation it is about, for the law
+  double constant = 0;                ///< [X]
+  double size = 0;                    ///< of what `constant` is a sum of [X]
+  Eigen::VectorXd deformation = {};   ///< factors of δ; empty: none
+  Eigen::VectorXd speed = {};         ///< factors of δ̇; empty: none
+  Eigen::VectorXd acceleration = {};  ///< factors of δ̈, which may jump where another force does; empty: none
+  int zeros = 0;                      ///< it begins the branch at zero, and so do that many less one of its derivatives
 };
 
 /// Between two events an element is in one branch of its law: F = base + K δ + C δ̇.

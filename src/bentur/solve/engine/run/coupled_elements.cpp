@@ -17,7 +17,7 @@ constexpr double begins_band = 0x1p-40;  // of a guard's coefficients, where it 
 
 /// The deformation that is all a guard depends on.
 Index only_one(const CoupledGuard& guard) {
-  if (guard.speed.size() > 0 || guard.deformation.size() == 0) return -1;
+  if (guard.speed.size() > 0 || guard.acceleration.size() > 0 || guard.deformation.size() == 0) return -1;
   Index found = -1;
   for (Index n = 0; n < guard.deformation.size(); ++n) {
     if (guard.deformation(n) == 0.0) continue;
@@ -178,7 +178,13 @@ std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansio
         const Polynomial& delta = motion.deformation(first + n);
         for (int k = 0; k < p.degree; ++k) add(k, guard.speed(n) * (k + 1.0) * delta[k + 1] / motion.h());
       }
-      const double slack = band(e, guard, from, bands);
+      for (Index n = 0; n < guard.acceleration.size(); ++n) {
+        if (guard.acceleration(n) == 0.0) continue;
+        const Polynomial bent = second_derivative(motion.deformation(first + n), 1.0 / (motion.h() * motion.h()));
+        for (int k = 0; k <= bent.degree; ++k) add(k, guard.acceleration(n) * bent[k]);
+      }
+      double slack = band(e, guard, from, bands);
+      if (guard.acceleration.size() > 0) slack += bands.part * size;
       std::optional<double> s;
       if (zeros > 0) {
         for (int k = 0; k <= p.degree; ++k) p[k] = k + zeros <= p.degree ? p[k + zeros] : 0.0;
@@ -194,13 +200,16 @@ std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansio
   return found;
 }
 
-std::optional<CoupledElements::Event> CoupledElements::due(const State& state, const Bands& bands) const {
+std::optional<CoupledElements::Event> CoupledElements::due(const State& state, const VectorXd& acceleration,
+                                                           const Bands& bands) const {
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const VectorXd delta = deformation(e, state);
     const VectorXd speed = system_->speeds(all_[e], state.v);
+    const VectorXd bent = system_->speeds(all_[e], acceleration);
     for (std::size_t g = 0; g < now_[e].branch.guards.size(); ++g) {
       const CoupledGuard& guard = now_[e].branch.guards[g];
-      const double value = guard.constant + sum_of(guard.deformation, delta) + sum_of(guard.speed, speed);
+      const double value = guard.constant + sum_of(guard.deformation, delta) + sum_of(guard.speed, speed) +
+                           sum_of(guard.acceleration, bent);
       if (value < -band(e, guard, state, bands)) return Event{e, g, 1.0};
     }
   }

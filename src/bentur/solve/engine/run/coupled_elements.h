@@ -38,8 +38,9 @@ class CoupledElements {
   /// The first change in the expanded step, which began with the state `from`.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Bands& bands,
                                                 const GuardMonitor& monitor) const;
-  /// A change that is due at a state.
-  [[nodiscard]] std::optional<Event> due(const State& state, const Bands& bands) const;
+  /// A change that is due at a state; `acceleration` is q̈ there.
+  [[nodiscard]] std::optional<Event> due(const State& state, const Eigen::VectorXd& acceleration,
+                                         const Bands& bands) const;
   /// A step that lasts has been taken: nothing is at its beginning any more.
   void go_on();
 

@@ -223,7 +223,8 @@ std::optional<Elements::Event> Elements::due(const State& state, const std::vect
       if (value < -tolerance(i, guard, state)) return Event{i, g, 1.0};
     }
   }
-  const auto found = coupled_.due(state, bands());
+  if (coupled_.none()) return std::nullopt;
+  const auto found = coupled_.due(state, acceleration(state, inputs), bands());
   return found ? std::optional(Event{count() + static_cast<Index>(found->element), found->guard, 1.0}) : std::nullopt;
 }
 

@@ -1,0 +1,267 @@
+// A law of two deformations that push on one another along one way only, as a corner does that rubs along a wall: its
+// closed forms by the solver, though no case asks for it yet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bentur/solve/solver.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Penetration δ and slip s of a contact: F_n = k δ + c δ̇ (c while it closes alone); F_t that of a spring k_t, which
+/// slides at ± μ F_n.
+class RubbingContact final : public CoupledLaw {
+ public:
+  struct Parameters {
+    double stiffness = 1, damping = 0, tangential = 1, friction = 0;
+  };
+  explicit RubbingContact(const Parameters& parameters) : p_(parameters) {}
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "rubbing"; }
+  [[nodiscard]] Index size() const noexcept override { return 2; }
+  [[nodiscard]] bool same_as(const CoupledLaw& other) const override { return this == &other; }
+  [[nodiscard]] CoupledState begin(const VectorXd& /*deformation*/) const override { return state_of({}, 0); }
+
+  [[nodiscard]] CoupledBranch branch(const CoupledState& state) const override {
+    const Phase at = phase_of(state);
+    CoupledBranch result;
+    result.base = VectorXd::Zero(2);
+    if (at.friction == Friction::apart) {
+      result.guards.push_back({.deformation = pair(-1, 0)});
+      return result;
+    }
+    const double k = p_.stiffness, c = at.closes ? p_.damping : 0.0, mu = p_.friction, kt = p_.tangential;
+    result.moving = {0, 1};
+    result.stiffness = MatrixXd::Zero(2, 2);
+    result.damping = MatrixXd::Zero(2, 2);
+    result.stiffness(0, 0) = k;
+    result.damping(0, 0) = c;
+    // Parting, and the change from closing to opening where there is a dashpot.
+    result.guards.push_back({.deformation = pair(1, 0), .zeros = at.touches ? 1 : 0});
+    if (p_.damping > 0.0) {
+      const double sense = at.closes ? 1.0 : -1.0;
+      result.guards.push_back({.deformation = {}, .speed = pair(sense, 0), .zeros = at.turns ? 1 : 0});
+    }
+    if (at.friction == Friction::sticks) {
+      result.base(1) = -kt * at.origin;
+      result.stiffness(1, 1) = kt;
+      for (const int sense : {1, -1}) {
+        const int zeros = at.slid == sense ? 2 : (at.touches && c == 0.0 ? 1 : 0);
+        result.guards.push_back({.of = sense,
+                                 .constant = sense * kt * at.origin,
+                                 .size = kt * std::abs(at.origin),
+                                 .deformation = pair(mu * k, -sense * kt),
+                                 .speed = pair(mu * c, 0),
+                                 .zeros = zeros});
+      }
+    } else {
+      const double sense = at.friction == Friction::slides_up ? 1.0 : -1.0;
+      result.stiffness(1, 0) = sense * mu * k;
+      result.damping(1, 0) = sense * mu * c;
+      result.guards.push_back(
+          {.deformation = {}, .speed = pair(-mu * k / kt, sense), .acceleration = pair(-mu * c / kt, 0)});
+      if (c == 0.0) result.guards.back().acceleration.resize(0);
+    }
+    return result;
+  }
+
+  [[nodiscard]] CoupledState next(const CoupledState& state, std::size_t guard, double time,
+                                  const CoupledMotion& motion) const override {
+    Phase at = phase_of(state);
+    const bool was_apart = at.friction == Friction::apart;
+    const CoupledGuard failed = branch(state).guards[guard];
+    at.touches = at.turns = false;
+    at.slid = 0;
+    const double slip = motion.deformation(1), slips = motion.speed(1), closes = motion.speed(0);
+    const double k = p_.stiffness, mu = p_.friction, kt = p_.tangential;
+    if (was_apart) {
+      at = {.friction = Friction::sticks, .closes = true, .touches = true, .origin = slip};
+      if (p_.damping == 0.0 && kt * std::abs(slips) > mu * k * closes) at.friction = sliding(slips);
+    } else if (guard == 0) {
+      at = {};
+    } else if (p_.damping > 0.0 && guard == 1) {
+      at.closes = !at.closes;
+      at.turns = true;
+    } else if (at.friction == Friction::sticks) {
+      at.friction = sliding(static_cast<double>(failed.of));
+    } else {
+      at.slid = at.friction == Friction::slides_up ? 1 : -1;
+      const double normal = k * motion.deformation(0) + (at.closes ? p_.damping : 0.0) * closes;
+      at.origin = slip - at.slid * mu * normal / kt;
+      at.friction = Friction::sticks;
+    }
+    return state_of(at, time);
+  }
+  [[nodiscard]] CoupledState settle(const CoupledState& state, double /*time*/,
+                                    const CoupledMotion& /*motion*/) const override {
+    return state;
+  }
+  [[nodiscard]] CoupledState at(const CoupledState& state, const VectorXd& /*deformation*/) const override {
+    return state;
+  }
+  [[nodiscard]] double stored_energy(const CoupledState& state, const VectorXd& deformation) const override {
+    const Phase at = phase_of(state);
+    if (at.friction == Friction::apart) return 0.0;
+    const double normal = p_.stiffness * deformation(0);
+    const double along =
+        at.friction == Friction::sticks ? p_.tangential * (deformation(1) - at.origin) : p_.friction * normal;
+    return normal * deformation(0) / 2 + along * along / (2 * p_.tangential);
+  }
+  [[nodiscard]] double lost_energy(const CoupledState& /*state*/, const VectorXd& /*deformation*/) const override {
+    return 0.0;
+  }
+
+ private:
+  enum class Friction { apart, sticks, slides_up, slides_down };
+  struct Phase {
+    Friction friction = Friction::apart;
+    bool closes = false;
+    bool touches = false, turns = false;  ///< δ, δ̇ are zero where it begins
+    int slid = 0;                         ///< +1, −1: it slid so before
+    double origin = 0;                    ///< s where the spring has no force
+  };
+  static Friction sliding(double sense) { return sense > 0.0 ? Friction::slides_up : Friction::slides_down; }
+  static VectorXd pair(double first, double second) { return Eigen::Vector2d(first, second); }
+  static CoupledState state_of(const Phase& at, double time) {
+    MatrixXd memory(2, 3);
+    memory << static_cast<double>(at.friction), at.closes, at.touches, at.turns, at.slid, at.origin;
+    return {time, memory};
+  }
+  static Phase phase_of(const CoupledState& state) {
+    const MatrixXd& m = state.memory;
+    return {static_cast<Friction>(static_cast<int>(m(0, 0))),
+            m(0, 1) != 0.0,
+            m(0, 2) != 0.0,
+            m(1, 0) != 0.0,
+            static_cast<int>(m(1, 1)),
+            m(1, 2)};
+  }
+
+  Parameters p_;
+};
+
+/// A rectangle of mass 50, 8 × 12, free to slide and turn: x, y and θ. One point of it, at `arm` from its middle, comes
+/// against a wall to its right.
+constexpr double mass = 50, inertia = 50 * (8.0 * 8 + 12 * 12) / 12;
+
+struct After {
+  Vector3d velocity;
+  double friction_loss = 0;
+};
+
+After strike(const RubbingContact::Parameters& law, const Eigen::Vector2d& arm, const Vector3d& velocity,
+             const Solver& solver = ExactSolver{}) {
+  Body body;
+  body.name = "rectangle";
+  body.mass = Vector3d(mass, mass, inertia).asDiagonal();
+  body.stiffness = 1e-12 * body.mass;
+  body.modes = modes(body.mass, body.stiffness);
+  body.modal_damping = MatrixXd::Zero(3, 3);
+  body.load = VectorXd::Zero(3);
+  MatrixXd rows(2, 3);
+  rows << 1, 0, -arm.y(), 0, 1, arm.x();
+  body.coupled = {{rows, std::make_shared<RubbingContact>(law)}};
+  body.outputs = {{.kind = OutputKind::displacement, .count = 3, .rows = MatrixXd::Identity(3, 3), .has_peak = true},
+                  {.kind = OutputKind::velocity, .count = 3, .rates = MatrixXd::Identity(3, 3)}};
+  System system;
+  system.bodies = {body};
+  system.motion = NoMotion{};
+  system.initial_displacement = {Vector3d::Zero()};
+  system.initial_velocity = {velocity};
+  system.duration = 20 * std::sqrt(mass / law.stiffness);
+  const FreeSolution free(system, solver);
+  EXPECT_EQ(free.solution().status, Status::done) << free.solution().message;
+  const Solution solution = free.solve({}, {.output_step = system.duration / 8, .energy_audit = true});
+  EXPECT_EQ(solution.status, Status::done) << solution.message;
+  EXPECT_LT(solution.energy->relative_residual(), 1e-10);
+  const Index last = std::ssize(solution.samples.time) - 1;
+  return {solution.outputs[0][1].history.col(last), solution.energy->histories.hysteretic(last)};
+}
+
+/// A corner of the rectangle, 4 to the right of its middle and 6 below.
+const Eigen::Vector2d corner(4, -6);
+constexpr double corner_stiffness = 2e5;
+
+TEST(RubbingTrial, CornerThatSlidesAllTheWay) {  // space-targets 3
+  const RubbingContact::Parameters law{
+      .stiffness = corner_stiffness, .tangential = 8.0 / 9 * corner_stiffness, .friction = 0.3};
+  const After up = strike(law, corner, {-1.6, 4.4, 0.4});
+  EXPECT_NEAR(up.velocity.x(), -2.0581497797357, 1e-10);
+  EXPECT_NEAR(up.velocity.y(), 4.2625550660793, 1e-10);
+  EXPECT_NEAR(up.velocity.z(), 0.20969162995595, 1e-10);
+  EXPECT_NEAR(up.friction_loss, 38.145510295173, 1e-9);
+  const After down = strike(law, corner, {-1.6, -7.6, 0.4});
+  EXPECT_NEAR(down.velocity.x(), -2.2011560693642, 1e-10);
+  EXPECT_NEAR(down.velocity.y(), -7.4196531791908, 1e-10);
+  EXPECT_NEAR(down.velocity.z(), 0.23352601156069, 1e-10);
+  EXPECT_NEAR(down.friction_loss, 56.293227304621, 1e-9);
+}
+
+TEST(RubbingTrial, WithoutFrictionIsTheImpactOfTheMassAtTheCorner) {  // space-targets 2
+  const After after = strike({.stiffness = corner_stiffness, .tangential = corner_stiffness}, corner, {-1.6, 0.3, 0.4});
+  EXPECT_NEAR(after.velocity.x(), -2.12, 1e-10);
+  EXPECT_NEAR(after.velocity.y(), 0.3, 1e-10);
+  EXPECT_NEAR(after.velocity.z(), 0.22, 1e-10);
+}
+
+struct Central {
+  double friction, ratio, along, after;
+};
+
+TEST(RubbingTrial, CentralImpactsStickAndSlide) {  // space-targets 4
+  constexpr double k = 4e5;
+  for (const Central& one :
+       {Central{0.5, 1.0, 0.3, -0.3}, Central{0.3, 0.9, 0.5, 0.02}, Central{0.25, 2.7, 0.2, -0.098500106257919},
+        Central{0.1, 0.6, 0.05, -0.032541855029654}, Central{0.6, 12.0, 0.9, -0.055660809913147}}) {
+    const After after =
+        strike({.stiffness = k, .tangential = one.ratio * k, .friction = one.friction}, {0, 0}, {0.8, one.along, 0});
+    EXPECT_NEAR(after.velocity.x(), -0.8, 1e-10);
+    EXPECT_NEAR(after.velocity.y(), one.after, 1e-10) << one.friction;
+  }
+}
+
+TEST(RubbingTrial, WithADashpotWhileItCloses) {  // space-targets 4, kelvin-voigt-approach
+  constexpr double k = 4e5;
+  struct Damped {
+    double ratio, after;
+    Central central;
+  };
+  for (const Damped& one : {Damped{0.3, -0.53723764746302, {0.3, 0.9, 0.5, 0.1308025134135}},
+                            Damped{0.2, -0.60490794147065, {0.25, 2.7, 0.2, -0.077289292169077}},
+                            Damped{0.4, -0.48234550987054, {0.6, 12.0, 0.9, 0.13753549712122}}}) {
+    const double damping = 2 * one.ratio * std::sqrt(k * mass);
+    const After after = strike(
+        {.stiffness = k, .damping = damping, .tangential = one.central.ratio * k, .friction = one.central.friction},
+        {0, 0}, {0.8, one.central.along, 0});
+    EXPECT_NEAR(after.velocity.x(), one.after, 1e-10);
+    EXPECT_NEAR(after.velocity.y(), one.central.after, 1e-10) << one.ratio;
+  }
+}
+
+TEST(RubbingTrial, ComesToRouthsAsTheTangentialSpringGrowsStiff) {  // space-targets 4, (P-20)
+  constexpr double k = 4e5;
+  double bound = 4.65e-2;
+  for (const double ratio : {1e2, 1e4, 1e6}) {
+    const After after = strike({.stiffness = k, .tangential = ratio * k, .friction = 0.6}, {0, 0}, {0.8, 0.2, 0});
+    EXPECT_LT(std::abs(after.velocity.y()) / 0.2, bound) << ratio;
+    bound = ratio == 1e2 ? 1.25e-4 : 4.4e-6;
+  }
+}
+
+TEST(RubbingTrial, ByAdaptiveStepsToo) {
+  const RubbingContact::Parameters law{.stiffness = 4e5, .tangential = 1.08e6, .friction = 0.25};
+  const After exact = strike(law, {0, 0}, {0.8, 0.2, 0});
+  const After adaptive = strike(law, {0, 0}, {0.8, 0.2, 0}, AdaptiveSolver{.tolerance = 1e-12});
+  EXPECT_NEAR((adaptive.velocity - exact.velocity).cwiseAbs().maxCoeff(), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace bentur
