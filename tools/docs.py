@@ -106,6 +106,8 @@ docs/examples/struck-columns
 docs/howto/etabs_sap2000
 docs/howto/add_contact_law
 docs/howto/add_element
+docs/howto/add_output
+docs/howto/add_building
 ```
 
 ```{{toctree}}

@@ -23,8 +23,7 @@ class HardeningSpring final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   // Only where a branch is nonlinear:
-  [[nodiscard]] double force(const LawState& state, double penetration,
-                             double closing_speed) const noexcept override;
+  [[nodiscard]] double force(const LawState& state, double penetration, double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
 
  private:

@@ -10,6 +10,11 @@ import sys
 
 HEAD = """// Made by tests/howto/snippets.py from the pages of docs/howto.
 #include "bentur/elements/law.h"
+#include "bentur/pounding/pounding.h"
+#include "bentur/structure/damping.h"
+#include "docs/howto/base_moment.h"
+#include "docs/howto/tank.h"
+#include "bentur/pounding/assemble.h"
 
 namespace bentur {
 
@@ -20,7 +25,7 @@ concept Known = std::same_as<Struct, Guard> || std::same_as<Struct, Branch> || s
 
 def main():
     output, *pages = map(pathlib.Path, sys.argv[1:])
-    text, count = HEAD.replace("#include", "#include <concepts>\n\n#include", 1), 0
+    text, count = HEAD.replace("#include", "#include <concepts>\n#include <stdexcept>\n\n#include", 1), 0
     for page in pages:
         for number, line in enumerate(page.read_text().splitlines(), 1):
             for piece in re.findall(r"`(\{?\.\w+ = [^`]*)`", line):

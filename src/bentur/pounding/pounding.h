@@ -25,7 +25,7 @@ struct SolveOptions {
   /// Accounts for all energy (Response::energy); it never changes the solution.
   bool energy_audit = false;
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress = {};
 };
 
 /// Whether the free response to the ground motion times −1 is the free response times −1: the buildings start from rest

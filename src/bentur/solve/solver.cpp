@@ -36,7 +36,7 @@ double worst_opening(const System& system, const Elements& elements, const std::
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     double moved = 0.0;
     for (const BodyRow* side : {&system.contacts[i].at.left, &system.contacts[i].at.right}) {
-      moved += solution.outputs[side->body].front().peak.maxCoeff();
+      if (side->body >= 0) moved += solution.outputs[side->body].front().peak.maxCoeff();
     }
     const double opening = elements.worst_opening(static_cast<Eigen::Index>(i));
     if (opening > 0.0) worst = std::max(worst, opening / (scales[i] + moved));

@@ -50,7 +50,7 @@ struct Body {
   std::vector<BuildingElement> elements = {};
   std::vector<CoupledElement> coupled = {};
   double tangent_damping = 0;         ///< as Building's [s]
-  std::vector<Outputs> outputs = {};  ///< one entry per kind, in its order
+  std::vector<Outputs> outputs = {};  ///< one entry per kind, in its order; others may follow
 
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
