@@ -104,6 +104,18 @@ void check_frame(const std::string& name, const PlaneFrame& frame, const Units& 
   }
 }
 
+/// Beams that their load would make yield within the span before the sagging end does (docs/theory/hinges.md, Gravity).
+void check_spans(const std::string& name, const PlaneFrame& frame, const Units& units, List& list) {
+  const double widest = *std::max_element(frame.bay_widths.begin(), frame.bay_widths.end());
+  for (std::size_t i = 0; i < frame.beams.size(); ++i) {
+    const Section& beam = frame.beams[i];
+    if (beam.moment_capacity.empty()) continue;
+    const double most = 2 * (beam.moment_capacity.front() + beam.moment_capacity.back()) / (widest * widest);
+    const std::string subject = name + ", beams[" + std::to_string(i) + "]";
+    list.most("line_load", subject, beam.line_load, units.force + "/" + units.length, most, most);
+  }
+}
+
 /// What the floors weigh, by themselves and by the width of the building.
 void check_weights(const Case& c, std::size_t b, const Building& building, List& list) {
   const double newton = 1 / newtons(c.units.force);
@@ -139,6 +151,7 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
     }
     if (const auto* frame = std::get_if<PlaneFrame>(&c.buildings[b].structure)) {
       check_frame(building.name, *frame, c.units, list);
+      check_spans(building.name, *frame, c.units, list);
     }
   }
 }

@@ -85,6 +85,21 @@ TEST(Remarks, OfUnitsThatWereMixedUp) {
   EXPECT_NE(std::find(high.begin(), high.end(), "period_per_storey A"), high.end());
 }
 
+// Within a span a beam yields at w L²/8 − (M⁺ + M⁻)/2 … no sooner than w = 2 (M⁺ + M⁻)/L².
+TEST(Remarks, OfBeamsThatTheirLoadMakesYieldWithinTheSpan) {
+  Case c = ordinary();
+  PlaneFrame& frame = frame_of(c, 0);
+  const double widest = *std::max_element(frame.bay_widths.begin(), frame.bay_widths.end());
+  const double most = 2 * (90 + 140) / (widest * widest);
+  frame.condensation = Condensation::static_;
+  frame.beams[1].moment_capacity = {90, 140};
+  frame.beams[1].line_load = 0.99 * most;
+  EXPECT_EQ(remarks_of(c), Names{});
+  frame.beams[1].line_load = 1.01 * most;
+  EXPECT_EQ(remarks_of(c), Names{"line_load A, beams[1]"});
+  EXPECT_NEAR(*remarks(c, make_problem(c))[0].usual_to, most, 0.05 * most);
+}
+
 // The same buildings in other units are as ordinary.
 TEST(Remarks, DoNotDependOnUnits) {
   Case c = ordinary();
