@@ -42,14 +42,9 @@ def journal_done(path):
     data = path.read_bytes()
     assert data[:14] == b"bentur journal", data[:16]
     size, = struct.unpack_from("<Q", data, 16)
-
-    def number(key):  # of the header, which is MessagePack
-        at = data.index(bytes([0xa0 + len(key)]) + key, 32, 32 + size) + 1 + len(key)
-        length = {0xcc: 1, 0xcd: 2, 0xce: 4, 0xcf: 8}.get(data[at])
-        return int.from_bytes(data[at + 1:at + 1 + length], "big") if length else data[at]
-
-    runs = number(b"runs")
-    slot = 16 + max(248, 8 * number(b"values"))
+    head = json.loads(data[32:32 + size])
+    runs = head["runs"]
+    slot = 16 + max(248, 8 * head["values"])
     begin = (32 + size + 4095) // 4096 * 4096
     states = [data[begin + run * slot + 8:begin + run * slot + 12] for run in range(runs)]
     return sum(1 for state in states if any(state)), runs

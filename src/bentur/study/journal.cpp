@@ -16,7 +16,7 @@
 
 namespace bentur {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JournalOrigin, version, study, case_text, records, runs, values)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JournalOrigin, version, build, study, case_text, records, runs, values)
 
 namespace {
 
@@ -26,9 +26,9 @@ constexpr std::size_t page = 4096;                  // bytes; where the first sl
 constexpr std::size_t smallest_payload = 248;       // bytes; so that there is room for a message
 constexpr std::size_t largest_origin = 256U << 20;  // bytes
 
-/// Begins the file; the origin as MessagePack follows, then, at a page, the slots.
+/// Begins the file; the origin as JSON follows, then, at a page, the slots.
 struct FileHead {
-  char magic[16] = "bentur journal2";
+  char magic[16] = "bentur journal3";
   std::uint64_t origin_bytes = 0;
   std::uint64_t checksum = 0;  // of the origin
 };
@@ -57,12 +57,23 @@ std::uint64_t slot_checksum(std::span<const char> slot, std::size_t run) {
   return checksum(slot.subspan(sizeof(std::uint64_t)), run + 1);
 }
 
-/// The head of a slot; as that of an empty one where the slot is not whole.
+/// The head of a slot; as that of an empty one where the slot is not whole, or says what write() never does.
 SlotHead head_of(std::span<const char> slot, std::size_t run) {
+  constexpr std::uint32_t most = 1 + static_cast<std::uint32_t>(RunStatus::invalid);
   SlotHead head;
   std::memcpy(&head, slot.data(), sizeof head);
-  return head.checksum == slot_checksum(slot, run) ? head : SlotHead{};
+  const bool is_whole = head.checksum == slot_checksum(slot, run);
+  return is_whole && head.state <= most && head.length <= slot.size() - sizeof head ? head : SlotHead{};
 }
+
+/// As text: its reader needs no more stack for what is nested deeper. Bytes that are not UTF-8 are replaced.
+std::string packed(const JournalOrigin& origin) {
+  using nlohmann::json;
+  return json(origin).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// @throws nlohmann::json::exception where that is of no origin.
+JournalOrigin unpacked(const std::string& text) { return nlohmann::json::parse(text).get<JournalOrigin>(); }
 
 /// Number of the first line in which two texts differ, from 1.
 std::size_t differing_line(const std::string& a, const std::string& b) {
@@ -88,6 +99,7 @@ void lock(const OpenFile& file) {
 
 std::optional<std::string> difference(const JournalOrigin& then, const JournalOrigin& now) {
   if (then.version != now.version) return fmt::format("by bentur {}, this is {}", then.version, now.version);
+  if (then.build != now.build) return fmt::format("by a bentur {} of other sources", then.version);
   if (then.study != now.study) {
     return fmt::format("with another study: line {} has changed", differing_line(then.study, now.study));
   }
@@ -118,15 +130,14 @@ Journal::Journal(OpenFile file, const JournalOrigin& origin, std::size_t origin_
       buffer_(slot_) {}
 
 Journal Journal::begin(const fs::path& file, const JournalOrigin& origin) {
-  std::string packed;
-  nlohmann::json::to_msgpack(origin, packed);
-  const FileHead head{.origin_bytes = packed.size(), .checksum = checksum(packed, 0)};
+  const std::string text = packed(origin);
+  const FileHead head{.origin_bytes = text.size(), .checksum = checksum(text, 0)};
   const fs::path unfinished = make_temporary(file);  // its name until all of this is written
   try {
     OpenFile open(::open(unfinished.c_str(), O_RDWR | O_CLOEXEC), file);
     lock(open);
     open.write({reinterpret_cast<const char*>(&head), sizeof head}, 0);
-    open.write(packed, sizeof head);
+    open.write(text, sizeof head);
     open.sync();
     if (::link(unfinished.c_str(), file.c_str()) == 0) {
       ::unlink(unfinished.c_str());
@@ -135,7 +146,7 @@ Journal Journal::begin(const fs::path& file, const JournalOrigin& origin) {
     } else if (::rename(unfinished.c_str(), file.c_str()) != 0) {  // a file system without hard links
       refuse(file, "cannot write: " + std::generic_category().message(errno));
     }
-    return {std::move(open), origin, packed.size()};
+    return {std::move(open), origin, text.size()};
   } catch (...) {
     ::unlink(unfinished.c_str());
     throw;
@@ -150,13 +161,19 @@ Journal Journal::resume(const fs::path& file, const JournalOrigin& origin) {
   if (std::memcmp(head.magic, FileHead{}.magic, sizeof head.magic) != 0 || head.origin_bytes > largest_origin) {
     refuse(file, "is not the journal of a sweep");
   }
-  std::string packed(static_cast<std::size_t>(head.origin_bytes), '\0');
-  open.read(packed, sizeof head);
-  if (head.checksum != checksum(packed, 0)) refuse(file, "is damaged");
-  if (const auto differs = difference(nlohmann::json::from_msgpack(packed), origin)) {
+  std::string text(static_cast<std::size_t>(head.origin_bytes), '\0');
+  open.read(text, sizeof head);
+  if (head.checksum != checksum(text, 0)) refuse(file, "is damaged");
+  JournalOrigin then;
+  try {
+    then = unpacked(text);
+  } catch (const nlohmann::json::exception&) {
+    refuse(file, "is damaged");
+  }
+  if (const auto differs = difference(then, unpacked(packed(origin)))) {
     refuse(file, fmt::format("was begun {}. Remove it to begin anew", *differs));
   }
-  Journal journal(std::move(open), origin, packed.size());
+  Journal journal(std::move(open), origin, text.size());
   journal.find_done();
   return journal;
 }

@@ -15,6 +15,7 @@ namespace bentur {
 /// What the runs of a journal come from. A journal is gone on with only where all of it is the same.
 struct JournalOrigin {
   std::string version;  ///< of the program
+  std::string build;    ///< build_identity() of its library
   std::string study;    ///< texts of the two files
   std::string case_text;
   std::map<std::string, std::string> records;  ///< name to hash

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "bentur/io/temporary_folder.h"
 
@@ -15,8 +19,13 @@ namespace fs = std::filesystem;
 class JournalFile : public testing::Test {
  protected:
   static JournalOrigin origin() {
-    return {
-        .version = "1", .study = "a\nb\nc\n", .case_text = "x\n", .records = {{"r", "12"}}, .runs = 100, .values = 3};
+    return {.version = "1",
+            .build = "b",
+            .study = "a\nb\nc\n",
+            .case_text = "x\n",
+            .records = {{"r", "12"}},
+            .runs = 100,
+            .values = 3};
   }
   static RunResult result(std::size_t run) {
     return {run, RunStatus::done, "", {static_cast<double>(run), 0.1, -1e300}};
@@ -97,6 +106,9 @@ TEST_F(JournalFile, RefusesAnotherOriginAndSaysWhatDiffers) {
   other.version = "2";
   EXPECT_EQ(refusal(other), "was begun by bentur 1, this is 2. Remove it to begin anew");
   other = origin();
+  other.build = "c";
+  EXPECT_EQ(refusal(other), "was begun by a bentur 1 of other sources. Remove it to begin anew");
+  other = origin();
   other.study = "a\nB\nc\n";
   EXPECT_EQ(refusal(other), "was begun with another study: line 2 has changed. Remove it to begin anew");
   other = origin();
@@ -128,6 +140,46 @@ TEST_F(JournalFile, RefusesWhatIsNone) {
   stream.put('!');
   stream.close();
   EXPECT_EQ(refusal(origin()), "is damaged");
+}
+
+/// The checksum of journal.cpp: whoever damages a file on purpose can make it fit.
+std::uint64_t checksum(const std::string& bytes, std::uint64_t start) {
+  std::uint64_t hash = 0xcbf29ce484222325U ^ start;
+  for (std::size_t i = 0; i < bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, std::min<std::size_t>(8, bytes.size() - i));
+    hash = (hash ^ word) * 0x100000001b3U;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+std::string bytes_of(std::uint64_t number) { return {reinterpret_cast<const char*>(&number), sizeof number}; }
+
+// A checksum that fits proves nothing: other depths, shapes, states and lengths than write() makes are damage too.
+TEST_F(JournalFile, TrustsNoChecksum) {
+  std::string nested = std::string(200000, '[') + std::string(200000, ']');
+  for (const std::string& text : {nested, std::string("[1, 2]"), std::string("{}"), std::string("{\"version\": 1}"),
+                                  std::string("\x91\x91\x91"), std::string()}) {
+    std::string head = "bentur journal3";
+    head.push_back('\0');
+    std::ofstream(file_, std::ios::binary) << head << bytes_of(text.size()) << bytes_of(checksum(text, 0)) << text;
+    EXPECT_EQ(refusal(origin()), "is damaged");
+  }
+  fs::remove(file_);
+  Journal::begin(file_, origin()).write(result(1));
+  struct {
+    std::uint32_t state, length;
+  } const heads[] = {{9, 0}, {2, 249}, {2, 0xffffffff}, {0xffffffff, 3}, {0, 5}};
+  for (const auto& head : heads) {
+    std::string slot(reinterpret_cast<const char*>(&head), sizeof head);
+    slot.resize(264 - 8, 'x');
+    std::fstream stream(file_, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(4096 + 264);
+    stream << bytes_of(checksum(slot, 1 + 1)) << slot;
+    stream.close();
+    EXPECT_FALSE(Journal::resume(file_, origin()).is_done(1)) << head.state << " " << head.length;
+  }
 }
 
 TEST_F(JournalFile, HasOneWriter) {

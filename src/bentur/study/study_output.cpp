@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bentur/io/output/atomic_file.h"
+#include "bentur/study/build_identity.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/study_variables.h"
 
@@ -71,6 +72,7 @@ StudyOutput::StudyOutput(const StudyRuns& runs, StudyOutputOptions options)
              .is_netcdf = options_.is_netcdf,
              .forced_by = options_.forced_by},
       origin_{.version = options_.version,
+              .build = std::string(build_identity()),
               .study = runs.study().text,
               .case_text = runs.study().case_text,
               .records = runs.facts().records,
