@@ -3,13 +3,21 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <numeric>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "bentur/io/input_file.h"
@@ -19,6 +27,13 @@ namespace {
 
 std::size_t count_of(const std::vector<std::size_t>& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
+/// Whether a variable of this shape may be in a file of so many bytes: packed more than a thousand to one by none of
+/// the library's ways.
+bool fits(const std::vector<std::size_t>& shape, std::uintmax_t bytes) {
+  const double count = std::accumulate(shape.begin(), shape.end(), 1.0, std::multiplies<>());
+  return count <= 1100 * static_cast<double>(bytes);
 }
 
 /// What keeps a file from being read, in a user's words. Opening goes wrong at once where it is not NetCDF at all.
@@ -39,14 +54,20 @@ std::string own_name(const std::string& name) { return name.substr(name.rfind('/
 
 }  // namespace
 
-NetcdfReader::NetcdfReader(const std::filesystem::path& file) : name_(file.string()) {
+NetcdfReader::NetcdfReader(const std::filesystem::path& file) : NetcdfReader(file, Examined::no) {}
+
+NetcdfReader::NetcdfReader(const std::filesystem::path& file, Examined examined) : name_(file.string()) {
   const std::string problem = input_problem(file, result_input);  // the library would wait for a pipe
   if (!problem.empty()) throw NetcdfError(name_, problem);
+  if (examined == Examined::no) examine();
+  std::error_code unknown;
+  size_ = std::filesystem::file_size(file, unknown);
   check(nc_open(name_.c_str(), NC_NOWRITE, &id_));
   list();
 }
 
-NetcdfReader::NetcdfReader(std::string bytes, std::string name) : name_(std::move(name)), bytes_(std::move(bytes)) {
+NetcdfReader::NetcdfReader(std::string bytes, std::string name)
+    : name_(std::move(name)), bytes_(std::move(bytes)), size_(bytes_.size()) {
   check(nc_open_mem(name_.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &id_));
   list();
 }
@@ -58,6 +79,46 @@ NetcdfReader::~NetcdfReader() {
 void NetcdfReader::check(int status) const {
   if (status == NC_NOERR) return;
   throw NetcdfError(name_, in_words(status, id_ >= 0));
+}
+
+/// The child ends with 0 where the library has come through everything, errors of its own among it: those are met again
+/// by whoever reads the file. Any other end, by a signal or a sanitizer, is damage.
+void NetcdfReader::examine() const {
+  constexpr ::rlim_t most_seconds = 300;  // of a processor: damage may also make the library go round for ever
+  const ::pid_t child = ::fork();
+  if (child < 0) throw NetcdfError(name_, "cannot be examined: " + std::generic_category().message(errno));
+  if (child == 0) {
+    const ::rlimit no_core{0, 0}, time{most_seconds, most_seconds};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    ::setrlimit(RLIMIT_CPU, &time);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
+    ::signal(SIGINT, SIG_IGN);  // which ends the parent, or is its to answer
+    ::close(STDERR_FILENO);     // what the C library says when it gives up
+    try {
+      NetcdfReader(name_, Examined::yes).read_all();
+    } catch (const std::exception&) {
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw NetcdfError(name_, "is damaged, so that it cannot be read as NetCDF");
+  }
+}
+
+void NetcdfReader::read_all() const {
+  for (const StoredVariable& variable : variables_) {
+    try {
+      if (variable.text) {
+        static_cast<void>(texts(variable.name));
+      } else {
+        static_cast<void>(numbers(variable.name));
+      }
+    } catch (const std::exception&) {  // one that is broken in an orderly way; on to the next
+    }
+  }
 }
 
 std::string NetcdfReader::text_attribute(Place place, const std::string& attribute) const {
@@ -102,6 +163,7 @@ void NetcdfReader::list(int group, const std::string& prefix) {
       variable.dimensions.emplace_back(name);
       variable.shape.push_back(length);
     }
+    if (!fits(variable.shape, size_)) fail("is damaged: \"" + variable.name + "\" claims more values than it can have");
     variables_.push_back(std::move(variable));
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -20,7 +21,8 @@ struct NetcdfError : std::runtime_error {
 };
 
 /// Reads what bentur has written, a variable at a time; those of a group are called "group/variable". A missing or
-/// broken file, and a variable that is not there or of another type, are NetcdfError.
+/// broken file, and a variable that is not there or of another type, are NetcdfError. The library dies of some damaged
+/// files, so a file is first read in a process of its own.
 class NetcdfReader final : public ResultSource {
  public:
   explicit NetcdfReader(const std::filesystem::path& file);
@@ -50,6 +52,10 @@ class NetcdfReader final : public ResultSource {
   struct Place {
     int group, variable;
   };
+  enum class Examined { no, yes };
+  NetcdfReader(const std::filesystem::path& file, Examined examined);
+  void examine() const;
+  void read_all() const;
   void list();
   void list(int group, const std::string& prefix);
   void check(int status) const;
@@ -58,6 +64,7 @@ class NetcdfReader final : public ResultSource {
   [[nodiscard]] std::string text_attribute(Place place, const std::string& attribute) const;
 
   std::string name_, bytes_;
+  std::uintmax_t size_ = 0;  ///< of the file [bytes]
   std::vector<StoredVariable> variables_;
   std::vector<Place> places_;  ///< of each
   std::map<std::string, std::size_t, std::less<>> dimensions_;
