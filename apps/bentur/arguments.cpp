@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
@@ -12,6 +14,14 @@
 
 namespace bentur::cli {
 namespace {
+
+/// A number that is all of the text.
+template <class Number>
+std::optional<Number> read_whole(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
 
 /// Whether a word is another one without one of its letters.
 bool lacks_one(const std::string& word, const std::string& whole) {
@@ -45,11 +55,26 @@ CLI::Validator not_empty() {
 
 CLI::Validator positive() {
   return {[](const std::string& text) {
-            double value = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            const bool right =
-                error == std::errc() && end == text.data() + text.size() && value > 0 && std::isfinite(value);
+            const std::optional<double> value = read_whole<double>(text);
+            const bool right = value && *value > 0 && std::isfinite(*value);
             return right ? std::string() : fmt::format("{}: must be a number above 0", text);
+          },
+          ""};
+}
+
+CLI::Validator finite() {
+  return {[](const std::string& text) {
+            const std::optional<double> value = read_whole<double>(text);
+            return value && std::isfinite(*value) ? std::string() : fmt::format("{}: must be a number", text);
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            return read_whole<std::uint64_t>(text)
+                       ? std::string()
+                       : fmt::format("{}: must be a whole number from 0 to {}", text, UINT64_MAX);
           },
           ""};
 }

@@ -10,6 +10,10 @@ namespace bentur::cli {
 [[nodiscard]] CLI::Validator not_empty();
 /// A number above 0.
 [[nodiscard]] CLI::Validator positive();
+/// Any number: what is none, and what is too large to be one, passes a range.
+[[nodiscard]] CLI::Validator finite();
+/// One from 0 to 2⁶⁴ − 1: the library takes what is outside as what is left of it.
+[[nodiscard]] CLI::Validator whole_number();
 
 /// Adds --force to a command that writes.
 void add_force(CLI::App& command, bool& force);

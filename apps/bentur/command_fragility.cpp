@@ -228,17 +228,19 @@ void add_fragility_command(CLI::App& app) {
       "--event", request.event,
       "a quantity of the results compared with a number in its unit there, true where any point or floor "
       "has it; default \"impacts > 0\"");
-  CLI::Option* at = command->add_option("--at", arguments->at, "intensity for the gaps, in the unit of the levels");
+  CLI::Option* at =
+      command->add_option("--at", arguments->at, "intensity for the gaps, in the unit of the levels")->check(finite());
   CLI::Option* probability =
       command->add_option("--probability", request.probabilities, "gaps for which P(event | --at) is no more than that")
-          ->delimiter(',');
+          ->delimiter(',')
+          ->check(finite());
   at->needs(probability);
   probability->needs(at);
   command->add_option("--along", request.along, "the gap width that is meant, where several vary")->needs(probability);
   command->add_option("--resamples", request.bootstrap.resamples, "of the bootstrap; default 1000")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--confidence", request.bootstrap.confidence, "of the bounds; default 0.95");
-  command->add_option("--seed", request.bootstrap.seed, "of the bootstrap; default 1");
+  command->add_option("--confidence", request.bootstrap.confidence, "of the bounds; default 0.95")->check(finite());
+  command->add_option("--seed", request.bootstrap.seed, "of the bootstrap; default 1")->check(whole_number());
   command->add_flag("--json", arguments->json, "JSON instead of tables");
   command->footer(
       "Example: bentur fragility ida.nc --event \"peak_force > 500\"\n"

@@ -153,11 +153,12 @@ void add_plot_command(CLI::App& app) {
       ->check(not_empty())
       ->type_name("FILE");
   command->add_flag("--list", arguments->list, "the kinds of figure these results can give");
-  command->add_option("--from", arguments->from, "of histories: first time [s]");
-  command->add_option("--to", arguments->to, "of histories: last time [s]");
+  command->add_option("--from", arguments->from, "of histories: first time [s]")->check(finite());
+  command->add_option("--to", arguments->to, "of histories: last time [s]")->check(finite());
   command->add_option("--gap", arguments->gap, "of a run: gap, counted from 0; default the one hit hardest")
       ->check(CLI::Range(0, 1000000));
-  command->add_option("--elevation", arguments->elevation, "of a run: contact point, by its elevation");
+  command->add_option("--elevation", arguments->elevation, "of a run: contact point, by its elevation")
+      ->check(finite());
   command->add_option("--at", arguments->at, "of a sweep: what stays fixed, and where; several allowed")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -166,6 +167,7 @@ void add_plot_command(CLI::App& app) {
   command->add_option("--event", arguments->options.event,
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
   command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
+      ->check(finite())
       ->check(CLI::Range(5.0, 60.0));
   command->add_option("--lang", arguments->language, "language of the figure: en or id")
       ->check(CLI::IsMember(report_languages()));

@@ -178,7 +178,7 @@ void add_spectrum_command(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--skip-lines", arguments->options.skip_lines, "lines at the beginning to pass over")
       ->check(CLI::Range(0, 1000000));
-  command->add_option("--damping", arguments->damping, "ratio, default 0.05");
+  command->add_option("--damping", arguments->damping, "ratio, default 0.05")->check(finite());
   command->add_option("--periods", arguments->periods,
                       "FROM:TO:COUNT in seconds, evenly spaced on a logarithmic scale; default 0.05:5:41, of a picture "
                       "0.05:5:301");

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -94,6 +95,7 @@ void keep_standard_streams() {
 
 int main(int argc, char** argv) {
   keep_standard_streams();
+  ::signal(SIGXFSZ, SIG_IGN);  // writing beyond a limit on the size of files fails then, as on a full disk
   try {
     return bentur::cli::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -115,7 +115,10 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
   options.course = output_step > 0;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
-  if (!refusal.empty()) throw Failure(exit_bad_input, error_text({.rule = refusal}, language));
+  if (!refusal.empty()) {
+    const std::string file = loaded.files.back().string();
+    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
+  }
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);
   double done = 0;

@@ -22,8 +22,9 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::form
 }  // namespace
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
+  const bool is_formula = text.find_first_of("=+-@\t") == 0;
+  if (!is_formula && text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = is_formula ? "\"'" : "\"";
   for (const char c : text) {
     quoted += c == '"' ? "\"\"" : std::string(1, c);
   }

@@ -6,7 +6,8 @@
 
 namespace bentur {
 
-/// A text as one field, quoted where it must be (RFC 4180).
+/// A text as one field, quoted where it must be (RFC 4180). One that a spreadsheet would compute, as it begins with
+/// = + - @ or a tab, begins with an apostrophe.
 [[nodiscard]] std::string csv_field(const std::string& text);
 
 /// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF). Every

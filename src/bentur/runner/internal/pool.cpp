@@ -5,7 +5,9 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <future>
 #include <iterator>
+#include <thread>
 #include <utility>
 
 namespace bentur {
@@ -14,6 +16,23 @@ namespace {
 constexpr double portion_seconds = 0.05;       // of work given to a thread at a time
 constexpr std::size_t largest_portion = 4096;  // runs
 constexpr std::size_t portions_ahead = 2;      // given to each thread, so that none waits
+
+/// As many of the threads wanted as the system can make, one at least: oneTBB ends the program where it is refused one.
+/// Where not all can be had, half of those that can: the work needs room too.
+int possible_threads(int wanted) {
+  std::vector<std::thread> trial;
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future().share();
+  try {
+    trial.reserve(static_cast<std::size_t>(wanted));
+    for (int i = 0; i < wanted; ++i) trial.emplace_back([ended] { ended.wait(); });
+  } catch (const std::exception&) {  // std::system_error, std::bad_alloc
+  }
+  end.set_value();
+  for (std::thread& thread : trial) thread.join();
+  const int made = static_cast<int>(trial.size());
+  return made == wanted ? wanted : std::max(1, made / 2);
+}
 
 }  // namespace
 
@@ -28,9 +47,9 @@ struct Pool::Threads {
 
 Pool::Pool(const StudyRuns& runs, int threads, std::function<bool()> stop)
     : runs_(runs),
-      count_(static_cast<std::size_t>(threads)),
+      count_(static_cast<std::size_t>(possible_threads(threads))),
       stop_(std::move(stop)),
-      threads_(std::make_unique<Threads>(threads)) {}
+      threads_(std::make_unique<Threads>(static_cast<int>(count_))) {}
 
 Pool::~Pool() {
   threads_->arena.execute([&] { threads_->group.wait(); });
