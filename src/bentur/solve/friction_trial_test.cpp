@@ -1,10 +1,18 @@
-// A law of two deformations that push on one another along one way only, as a corner does that rubs along a wall: its
-// closed forms by the solver, though no case asks for it yet.
+// Corners of floors that turn, which strike a wall and rub along it: interfaces over rotations, and a law of two
+// deformations that push on one another along one way only. Their closed forms by the solver, though no case asks for
+// them yet.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "bentur/contact/laws/darmawan.h"
+#include "bentur/contact/laws/hertz_damp.h"
+#include "bentur/contact/laws/kelvin_voigt.h"
+#include "bentur/contact/laws/kelvin_voigt_approach.h"
+#include "bentur/contact/laws/linear.h"
+#include "bentur/contact/laws/restitution.h"
+#include "bentur/contact/restitution_relations.h"
 #include "bentur/solve/solver.h"
 #include "bentur/structure/modes.h"
 
@@ -157,8 +165,8 @@ struct After {
   double friction_loss = 0;
 };
 
-After strike(const RubbingContact::Parameters& law, const Eigen::Vector2d& arm, const Vector3d& velocity,
-             const Solver& solver = ExactSolver{}) {
+/// The rectangle on its own, at rest where it is drawn, with velocities.
+System rectangle(const Vector3d& velocity, double duration) {
   Body body;
   body.name = "rectangle";
   body.mass = Vector3d(mass, mass, inertia).asDiagonal();
@@ -166,9 +174,6 @@ After strike(const RubbingContact::Parameters& law, const Eigen::Vector2d& arm, 
   body.modes = modes(body.mass, body.stiffness);
   body.modal_damping = MatrixXd::Zero(3, 3);
   body.load = VectorXd::Zero(3);
-  MatrixXd rows(2, 3);
-  rows << 1, 0, -arm.y(), 0, 1, arm.x();
-  body.coupled = {{rows, std::make_shared<RubbingContact>(law)}};
   body.outputs = {{.kind = OutputKind::displacement, .count = 3, .rows = MatrixXd::Identity(3, 3), .has_peak = true},
                   {.kind = OutputKind::velocity, .count = 3, .rates = MatrixXd::Identity(3, 3)}};
   System system;
@@ -176,14 +181,37 @@ After strike(const RubbingContact::Parameters& law, const Eigen::Vector2d& arm, 
   system.motion = NoMotion{};
   system.initial_displacement = {Vector3d::Zero()};
   system.initial_velocity = {velocity};
-  system.duration = 20 * std::sqrt(mass / law.stiffness);
+  system.duration = duration;
+  return system;
+}
+
+Solution solved(const System& system, const Solver& solver = ExactSolver{}) {
   const FreeSolution free(system, solver);
   EXPECT_EQ(free.solution().status, Status::done) << free.solution().message;
-  const Solution solution = free.solve({}, {.output_step = system.duration / 8, .energy_audit = true});
+  Solution solution = free.solve(system.contacts, {.output_step = system.duration / 8, .energy_audit = true});
   EXPECT_EQ(solution.status, Status::done) << solution.message;
+  return solution;
+}
+
+/// Velocities at the end.
+Vector3d after(const Solution& solution) { return solution.outputs[0][1].history.rightCols(1); }
+
+After strike(const RubbingContact::Parameters& law, const Eigen::Vector2d& arm, const Vector3d& velocity,
+             const Solver& solver = ExactSolver{}) {
+  MatrixXd rows(2, 3);
+  rows << 1, 0, -arm.y(), 0, 1, arm.x();
+  System system = rectangle(velocity, 20 * std::sqrt(mass / law.stiffness));
+  system.bodies[0].coupled = {{rows, std::make_shared<RubbingContact>(law)}};
+  const Solution solution = solved(system, solver);
   EXPECT_LT(solution.energy->relative_residual(), 1e-10);
-  const Index last = std::ssize(solution.samples.time) - 1;
-  return {solution.outputs[0][1].history.col(last), solution.energy->histories.hysteretic(last)};
+  return {after(solution), solution.energy->histories.hysteretic.tail(1)(0)};
+}
+
+/// Contact points on the wall, `above` the middle of the rectangle, all by one law.
+System against_wall(const std::shared_ptr<const Law>& law, const Vector3d& velocity, const std::vector<double>& above) {
+  System system = rectangle(velocity, 0.5);
+  for (const double y : above) system.contacts.push_back({{{0, Vector3d(1, 0, -y)}}, law, 0});
+  return system;
 }
 
 /// A corner of the rectangle, 4 to the right of its middle and 6 below.
@@ -203,6 +231,66 @@ TEST(RubbingTrial, CornerThatSlidesAllTheWay) {  // space-targets 3
   EXPECT_NEAR(down.velocity.y(), -7.4196531791908, 1e-10);
   EXPECT_NEAR(down.velocity.z(), 0.23352601156069, 1e-10);
   EXPECT_NEAR(down.friction_loss, 56.293227304621, 1e-9);
+}
+
+/// The mass that a corner strikes with: 1/m_p = 1/m + y²/J.
+constexpr double corner_mass = 1 / (1 / mass + 36 / inertia);
+
+TEST(CornerTrial, RestitutionIsThatOfTheLaw) {  // space-targets 2
+  struct One {
+    double restitution, impulse, tolerance;
+    std::shared_ptr<const Law> law;
+  };
+  constexpr double k = corner_stiffness, speed = 0.8;
+  const double d = exact_damping_factor(0.6);
+  for (const One& one :
+       {One{1.0, 26, 1e-10, std::make_shared<Linear>(k)}, One{0.6, 20.8, 1e-10, std::make_shared<Restitution>(0.6)},
+        One{0.35, 17.55, 1e-10, std::make_shared<Restitution>(0.35)},
+        One{0.55, 20.15, 1e-10,
+            std::make_shared<KelvinVoigt>(k, exact_separation_damping_ratio(0.55), corner_mass,
+                                          KelvinVoigt::Release::separation)},
+        One{0.6, 20.8, 1e-9, std::make_shared<HertzDamp>(10 * k, d)},
+        One{0.6, 20.8, 1e-9, std::make_shared<Darmawan>(k, d / speed)}}) {
+    const Solution solution = solved(against_wall(one.law, {-1.6, 0.3, 0.4}, {-6, -1}));
+    ASSERT_EQ(solution.impacts.size(), 1U) << one.law->name();
+    const Impact& impact = solution.impacts[0];
+    EXPECT_EQ(impact.point, 0);
+    EXPECT_NEAR(impact.closing_speed, speed, 1e-12);
+    EXPECT_NEAR(impact.impulse, one.impulse, one.impulse * one.tolerance) << one.law->name();
+    const Vector3d expected(-1.6 - one.impulse / mass, 0.3, 0.4 - 6 * one.impulse / inertia);
+    EXPECT_LT((after(solution) - expected).cwiseAbs().maxCoeff(), one.tolerance) << one.law->name();
+    EXPECT_NEAR(*impact.restitution(), one.restitution, one.tolerance) << one.law->name();
+  }
+}
+
+TEST(CornerTrial, BothPointsAtOnce) {  // space-targets 2, (E-1)
+  const Solution solution = solved(against_wall(std::make_shared<Restitution>(0.6), {0.8, 0.3, 0}, {-6, -1}));
+  for (const Impact& impact : solution.impacts) {
+    EXPECT_NEAR(impact.impulse, impact.point == 0 ? 0.0 : 60.509090909091, 1e-10);
+  }
+  EXPECT_NEAR(after(solution).x(), 0.8 - 60.509090909091 / mass, 1e-12);
+  EXPECT_NEAR(after(solution).z(), -60.509090909091 / inertia, 1e-12);
+}
+
+TEST(CornerTrial, DampingRatioOfTheStretchAtACorner) {  // space-targets 2, (P-10)
+  constexpr double stretch = 2 * corner_stiffness, ratio = 0.2;
+  const double at_corner = ratio * std::sqrt(0.5 * mass / corner_mass);
+  struct One {
+    double corner, flat;
+    std::shared_ptr<const Law> of_corner, of_stretch;
+  };
+  using enum KelvinVoigt::Release;
+  for (const One& one : {One{0.50860135752094, 0.57174002758478,
+                             std::make_shared<KelvinVoigt>(stretch / 2, at_corner, corner_mass, zero_force),
+                             std::make_shared<KelvinVoigt>(stretch, ratio, mass, zero_force)},
+                         One{0.71316292494839, 0.75613492683831,
+                             std::make_shared<KelvinVoigtApproach>(stretch / 2, at_corner, corner_mass),
+                             std::make_shared<KelvinVoigtApproach>(stretch, ratio, mass)}}) {
+    const Solution corner = solved(against_wall(one.of_corner, {-1.6, 0.3, 0.4}, {-6, -1}));
+    EXPECT_NEAR(*corner.impacts.at(0).restitution(), one.corner, 1e-10) << one.of_corner->name();
+    const Solution flat = solved(against_wall(one.of_stretch, {0.8, 0, 0}, {0}));
+    EXPECT_NEAR(*flat.impacts.at(0).restitution(), one.flat, 1e-10) << one.of_stretch->name();
+  }
 }
 
 TEST(RubbingTrial, WithoutFrictionIsTheImpactOfTheMassAtTheCorner) {  // space-targets 2

@@ -1,7 +1,7 @@
 // Which figures are to be drawn, and what came back: the solver draws them, each of the run that is shown.
 import { batch, effect, signal, untracked } from "@preact/signals";
+import { curve, gap, live, result, solvedText, text } from "./case";
 import { type Drawn, schema, type Wanted } from "./solver";
-import { curve, gap, live, result, solvedText, text } from "./state";
 import { language } from "./texts";
 
 export const drawn = signal<Record<string, Drawn>>({});

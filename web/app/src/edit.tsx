@@ -1,11 +1,10 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { found, gap, result, text } from "./case";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import { type CaseError, type Key, type Node, schema } from "./solver";
-import {
-  addFile, change, complain, errors, found, gap, grow, inUnits, load, loads, problem, result, text, type Told, told, tooLong, travel, type, width,
-} from "./state";
+import { addFile, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
 import { number, say } from "./texts";

@@ -1,10 +1,11 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { curve } from "./case";
 import { drawn, point, see, span } from "./drawing";
-import { main } from "./motion";
+import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
-import { curve, curveDone, stale, takeFigure, time } from "./state";
+import { curveDone, stale, takeFigure, time } from "./state";
 import { number, say } from "./texts";
 
 const ofAxis = (axis: AxisPlace, value: number) => (axis.logarithmic

@@ -1,14 +1,15 @@
 import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { result, text } from "./case";
 import { cases } from "./cases";
 import { beginDrawing } from "./drawing";
 import { Editor, Errors, FilePicker, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
 import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
-import { MotionView } from "./motion";
+import { MotionView } from "./animation";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
-import { begin, complain, isOwn, load, pinned, result, stale, standing, startAnew, text } from "./state";
+import { begin, complain, isOwn, load, pinned, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
 import { Take } from "./take";

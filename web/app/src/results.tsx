@@ -1,7 +1,8 @@
-import { main } from "./motion";
+import { main } from "./animation";
+import { gap, progress, result, slow } from "./case";
 import { nameOf } from "./schema";
 import { type GapOverview, type Overview, type Result, type Said, schema } from "./solver";
-import { cancel, gap, pinned, progress, result, slow, stale } from "./state";
+import { cancel, pinned, stale } from "./state";
 import { number, say } from "./texts";
 
 const unitOf = (overview: Overview) => overview.units.length;

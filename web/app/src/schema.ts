@@ -1,7 +1,7 @@
 // What the schema of a case says of its keys, which is said nowhere in the page: what they are
 // called, take and mean.
+import { found } from "./case";
 import { type Key, type Node, schema } from "./solver";
-import { found } from "./state";
 import { language } from "./texts";
 import { leaf, type Path } from "./toml";
 

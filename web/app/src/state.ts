@@ -1,25 +1,16 @@
-// What the page knows: one text, from which everything else follows.
+// What becomes of the case that stands there: it is changed, run, kept, and given away.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
+import { before, curve, files, found, gap, live, progress, result, slow, solvedText, text } from "./case";
 import { cases, recordBytes, recordName } from "./cases";
-import { forget, keep, kept } from "./kept";
 import { take as takeDrawn, wanted, wantedNow } from "./drawing";
-import { type Answer, type CaseError, type CurvePoint, type Files, type Result, Solver, type Take } from "./solver";
+import { forget, keep } from "./kept";
+import { type Answer, type CaseError, type Files, type Result, Solver, type Take } from "./solver";
 import { record, step } from "./steps";
 import { grown, type Part, withoutPoints, withPoints } from "./storeys";
 import { hasWord, language, number, say, type Word } from "./texts";
 import { leaf, outline, widths, withWidth } from "./toml";
 
-const before = kept();
-export const text = signal<string>(before?.text ?? cases[0].text);
-/** Records that were added, each name once: the same text with another file is another case. */
-const files = signal<Files>(before?.files ?? []);
 export const errors = signal<CaseError[]>([]);
-export const result = signal<Result | null>(null);
-export const solvedText = signal("");
-export const slow = signal(false); // the solver has been at it for longer than a moment
-export const progress = signal(0);
-export const gap = signal(0); // the one that the slider is of
-export const curve = signal<CurvePoint[]>([]);
 export const curveDone = signal(1);
 export const pinned = signal<Result | null>(null);
 export const time = signal(0);
@@ -58,7 +49,6 @@ export function told(one: CaseError): Told {
     : { text: one.told?.[language.value] ?? one.message, english: one.told?.[language.value] === undefined };
 }
 
-export const found = computed(() => outline(text.value));
 /** The record that the case names and a link has no room for. */
 export const ownRecord = computed(() => {
   const name = leaf(found.value, ["excitation", "file"])?.value;
@@ -71,10 +61,6 @@ export const width = computed(() => {
   return values.length > 0 ? Math.min(...values) : 0;
 });
 
-export const live = new Solver((yes) => {
-  slow.value = yes;
-  if (!yes) progress.value = 0;
-});
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Files) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
 give([[recordName, recordBytes], [`../data/${recordName}`, recordBytes], ...files.value]);

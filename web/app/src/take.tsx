@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
+import { result, text } from "./case";
 import { Message } from "./edit";
 import { linked, toFragment } from "./link";
 import { caseOf, Stale } from "./results";
 import { png, save } from "./save";
 import type { Histories, Overview, Result } from "./solver";
-import { ownRecord, result, stale, take, takeHistories, text, type Told } from "./state";
+import { ownRecord, stale, take, takeHistories, type Told } from "./state";
 import { say } from "./texts";
 
 function historiesCsv({ histories, overview }: { histories: Histories; overview: Overview }): string {

@@ -32,39 +32,62 @@ std::optional<Storey> storey_at(const FloorLevels& levels, double elevation) {
   return Storey{above == levels.elevations.begin() ? levels.base : *std::prev(above), *above};
 }
 
-/// Puts a node into the column of `struck` that faces the gap; false (and an error) where there can be none.
-bool put_node(const TomlView& at, double elevation, bool left_of_gap, ReadBuilding& struck) {
-  auto* frame = std::get_if<PlaneFrame>(&struck.spec.structure);
-  if (frame == nullptr) {
-    at.error_value(
-        fmt::format("is between floors of {}, whose columns only a frame has: give it as one, or leave this "
-                    "elevation out",
-                    struck.path));
-    return false;
+/// Why no column of `struck` can be struck at an elevation [length]; nothing where one can.
+std::optional<std::string> refusal(const ReadBuilding& struck, double elevation) {
+  if (!std::holds_alternative<PlaneFrame>(struck.spec.structure)) {
+    return fmt::format(
+        "is between floors of {}, whose columns only a frame has: give it as one, or leave this elevation out",
+        struck.path);
   }
   const FloorLevels levels = floor_levels(struck);
   const std::optional<Storey> storey = storey_at(levels, elevation);
   if (!storey) {
-    at.error_value(fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
-                               levels.elevations.back()));
-    return false;
+    return fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
+                       levels.elevations.back());
   }
-  if (!storey->has_node_at(elevation)) {
-    at.error_value(
-        fmt::format("is less than 1 % of the storey height from a floor of {}: there the floor itself is "
-                    "struck, let the floors meet with level_tolerance",
-                    struck.path));
-    return false;
+  if (storey->has_node_at(elevation)) return std::nullopt;
+  return fmt::format(
+      "is less than 1 % of the storey height from a floor of {}: there the floor itself is struck, let the floors meet "
+      "with level_tolerance",
+      struck.path);
+}
+
+/// A number, where it is one.
+std::optional<double> number_in(const std::optional<TomlView>& view) {
+  if (view && view->is(TomlValue::Kind::integer)) return static_cast<double>(view->value().integer);
+  if (view && view->is(TomlValue::Kind::real)) return view->value().real;
+  return std::nullopt;
+}
+
+/// Elevations that a gap names to be struck [length], as far as they are numbers: what is wrong with it is said where
+/// it is read.
+std::vector<double> elevations_to_strike(const TomlView& gap) {
+  std::vector<double> elevations;
+  if (!gap.is(TomlValue::Kind::table)) return elevations;
+  const auto strikes = gap.find("strikes_columns"), list = gap.find("elevations");
+  if (!strikes || !strikes->value().boolean || !list || !list->is(TomlValue::Kind::list)) return elevations;
+  for (const TomlView& item : list->items()) {
+    if (const auto elevation = number_in(item)) elevations.push_back(*elevation);
   }
-  const double height = elevation - struck.spec.base_elevation;
-  const bool there = std::any_of(frame->nodes.begin(), frame->nodes.end(), [&](const ColumnNode& node) {
-    return node.left != left_of_gap && node.elevation == height;
-  });
-  if (there) return true;  // buildings that were read before
-  frame->nodes.push_back({.left = !left_of_gap, .elevation = height});
-  struck.modes = 0;
-  make(struck);
-  return true;
+  return elevations;
+}
+
+/// Puts nodes into the columns that face a gap, where floors of the other building strike them.
+void put_nodes(const TomlView& gap, ReadBuilding& left, ReadBuilding& right) {
+  const std::vector<double> elevations = elevations_to_strike(gap);
+  const FloorLevels a = floor_levels(left), b = floor_levels(right);
+  if (elevations.empty() || a.elevations.empty() || b.elevations.empty()) return;
+  const std::vector<LevelPair> pairs = level_floors(a, b, number_in(gap.find("level_tolerance")));
+  for (const double elevation : elevations) {
+    const bool of_left = has_floor(a, elevation);
+    if (pair_at(elevation, pairs, a, b) != nullptr || (!of_left && !has_floor(b, elevation))) continue;
+    ReadBuilding& struck = of_left ? right : left;
+    if (refusal(struck, elevation)) continue;
+    std::get<PlaneFrame>(struck.spec.structure)
+        .nodes.push_back({.left = of_left, .elevation = elevation - struck.spec.base_elevation});
+    struck.modes = 0;
+    struck.made = nullptr;
+  }
 }
 
 }  // namespace
@@ -80,22 +103,38 @@ std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuild
   return elevations;
 }
 
+std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<ReadBuilding> buildings) {
+  const auto gaps = root.find("gap");
+  if (!gaps || !gaps->is(TomlValue::Kind::list)) return buildings;
+  const auto nodes = [](const ReadBuilding& building) {
+    const auto* frame = std::get_if<PlaneFrame>(&building.spec.structure);
+    return frame != nullptr && !frame->nodes.empty();
+  };
+  for (std::size_t i = 0; i < gaps->size() && i + 1 < buildings.size(); ++i) {
+    put_nodes(gaps->item(i), buildings[i], buildings[i + 1]);
+  }
+  for (ReadBuilding& building : buildings) {
+    if (nodes(building)) make(building);
+  }
+  return buildings;
+}
+
 std::vector<double> read_struck_columns(const TomlView& list, const std::vector<double>& wanted,
-                                        const std::vector<LevelPair>& pairs, ReadBuilding& left, ReadBuilding& right) {
+                                        const std::vector<LevelPair>& pairs, const ReadBuilding& left,
+                                        const ReadBuilding& right) {
   const FloorLevels a = floor_levels(left);
   const FloorLevels b = floor_levels(right);
   std::vector<double> named;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (const LevelPair* const pair = pair_at(wanted[i], pairs, a, b)) {
-      named.push_back(pair->elevation);
-      continue;
-    }
+    const LevelPair* const pair = pair_at(wanted[i], pairs, a, b);
     const bool of_left = has_floor(a, wanted[i]);
-    if (!of_left && !has_floor(b, wanted[i])) {
+    if (pair == nullptr && !of_left && !has_floor(b, wanted[i])) {
       list.item(i).error_value("neither building has a floor there");
-      continue;
+    } else if (const auto why = pair ? std::nullopt : refusal(of_left ? right : left, wanted[i])) {
+      list.item(i).error_value(*why);
+    } else {
+      named.push_back(pair ? pair->elevation : wanted[i]);
     }
-    if (put_node(list.item(i), wanted[i], !of_left, of_left ? right : left)) named.push_back(wanted[i]);
   }
   return named.size() == wanted.size() ? named : std::vector<double>{};
 }

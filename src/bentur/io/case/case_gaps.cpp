@@ -68,7 +68,7 @@ bool models_no_contact(const TomlView& elevations) {
 }
 
 /// The contact points' elevations [length]; empty when they are not known, or there are to be none.
-std::vector<double> read_elevations(const TomlView& gap, ReadBuilding& left, ReadBuilding& right,
+std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
                                     std::optional<double> tolerance, bool strikes_columns) {
   const auto given = gap.find("elevations");
   const FloorLevels a = floor_levels(left);
@@ -221,7 +221,7 @@ void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& 
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
 }
 
-GapSpec read_gap(const TomlView& entry, ReadBuilding& left, ReadBuilding& right,
+GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {
   GapSpec spec;
   const auto table = TableView::of(entry, gap_keys());
@@ -335,7 +335,7 @@ std::vector<double> named_elevations(const TomlView& list, const std::vector<dou
   return named.size() == wanted.size() ? named : std::vector<double>{};
 }
 
-std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings) {
+std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   std::vector<GapSpec> gaps;
   const auto list = root.tables("gap", "one [[gap]] table between each pair of neighbours");
   if (!list) return gaps;

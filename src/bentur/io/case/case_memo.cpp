@@ -80,7 +80,7 @@ void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<
   const TomlView list = *root.find("building");
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const auto* frame = std::get_if<PlaneFrame>(&buildings[b].spec.structure);
-    if (frame != nullptr && !frame->nodes.empty()) continue;  // gaps have put them there
+    if (frame != nullptr && !frame->nodes.empty()) continue;  // what makes them stands in gaps, not in its table
     std::string key = building_key(list.item(b).value(), units, std::span(buildings).first(b));
     const std::lock_guard lock(mutex_);
     if (buildings_.find(key) != buildings_.end()) continue;

@@ -64,14 +64,17 @@ void read_rigid(const TableView& table, ReadBuilding& building);
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
 
-/// case_gaps.cpp; columns that are struck between floors get nodes there.
-[[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, std::vector<ReadBuilding>& buildings);
+/// case_columns.cpp: the buildings with nodes in the columns that gaps say are struck. No error is said of these.
+[[nodiscard]] std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<ReadBuilding> buildings);
+
+/// case_gaps.cpp
+[[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
 /// case_columns.cpp: elevations of contact points of a gap with strikes_columns, at floors that meet or where a floor
-/// of one building faces a column of the other, which gets a node there; empty (and an error) unless all are.
+/// of one building faces a column of the other; empty (and an error) unless all are.
 [[nodiscard]] std::vector<double> read_struck_columns(const TomlView& elevations, const std::vector<double>& wanted,
-                                                      const std::vector<LevelPair>& pairs, ReadBuilding& left,
-                                                      ReadBuilding& right);
+                                                      const std::vector<LevelPair>& pairs, const ReadBuilding& left,
+                                                      const ReadBuilding& right);
 
 /// case_columns.cpp: the elevations of `striking`'s floors that face a column of `struck`; none unless that is a frame.
 [[nodiscard]] std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuilding& striking);

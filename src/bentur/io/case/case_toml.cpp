@@ -222,7 +222,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
-  buildings = read_buildings(root, c.units, {folder, diagnostics}, memo);
+  buildings = with_struck_columns(root, read_buildings(root, c.units, {folder, diagnostics}, memo));
   c.gaps = read_gaps(root, buildings);
   c.links = read_links(root, buildings);
   c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);

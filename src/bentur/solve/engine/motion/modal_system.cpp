@@ -229,6 +229,7 @@ double ModalSystem::rate(const ElementForces& forces) const {
       sides.below += std::max(-values.minCoeff(), 0.0);
     } else {
       sides.above += inner.norm();
+      sides.below += inner.norm();
     }
   };
   for (const ElementForces::Coupled& of : forces.coupled) {
