@@ -4,65 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "bentur/io/internal/text_cursor.h"
 #include "bentur/io/toml/toml_value.h"
 
 namespace bentur {
 namespace {
 
 constexpr int max_depth = 32;  // of brackets, and of the parts of one dotted key
-
-/// Walks over a text character by character, counting lines and columns.
-class Cursor {
- public:
-  explicit Cursor(const std::string& text) : text_(text) {}
-
-  [[nodiscard]] bool done() const { return at_ >= text_.size(); }
-  [[nodiscard]] bool starts(const char* what) const {
-    return text_.compare(at_, std::char_traits<char>::length(what), what) == 0;
-  }
-  [[nodiscard]] char byte() const { return text_[at_]; }
-  [[nodiscard]] int line() const { return line_; }
-  [[nodiscard]] int column() const { return column_; }
-
-  /// The character here, or nothing when the bytes are not valid UTF-8 (RFC 3629: shortest form, no surrogates).
-  [[nodiscard]] std::optional<char32_t> character() {
-    const unsigned char lead = at(0);
-    length_ = lead < 0x80                   ? 1
-              : lead >= 0xC2 && lead < 0xE0 ? 2
-              : (lead & 0xF0) == 0xE0       ? 3
-              : lead >= 0xF0 && lead < 0xF5 ? 4
-                                            : 0;
-    if (length_ == 0) return std::nullopt;
-    if (length_ == 1) return lead;
-    char32_t value = lead & (0x7FU >> length_);
-    for (std::size_t i = 1; i < length_; ++i) {
-      if ((at(i) & 0xC0) != 0x80) return std::nullopt;
-      value = (value << 6) | (at(i) & 0x3FU);
-    }
-    const char32_t least = length_ == 2 ? 0x80 : length_ == 3 ? 0x800 : 0x10000;
-    if (value < least || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF)) return std::nullopt;
-    return value;
-  }
-
-  /// Steps over the character last asked for.
-  void next() {
-    const bool line_ends = byte() == '\n';
-    at_ += length_;
-    line_ += line_ends ? 1 : 0;
-    column_ = line_ends ? 1 : column_ + 1;
-  }
-
- private:
-  [[nodiscard]] unsigned char at(std::size_t offset) const {
-    return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0;
-  std::size_t length_ = 1;
-  int line_ = 1;
-  int column_ = 1;
-};
 
 enum class Place { outside, comment, basic, literal, basic_lines, literal_lines };
 
@@ -71,7 +19,7 @@ bool in_lines(Place place) { return place == Place::basic_lines || place == Plac
 }  // namespace
 
 bool check_toml_text(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
-  Cursor cursor(text);
+  TextCursor cursor(text);
   Place place = Place::outside;
   int brackets = 0;
   int dots = 0;
