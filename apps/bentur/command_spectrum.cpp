@@ -12,6 +12,7 @@
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/spectrum_files.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 #include "commands.h"
 #include "output.h"
 #include "picture.h"
@@ -22,7 +23,7 @@ namespace bentur::cli {
 namespace {
 
 struct SpectrumArguments {
-  std::string file, unit, periods, length = "m", output;
+  std::string file, unit, periods, length = "m", output, language = "en";
   RecordOptions options;
   double damping = 0.05;
   bool json = false, force = false;
@@ -107,7 +108,7 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
          table.text();
 }
 
-Figure spectrum_picture(const RecordSpectrum& spectrum) {
+Figure spectrum_picture(const RecordSpectrum& spectrum, const std::string& language) {
   SpectrumCurves curves;
   curves.periods = spectrum.periods;
   for (const OscillatorPeaks& p : spectrum.peaks) {
@@ -117,7 +118,10 @@ Figure spectrum_picture(const RecordSpectrum& spectrum) {
   curves.acceleration_unit = "g";
   curves.length = spectrum.units.length;
   curves.damping = spectrum.damping_ratio;
-  return spectrum_figure(curves);
+  FigureOptions options;
+  options.say = figure_words(language);
+  options.language = language;
+  return spectrum_figure(curves, options);
 }
 
 void run(const SpectrumArguments& arguments) {
@@ -148,7 +152,7 @@ void run(const SpectrumArguments& arguments) {
   } catch (const InvalidParameter& error) {
     throw Failure(exit_bad_input, fmt::format("{}: error: {}", arguments.file, error.what()));
   }
-  if (is_picture(output)) write_picture(output, spectrum_picture(spectrum), rules);
+  if (is_picture(output)) write_picture(output, spectrum_picture(spectrum, arguments.language), rules);
   if (csv) csv->write(spectrum_csv(spectrum));
   if (arguments.json) {
     print(spectrum_json(spectrum, BENTUR_VERSION));
@@ -188,6 +192,8 @@ void add_spectrum_command(CLI::App& app) {
       ->add_option("-o,--output", arguments->output,
                    "write a CSV file (- for standard output), or draw a picture: .svg, .pdf or .png")
       ->check(not_empty());
+  command->add_option("--lang", arguments->language, "of a picture: en (default) or id: English or Indonesian")
+      ->check(CLI::IsMember(report_languages()));
   add_force(*command, arguments->force);
   command->add_flag("--json", arguments->json, "JSON instead of a table");
   command->footer(

@@ -197,6 +197,16 @@ test("a record says its unit, whatever its name, or none", () => {
   assert.equal(one.recordUnit("none.txt"), "");
 });
 
+test("no case of the page says in its title what a slider changes", () => {
+  const used = readFileSync(`${source}/web/app/src/cases.ts`, "utf8");
+  const files = [...used.matchAll(/from "(?:@repo\/|\.\.\/)([\w/.-]+\.toml)\?raw"/g)].map(([, file]) => file);
+  assert.ok(files.length >= 6, used);
+  for (const file of files) {
+    const text = readFileSync(`${source}/${file.startsWith("cases/") ? `web/app/${file}` : file}`, "utf8");
+    assert.doesNotMatch(text.match(/^title = "(.*)"$/m)[1], /\d\s*(mm|cm|m|in|ft)\b/, file);
+  }
+});
+
 test("the page has no text that the schema has, and none twice", () => {
   const texts = readFileSync(`${source}/web/app/src/texts.ts`, "utf8");
   const [en, id] = [...texts.matchAll(/^const (?:en|id)\b[^]*?^}/gm)].map(([block]) =>
@@ -246,7 +256,7 @@ test("every refused case of tests/bad_input is refused in the same words", () =>
   for (const name of readdirSync(folder).filter((file) => file.endsWith(".toml"))) {
     const text = readFileSync(`${folder}/${name}`);
     // What depends on files beside the case is told of by the record tests.
-    if (/file\s*=/.test(text.toString())) continue;
+    if (/(file|logo)\s*=/.test(text.toString())) continue;
     // Below 2.2e-308 a number is no number for the stream that the TOML parser reads with where there is no from_chars:
     // refused as well, in other words.
     if (name === "harmonic-period-tiny.toml") continue;

@@ -271,5 +271,65 @@ TEST(Pictures, ManyImpactsDoNotFillTheFrame) {
   EXPECT_EQ(make_figure(linked_run(), "force").panels.front().curves.front().line, Line::solid);
 }
 
+/// What was computed is seen beside the line through it, and there is one scale to each panel.
+TEST(Pictures, AgainstTheGapTheNeedIsMarkedAndEveryPointSeen) {
+  const GapCurve curve{.name = "A | B",
+                       .widths = {0, 0.01, 0.02},
+                       .forces = {900, 500, 0},
+                       .amplifications = {1.4, 0.9, 1},
+                       .given = 0.005,
+                       .needed = 0.015,
+                       .length = "m",
+                       .force_unit = "kN"};
+  const Figure figure = gap_curve_figure(curve);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  EXPECT_NE(figure.finding.find("900 kN"), std::string::npos);
+  for (const Panel& panel : figure.panels) {
+    ASSERT_EQ(panel.curves.size(), 1U) << "another quantity has a panel of its own";
+    EXPECT_EQ(panel.curves[0].mark, Mark::disc) << "each point that was computed is seen";
+    EXPECT_EQ(panel.curves[0].x, curve.widths);
+    const auto at = [&](double width) {
+      return std::any_of(panel.rules.begin(), panel.rules.end(), [&](const RuleLine& rule) {
+        return rule.vertical && rule.at == width && !rule.label.empty();
+      });
+    };
+    EXPECT_TRUE(at(curve.given) && at(*curve.needed));
+    EXPECT_GE(*panel.x.to, 0.02);
+  }
+}
+
+/// Two points in an empty frame tell nothing that a table does not.
+TEST(Pictures, OfSingleFloorsThereIsNothingOverTheHeight) {
+  const std::string text = R"(
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [3.0], masses = [30.0], stiffnesses = [4e4] }
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [3.0], masses = [30.0], stiffnesses = [9e4] }
+[[gap]]
+between = ["A", "B"]
+width = 0.001
+contact = { law = "linear", stiffness = 1e6 }
+[excitation]
+kind = "harmonic"
+period = 0.2
+displacement_amplitude = 0.02
+[analysis]
+duration = 2.0
+)";
+  std::size_t silent = 0;
+  for (const FigureKind& kind : figure_kinds(test::drawn_run(text))) {
+    for (const char* name : {"forces", "envelope", "amplification", "modes"}) {
+      if (kind.name != name) continue;
+      EXPECT_FALSE(kind.tells) << name;
+      ++silent;
+    }
+  }
+  EXPECT_GE(silent, 2U);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -74,7 +74,9 @@ Ticks scale_of(const HeatMap& map) {
   if (map.ratio) return ratio_scale(low, high);
   constexpr double squashed = 0.1;
   const bool some_squash_others = !map.range && low > 0 && percentile(values, 0.5) < squashed * high;
-  return make_ticks({.low = low, .high = high, .logarithmic = some_squash_others, .most = 6});
+  if (!some_squash_others) return make_ticks({.low = low, .high = high, .most = 6});
+  // From end to end: to a whole decade much of the bar could be of no cell.
+  return make_ticks({.low = low, .high = high, .from = low, .to = high, .logarithmic = true, .most = 6});
 }
 
 /// Of names all stand where there is room for them, else numbers. Along y only what lies between the ends of the x axis
