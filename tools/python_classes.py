@@ -53,6 +53,7 @@ CLASSES = {
                    "``kind=\"spectrum\"`` is for :func:`bentur.minimum_gap` alone.", []),
     "Initial": (("initial",), "", []),
     "Analysis": (("analysis",), "", []),
+    "Project": (("project",), "", []),
 }
 # What is of Python alone: a record given as an array, a law of one's own.
 OWN = {"Excitation": "values: ArrayLike | None = field(default=None, repr=False)"}

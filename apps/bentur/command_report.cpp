@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
+#include "bentur/io/markup/safe_markup.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/studies/sweep_report.h"
@@ -21,6 +22,7 @@ struct ReportArguments {
   std::string input;
   std::string output;
   std::string language = "en";
+  std::string head;
   bool force = false;
 };
 
@@ -64,16 +66,27 @@ std::vector<std::filesystem::path> files_of_results(const std::filesystem::path&
   return files;
 }
 
+/// An office's own head; empty where none is asked for. @throws Failure with all that cannot stand in it.
+std::string read_head(const ReportArguments& arguments) {
+  if (arguments.head.empty()) return {};
+  Diagnostics diagnostics;
+  const auto head = read_markup(arguments.head, MarkupKind::head, diagnostics);
+  if (!head) throw Failure(diagnostics, arguments.language);
+  return *head;
+}
+
 void run(const ReportArguments& arguments) {
+  const std::string head = read_head(arguments);
   const std::filesystem::path input = arguments.input;
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
   const bool from_files = is_folder || is_netcdf;
   const Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
-  OutputFile output(arguments.output, ResultKind::report,
-                    {from_files ? files_of_results(input, is_folder) : loaded.files, arguments.force});
-  const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION};
+  std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
+  if (!arguments.head.empty()) files.emplace_back(arguments.head);
+  OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
+  const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
                                        : from_case(loaded, options);
@@ -97,6 +110,11 @@ void add_report_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
       ->check(CLI::IsMember(report_languages()));
+  command
+      ->add_option("--template", arguments->head,
+                   "an office's own head of the report, XHTML with {name}, {number}, {logo} and so on of [project]")
+      ->check(not_empty())
+      ->type_name("FILE");
   add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");
   command->callback([arguments] { run(*arguments); });

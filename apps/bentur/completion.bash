@@ -8,6 +8,11 @@ _bentur() {
     esac
   done
   COMPREPLY=()
+  if [[ $previous == --template ]]; then
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    compopt -o filenames 2>/dev/null
+    return
+  fi
   if [[ $previous == -o || $previous == --output ]]; then
     mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|spectrum|plot|report|schema) ]] && echo -f || echo -d)" -- "$current")
     compopt -o filenames 2>/dev/null
@@ -28,13 +33,13 @@ _bentur() {
   case $command in
     '') options='run report gap sweep ida fragility modes check spectrum plot example schema --help --version' ;;
     run) options='--output --figures --lang --json --quiet --force --help' ;;
-    report) options='--output --lang --force --help' ;;
+    report) options='--output --lang --template --force --help' ;;
     gap) options='--at --lang --json --help' ;;
     sweep | ida) options='--output --resume --check --threads --quiet --force --help' ;;
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--lang --help' ;;
-    spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --force --json --help' ;;
+    spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --lang --force --json --help' ;;
     plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --lang --help' ;;
     example) options='--output --no-schema --force --help' ;;
     schema) options='--output --force --help' ;;

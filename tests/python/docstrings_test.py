@@ -85,7 +85,7 @@ PLACES = {
     "Matrices": ("building", 0, "matrices"), "Modal": ("building", 0, "modal"), "Generic": ("building", 0, "generic"),
     "Isolation": ("building", 0, "isolation"), "Soil": ("building", 0, "soil"), "Gap": ("gap", 0),
     "Contact": ("gap", 0, "contact"), "Link": ("link", 0), "Excitation": ("excitation",), "Initial": ("initial",),
-    "Analysis": ("analysis",),
+    "Analysis": ("analysis",), "Project": ("project",),
 }
 # Where what is known depends on a choice.
 KINDS = {"Excitation": [{"kind": kind} for kind in ("record", "harmonic", "none", "spectrum")]}

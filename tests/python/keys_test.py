@@ -30,7 +30,7 @@ BEYOND = {
             between-order between-unknown-name building-name-twice initial-unknown-building
             link-order link-unknown-name""",
         "other files": """
-            record-channel-missing record-channel-outside record-column-missing
+            project-logo-missing project-logo-runs record-channel-missing record-channel-outside record-column-missing
             record-column-outside record-count record-empty record-header record-heading-like-a-row
             record-is-folder record-missing-file record-nan record-pga-of-zeros record-ragged
             record-time-step-contradicts record-time-step-missing record-uneven-time

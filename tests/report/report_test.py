@@ -297,6 +297,94 @@ levels = [0.1, 0.3, 0.6]
         self.assertTrue(any("Content Security Policy" in complaint for complaint in self.browser.complaints()))
 
 
+LOGO = """<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 120 40">
+  <title>Office</title>
+  <defs><linearGradient id="data"><stop offset="0" style="stop-color:#1b5e9b"/><stop offset="1" stop-color="#7fd196"/></linearGradient></defs>
+  <rect width="40" height="40" rx="6" style="fill:url(#data);stroke:none"/>
+  <path id="stage" d="M8 32V12h10v20M22 32V6h10v26" fill="none" stroke="#fff" stroke-width="3"/>
+  <text x="48" y="25" font-family="Arial" font-size="14">Wirawan</text>
+</svg>
+"""
+PROJECT = """
+[project]
+name = "Extension of Hotel Harapan"
+number = "24-117"
+engineer = "Ir. S. Wirawan"
+date = "14 March 2026"
+revision = "B"
+code_basis = "SNI 1726:2019"
+assumptions = ["Infill is separated from the frames."]
+sources = ["Sections: drawings S-101 to S-108 of 2019."]
+logo = "logo.svg"
+"""
+TEMPLATE = re.search(r"^```html\n(.*?)^```$", (SOURCE / "docs/report.md").read_text(), re.MULTILINE | re.DOTALL)[1]
+
+
+class HandIn(Reports):
+    def written(self, example="m12-el-centro", logo=LOGO, template=TEMPLATE, project=PROJECT):
+        text = (SOURCE / "examples" / f"{example}.toml").read_text().replace("../data", str(SOURCE / "data"))
+        (self.folder / "logo.svg").write_text(logo)
+        (self.folder / "head.html").write_text(template)
+        case = self.folder / "project.toml"
+        case.write_text(text + project)
+        return case
+
+    def test_it_has_what_is_handed_in(self):
+        case = self.written()
+        for options, language in ((), "en"), (("--template", str(self.folder / "head.html")), "id"):
+            with self.subTest(language):
+                page = self.report(case, "--lang", language, *options)
+                for width in PHONE, A4:
+                    self.opened(page, width)
+                    self.assertLessEqual(self.js("document.documentElement.scrollWidth"), width)
+                    self.clean(page)
+                self.accessible()
+                self.well_drawn()
+                self.well_worded(page, language)
+                self.assertEqual(self.js("document.querySelectorAll('h1').length"), 1)
+                header = self.js("document.querySelector('header').textContent")
+                for text in "Extension of Hotel Harapan", "24-117", "B":
+                    self.assertIn(text, header)
+                self.assertGreater(self.js("document.querySelector('.logo svg').getBoundingClientRect().width"), 40)
+                # The ids of the logo are its own: the page's script finds its data, and the logo its gradient.
+                self.click("#hardest")
+                self.assertEqual(self.js("document.getElementById('data').tagName"), "SCRIPT")
+                self.assertEqual(self.js("document.querySelector('#logo-data').tagName"), "linearGradient")
+                self.browser.call("Emulation.setEmulatedMedia", media="print")
+                self.assertNotEqual(self.js("getComputedStyle(document.querySelector('nav')).display"), "none")
+                self.assertEqual(self.js("getComputedStyle(document.querySelector('.controls')).display"), "none")
+                self.browser.call("Emulation.setEmulatedMedia", media="")
+                printed = self.folder / "report.pdf"
+                self.browser.pdf(printed)
+                self.assertIn(b"/MediaBox [0 0 59", printed.read_bytes())
+
+    def test_a_logo_and_a_template_that_could_run_or_load_are_refused(self):
+        inner = ("<script>window.pwned = 1</script>", '<image href="https://example.invalid/x.png"/>',
+                 '<rect onload="window.pwned = 2"/>', '<rect style="background:url(https://example.invalid/x)"/>',
+                 '<a href="javascript:window.pwned = 3"/>', "<foreignObject/>", "<style>*{}</style>")
+        output = self.folder / "none.html"
+        for one in inner:
+            logo, template = LOGO.replace("<title>", one + "<title>"), TEMPLATE + one
+            for logo_, template_, file in (logo, TEMPLATE, "logo.svg"), (LOGO, template, "head.html"):
+                with self.subTest(one, file=file):
+                    case = self.written(logo=logo_, template=template_)
+                    done = subprocess.run([BENTUR, "report", str(case), "-o", str(output), "--template",
+                                           str(self.folder / "head.html")], capture_output=True, text=True, timeout=300)
+                    self.assertEqual(done.returncode, 2)
+                    self.assertRegex(done.stderr, rf"{file}:\d+:\d+: error: ")
+                    self.assertFalse(output.exists())
+
+    def test_results_have_it_without_the_logo_that_stands_elsewhere(self):
+        results = self.folder / "handed"
+        subprocess.run([BENTUR, "run", "-q", str(self.written()), "-o", str(results)], check=True, timeout=300)
+        page = self.report(results)
+        self.opened(page)
+        self.assertIn("24-117", self.js("document.querySelector('header').textContent"))
+        self.assertEqual(self.js("document.querySelectorAll('.logo').length"), 0)
+        self.assertIn("checks", self.js("[...document.querySelectorAll('section')].map(s => s.id)"))
+
+
 class Motion(Reports):
     def test_flashes_when_and_where_the_impact_list_says(self):
         for name in "m12-el-centro", "row-of-three", "restitution-asked":

@@ -17,6 +17,7 @@
 #include "bentur/core/units.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/case/parameter_units.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/result_csv.h"
@@ -139,7 +140,8 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     if (text.size() > most_text) return too_much("text");
     const fs::path path = folder / "cases" / file;
     Diagnostics diagnostics;
-    const std::optional<TomlValue> root = parse_toml(text, path.string(), diagnostics);
+    std::optional<TomlValue> root = parse_toml(text, path.string(), diagnostics);
+    if (root) leave_out_lost_logo(*root, path.parent_path());
     if (!root) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     if (std::optional<Json> answer = too_large(*root)) return *answer;
     ReadCase read =

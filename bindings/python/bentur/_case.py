@@ -55,6 +55,7 @@ class Case:
         analysis: _model.Analysis | Table | None = None,
         code: Table | None = None,
         screening: Table | None = None,
+        project: _model.Project | Table | None = None,
         folder: str | PathLike[str] = ".",
     ) -> None:
         given = {key: value for key, value in locals().items() if key not in ("self", "folder")}

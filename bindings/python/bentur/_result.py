@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _arguments, _core
 from ._dataset import Variable, by_name, dataset, is_histories, netcdf
 from ._errors import imported
 
@@ -234,12 +235,16 @@ class Result:
     def _drawn_from(self) -> _core.Run:
         return self._run if len(self._values("time")) else self._at_report_step
 
-    def report(self, language: str = "en") -> str:
-        """The report of the run as one HTML page, as ``bentur report`` writes it.
+    def report(self, language: str = "en", *, template: str | PathLike[str] | None = None) -> str:
+        """The report of the run as one HTML page, as ``bentur report`` writes it; with ``project`` in the case or a
+        template it is one to hand in.
 
         :param language: ``"en"`` or ``"id"``.
+        :param template: a file with an office's own head (docs/report.md).
+        :raises CaseError: with all that cannot stand in the template.
         """
-        return self._drawn_from.report_html(language)
+        head = None if template is None else _arguments.path("template", template)
+        return self._drawn_from.report_html(language, head)
 
     @cached_property
     def _at_report_step(self) -> _core.Run:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -215,10 +216,16 @@ void bind_run(py::module_& module) {
            })
       .def(
           "report_html",
-          [](PyRun& run, const std::string& language) {
-            return report_html(with_figures(run), {.language = language, .version = BENTUR_VERSION});
+          [](PyRun& run, const std::string& language, const std::optional<fs::path>& head) {
+            ReportOptions options{.language = language, .version = BENTUR_VERSION};
+            if (head) {
+              Diagnostics found;
+              options.head = read_markup(*head, MarkupKind::head, found).value_or("");
+              if (!found.ok()) raise_case_error(found);
+            }
+            return report_html(with_figures(run), options);
           },
-          py::arg("language") = "en")
+          py::arg("language") = "en", py::arg("template") = py::none())
       .def("figure_kinds", &kinds_of)
       .def("figure_svg", &drawn, py::arg("kind"), py::arg("language"), py::arg("width"), py::arg("start"),
            py::arg("end"), py::arg("gap"), py::arg("elevation"));

@@ -22,6 +22,7 @@
 #include "bentur/model/gap/modal_combination.h"
 #include "bentur/model/gap/screening.h"
 #include "bentur/model/link.h"
+#include "bentur/model/project.h"
 #include "bentur/model/support_spec.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/pounding/problem.h"
@@ -173,6 +174,7 @@ struct Case {
   AnalysisSpec analysis;
   CodeSpec code = {};  ///< without rules: none were given
   ScreeningSpec screening = {};
+  std::optional<ProjectSpec> project = {};
   std::optional<CaseSource> source = {};  ///< nothing: it was read from no file
   /// What was read (io/toml), for reports; null of a case that was put together otherwise.
   std::shared_ptr<const TomlValue> given = {};

@@ -124,6 +124,10 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
 /// case_code.cpp
 [[nodiscard]] CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
+/// case_project.cpp
+[[nodiscard]] std::optional<ProjectSpec> read_project(const TomlView& root, const std::filesystem::path& folder,
+                                                      Diagnostics& diagnostics);
+
 /// A case together with what was learnt in reading it.
 struct ReadCase {
   Case c;

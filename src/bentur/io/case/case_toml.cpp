@@ -231,6 +231,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.analysis = read_analysis(root, c.excitation);
   c.code = read_code(root, buildings);
   c.screening = read_screening(root);
+  c.project = read_project(root, folder, diagnostics);
   check_values(root, case_keys());
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
   if (!diagnostics.ok()) return read;
@@ -299,6 +300,13 @@ bool take_record_out(TomlValue& root) {
 
 }  // namespace
 
+void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder) {
+  TomlValue* const project = root.find("project");
+  const TomlValue* const logo = project != nullptr ? project->find("logo") : nullptr;
+  if (logo == nullptr || input_problem(folder / logo->text, logo_input).empty()) return;
+  std::erase_if(project->members, [](const TomlMember& one) { return one.key == "logo"; });
+}
+
 std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
                                    std::vector<Building>* buildings) {
   return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
@@ -312,10 +320,24 @@ std::optional<Case> read_case_without_record(const std::string& text, const std:
                                              Diagnostics& diagnostics) {
   return read_parsed(text, file, diagnostics, [&](TomlValue& root, const std::string& name, Diagnostics& found) {
     const bool taken = take_record_out(root);
+    leave_out_lost_logo(root, file.parent_path());
     Case c = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
     if (taken) c.excitation.motion = NoMotion{};
     return c;
   });
+}
+
+std::optional<ProjectSpec> project_of(const std::string& text) {
+  Diagnostics found;
+  auto root = parse_toml(text, "", found);
+  if (!root) return std::nullopt;
+  std::erase_if(root->members, [](const TomlMember& one) { return one.key != "project"; });
+  if (TomlValue* const project = root->find("project")) {
+    std::erase_if(project->members, [](const TomlMember& one) { return one.key == "logo"; });
+  }
+  const std::string file;
+  std::optional<ProjectSpec> project = read_project(TomlView(*root, "", file, found), {}, found);
+  return found.ok() ? project : std::nullopt;
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
@@ -332,6 +354,7 @@ std::vector<std::filesystem::path> files_read(const Case& c) {
   if (c.excitation.record) add(c.excitation.record->path);
   if (c.excitation.spectrum) add(c.excitation.spectrum->path);
   for (const BuildingSpec& building : c.buildings) add(building.shapes_path);
+  if (c.project) add(c.project->logo_path);
   return files;
 }
 

@@ -25,6 +25,12 @@ namespace bentur {
 [[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
                                                            Diagnostics& diagnostics);
 
+/// Takes a logo out that does not stand beside the case, as where results hold a copy of it, or a page has it alone.
+void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder);
+
+/// [project] of a case's text, without its logo, whatever else stands there; nothing where it has none, or a wrong one.
+[[nodiscard]] std::optional<ProjectSpec> project_of(const std::string& text);
+
 /// The files that were read for a case beside its own: of its record, its spectrum and its shapes.
 [[nodiscard]] std::vector<std::filesystem::path> files_read(const Case& c);
 

@@ -47,4 +47,7 @@ namespace bentur {
 [[nodiscard]] const KeyTable& code_keys();
 [[nodiscard]] const KeyTable& screening_keys();
 
+// keys_of_project.cpp
+[[nodiscard]] const KeyTable& project_keys();
+
 }  // namespace bentur

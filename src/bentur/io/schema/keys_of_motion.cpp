@@ -156,6 +156,8 @@ const KeyTable& case_keys() {
        Key::sub_table("code", code_keys(), {"Code rules", "Aturan kode"}, "factors for [separation rules](#code-rules)")
            .optional("none"),
        Key::sub_table("screening", screening_keys(), {"Screening", "Penapisan"}, "for [rules of thumb](#screening)")
+           .optional("none"),
+       Key::sub_table("project", project_keys(), {"Project", "Proyek"}, "for [a report to hand in](#project)")
            .optional("none")}};
   return table;
 }

@@ -60,22 +60,6 @@ void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<Le
   }
 }
 
-const char* silence_word(RuleFinding::Silence silence) {
-  switch (silence) {
-    case RuleFinding::Silence::no_level:
-      return "story.silence.no_level";
-    case RuleFinding::Silence::collapsed:
-      return "story.silence.collapsed";
-    case RuleFinding::Silence::linked:
-      return "story.silence.linked";
-    case RuleFinding::Silence::unknown:
-      return "story.silence.unknown";
-    case RuleFinding::Silence::none:
-      break;
-  }
-  return "gap.wide_enough";
-}
-
 std::vector<RuleFinding> findings_of(const GapFacts& facts, const std::vector<LevelSeparation>& levels,
                                      Eigen::Index gap) {
   return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed);
@@ -198,6 +182,22 @@ StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
 }
 
 }  // namespace
+
+const char* silence_word(RuleFinding::Silence silence) {
+  switch (silence) {
+    case RuleFinding::Silence::no_level:
+      return "story.silence.no_level";
+    case RuleFinding::Silence::collapsed:
+      return "story.silence.collapsed";
+    case RuleFinding::Silence::linked:
+      return "story.silence.linked";
+    case RuleFinding::Silence::unknown:
+      return "story.silence.unknown";
+    case RuleFinding::Silence::none:
+      break;
+  }
+  return "gap.wide_enough";
+}
 
 double GapFacts::scale(Eigen::Index gap) const {
   return response != nullptr ? displacement_scale(problem, *response, gap) : 0;

@@ -5,6 +5,34 @@
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
+namespace story {
+
+Statement model_statement(const RunResults& run) {
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
+  for (const Building& building : run.problem.buildings) {
+    if (building.is_rigid()) continue;
+    ++counted;
+    loaded += building.has_gravity_loads ? 1 : 0;
+    moved += building.model.has_soil || building.model.has_slab ? 1 : 0;
+  }
+  Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
+                      .severity = Severity::remark};
+  const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
+  if (loaded < counted) leave_out(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of");
+  leave_out("remarks.no_torsion");
+  if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
+  return statement;
+}
+
+GapFacts facts_of(const RunResults& run) {
+  return {.c = run.c,
+          .problem = run.problem,
+          .response = &run.response,
+          .levels = separations(run.problem, run.response, run.c.code, run.c.units),
+          .collapsed = run.response.collapse_no_contact.has_value()};
+}
+
+}  // namespace story
 namespace {
 
 using Eigen::Index;
@@ -311,32 +339,6 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
   told.statements.push_back(std::move(statement));
 }
 
-/// What the model leaves out.
-Statement model_statement(const RunResults& run) {
-  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
-  for (const Building& building : run.problem.buildings) {
-    if (building.is_rigid()) continue;
-    ++counted;
-    loaded += building.has_gravity_loads ? 1 : 0;
-    moved += building.model.has_soil || building.model.has_slab ? 1 : 0;
-  }
-  Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
-                      .severity = Severity::remark};
-  const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
-  if (loaded < counted) leave_out(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of");
-  leave_out("remarks.no_torsion");
-  if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
-  return statement;
-}
-
-GapFacts facts_of(const RunResults& run) {
-  return {.c = run.c,
-          .problem = run.problem,
-          .response = &run.response,
-          .levels = separations(run.problem, run.response, run.c.code, run.c.units),
-          .collapsed = run.response.collapse_no_contact.has_value()};
-}
-
 /// Of every gap.
 std::vector<StoryTable> tables_of(const GapFacts& facts) {
   std::vector<StoryTable> tables;
@@ -350,13 +352,13 @@ std::vector<StoryTable> tables_of(const GapFacts& facts) {
 void tell_remarks(const RunResults& run, Story& told) {
   sort_by_severity(told.statements);
   for (Statement& remark : remark_statements(run.remarks)) told.statements.push_back(std::move(remark));
-  told.statements.push_back(model_statement(run));
+  told.statements.push_back(story::model_statement(run));
 }
 
 }  // namespace
 
 Story run_story(const RunResults& run) {
-  const GapFacts facts = facts_of(run);
+  const GapFacts facts = story::facts_of(run);
   std::vector<GapOutcome> all;
   for (const Gap& gap : gaps_of(run.problem)) all.push_back(gap_outcome(run.problem, run.response, gap.left));
   Story told;
@@ -379,7 +381,7 @@ Story run_story(const RunResults& run) {
 }
 
 Story gap_story(const RunResults& run) {
-  const GapFacts facts = facts_of(run);
+  const GapFacts facts = story::facts_of(run);
   Story told;
   tell_collapse(run, told.statements);
   for (const Gap& gap : gaps_of(run.problem)) {
@@ -393,6 +395,6 @@ Story gap_story(const RunResults& run) {
   return told;
 }
 
-std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(facts_of(run)); }
+std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(story::facts_of(run)); }
 
 }  // namespace bentur

@@ -36,7 +36,7 @@ std::vector<double> from_the_top(const TomlValue& list) {
 
 class Echo {
  public:
-  explicit Echo(const Report& report) : say_(report.say), c_(report.c) {}
+  explicit Echo(const Report& report) : say_(report.say), c_(report.c), with_lines_(report.to_hand_in) {}
 
   /// @param of the name of the table, before those of its keys; empty: it needs none
   void add(const KeyTable& keys, const TomlValue& given, const std::string& of = {}) {
@@ -62,7 +62,9 @@ class Echo {
 
   [[nodiscard]] Html markup(const Rows& more) {
     rows_.insert(rows_.end(), more.begin(), more.end());
-    return (rows_.empty() ? Html() : facts(rows_)) + tables_;
+    if (rows_.empty()) return tables_;
+    lines_.resize(with_lines_ ? rows_.size() : 0);
+    return facts(rows_, lines_) + tables_;
   }
 
  private:
@@ -96,6 +98,25 @@ class Echo {
     return text(value, key) + (has_unit ? "\u00A0" + unit : "");
   }
 
+  /// "line 14", "lines 14–17": where values stand in the case; empty where that is not asked for or known.
+  [[nodiscard]] std::string place(const std::vector<const TomlValue*>& values) const {
+    int first = 0, last = 0;
+    for (const TomlValue* const value : values) {
+      if (value->origin != 0 || value->line == 0) return {};
+      first = first == 0 ? value->line : std::min(first, value->line);
+      last = std::max(last, value->line);
+    }
+    if (!with_lines_ || first == 0) return {};
+    if (first == last) return say_("input.line", {{"line", std::to_string(first)}});
+    return say_("input.lines", {{"first", std::to_string(first)}, {"last", std::to_string(last)}});
+  }
+
+  void add_row(const std::string& name, const std::string& text, const TomlValue& value) {
+    lines_.resize(rows_.size());
+    lines_.push_back(place({&value}));
+    rows_.emplace_back(name, text);
+  }
+
   void add_default(const Key& key, const TomlValue& given, const std::string& of) {
     const auto has = [&](std::string_view name) { return given.find(std::string(name)) != nullptr; };
     if (key.need != Need::optional || (!key.with.empty() && !has(key.with))) return;
@@ -117,7 +138,7 @@ class Echo {
     const bool is_list = value.kind == Kind::list && !value.items.empty();
     if (key.kind == Key::Kind::by_building) {
       for (const TomlMember& member : value.members) {
-        rows_.emplace_back(label(key) + ", " + member.key, text_with_unit(member.value, key, given));
+        add_row(label(key) + ", " + member.key, text_with_unit(member.value, key, given), member.value);
       }
     } else if (value.kind == Kind::table && key.table != nullptr) {
       add(*key.table, value, label(key));
@@ -126,7 +147,7 @@ class Echo {
     } else if (is_list && value.items.front().kind == Kind::list) {
       add_matrix(label(key, of), unit_of(key, c_), value);
     } else {
-      rows_.emplace_back(label(key, of), text_with_unit(value, key, given));
+      add_row(label(key, of), text_with_unit(value, key, given), value);
     }
   }
 
@@ -137,8 +158,12 @@ class Echo {
       const bool storeys = columns.front().first->each == "one per storey";
       table.add(storeys ? say_("column.storey") : "", "", numbers_from_the_top(columns.front().second->items.size()));
     }
-    for (const auto& [key, value] : columns) table.add(label(*key), unit_of(*key, c_), from_the_top(*value));
-    add_table(of, table);
+    std::vector<const TomlValue*> values;
+    for (const auto& [key, value] : columns) {
+      table.add(label(*key), unit_of(*key, c_), from_the_top(*value));
+      values.push_back(value);
+    }
+    add_table(of, table, values);
   }
 
   /// A list of tables, a row for each.
@@ -155,13 +180,15 @@ class Echo {
       const bool given = std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
       if (given) table.add(label(one), unit_of(one, c_), values);
     }
-    add_table(label(key), table);
+    std::vector<const TomlValue*> values;
+    for (const TomlValue& item : list.items) values.push_back(&item);
+    add_table(label(key), table, values);
   }
 
   void add_matrix(const std::string& name, const std::string& unit, const TomlValue& list) {
     const std::size_t columns = list.items.front().items.size();
     if (list.items.size() > largest_matrix_shown || columns > largest_matrix_shown) {
-      rows_.emplace_back(name, fmt::format("{} × {}", list.items.size(), columns));
+      add_row(name, fmt::format("{} × {}", list.items.size(), columns), list);
       return;
     }
     HtmlTable table;
@@ -170,17 +197,21 @@ class Echo {
       for (const TomlValue& row : list.items) values.push_back(row.items.at(j).real);
       table.add(std::to_string(j + 1), "", values);
     }
-    add_table(unit.empty() ? name : fmt::format("{} [{}]", name, unit), table);
+    add_table(unit.empty() ? name : fmt::format("{} [{}]", name, unit), table, {&list});
   }
 
-  void add_table(const std::string& name, const HtmlTable& table) {
-    if (!name.empty()) tables_ += element("p", name);
+  void add_table(const std::string& name, const HtmlTable& table, const std::vector<const TomlValue*>& values) {
+    const std::string at = place(values);
+    if (!name.empty()) tables_ += element("p", name + (at.empty() ? "" : ", " + at));
+    if (name.empty() && !at.empty()) tables_ += element("p", at, "class=\"note\"");
     tables_ += table.markup();
   }
 
   const Words& say_;
   const Case& c_;
+  const bool with_lines_;
   Rows rows_;
+  std::vector<std::string> lines_;  ///< of the rows, where each stands
   Html tables_;
 };
 

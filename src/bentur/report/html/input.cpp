@@ -291,7 +291,17 @@ PageSection input_section(const Report& report) {
   if (report.c.given == nullptr) return {"input", say("heading.input"), without_case(report)};
   const std::vector<std::vector<Eigen::Index>> links = links_by_spec(report.c.links);
   Html content;
+  if (report.to_hand_in) {
+    const std::string file = report.c.source ? report.c.source->file : "";
+    if (!file.empty()) content += element("p", say("input.lines_of", {{"file", file}}), "class=\"note\"");
+    Html sources;
+    if (report.c.project) {
+      for (const std::string& one : report.c.project->sources) sources += element("li", one);
+    }
+    if (!sources.str().empty()) content += element("p", say("input.sources")) + element("ul", sources);
+  }
   for (const Key& key : case_keys().keys) {
+    if (key.name == "project") continue;  // it stands at the head
     const TomlValue nothing;
     const TomlValue* const found = report.c.given->find(std::string(key.name));
     const TomlValue& given = found != nullptr ? *found : nothing;

@@ -122,22 +122,19 @@ Html overview(const RunResults& results, const Words& say) {
   return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
 }
 
-/// Case and record by their hashes, so that a report can be told from that of another file of the same name.
-Html identity(const Report& report) {
-  Html lines;
-  if (report.c.source && !report.c.source->sha256.empty()) {
-    lines += element("p",
-                     report.say("report.identity", {{"file", report.c.source->file},
-                                                    {"hash", report.c.source->sha256.substr(0, 16) + "…"}}),
-                     "class=\"note\"");
-  }
-  if (const std::optional<RecordEcho>& record = report.c.excitation.record; record && !record->sha256.empty()) {
-    lines += element(
-        "p",
-        report.say("report.record_identity", {{"file", record->file}, {"hash", record->sha256.substr(0, 16) + "…"}}),
-        "class=\"note\"");
-  }
-  return lines;
+/// The sections of a page to hand in: what was assumed and given and what came out of the checks before all else.
+std::vector<html::PageSection> in_order_of_codes(const Report& report, const RunResults& results,
+                                                 std::vector<html::PageSection> sections) {
+  const HandIn told = hand_in(results);
+  std::vector<html::PageSection> ordered = {sections.front(),
+                                            html::assumptions_section(report, told),
+                                            std::move(sections.back()),
+                                            html::records_section(report),
+                                            html::checks_section(report, told),
+                                            html::unchecked_section(report, told)};
+  sections.pop_back();
+  for (std::size_t i = 1; i < sections.size(); ++i) ordered.push_back(std::move(sections[i]));
+  return ordered;
 }
 
 }  // namespace
@@ -169,7 +166,8 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                       say,
                       run_story(results),
                       gap_tables_of(results),
-                      separations(problem, response, c.code, c.units)};
+                      separations(problem, response, c.code, c.units),
+                      c.project || !options.head.empty()};
   const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
@@ -182,8 +180,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   verdict.content += overview(results, say);
 
   html::PageBody body;
-  body.header = element("h1", title) +
-                element("p", say("report.by", {{"version", options.version}}), "class=\"note\"") + identity(report);
+  body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}), options);
   body.sections = {verdict,
                    html::remarks_section(report),
                    motion_section(report),
@@ -194,6 +191,10 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                    html::impacts_section(report, listed),
                    html::figures_section(say, figures),
                    html::input_section(report)};
+  if (report.to_hand_in) {
+    body.sections = in_order_of_codes(report, results, std::move(body.sections));
+    body.running_head = html::running_head(c.project, title);
+  }
   body.footer =
       element("footer", element("p", say("report.footer"), "class=\"note\"")) +
       json_script("data", html::animation_json(report, listed)) +

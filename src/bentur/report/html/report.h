@@ -11,13 +11,16 @@ namespace bentur {
 struct ReportOptions {
   std::string language = "en";  ///< one of report_languages()
   std::string version;          ///< of the program
+  std::string head = {};        ///< an office's own, by safe_markup() of io; empty: the program's
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so
 /// coarse that the samples take no more than 0.6 MB for 10 s and 3 MB for 50 s and longer.
 [[nodiscard]] double report_output_step(const Problem& problem);
 
-/// One HTML page that needs nothing else: verdict, gap needed, peaks, impacts, the buildings in motion, figures, input.
+/// One HTML page that needs nothing else. With [project] in the case, or a head, it is one to hand in: a title block,
+/// numbered sections, assumptions, every input with the line it stands on, records, checks in the order of codes, what
+/// was not checked. In all: verdict, gap needed, peaks, impacts, the buildings in motion, figures, input.
 /// Text of a case cannot bring in markup or script, and the page's own policy lets it fetch nothing and run no other
 /// script. The same run gives the same bytes. The response must have histories. A run read from result files
 /// (files/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.

@@ -64,7 +64,8 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
 /// @param none of a case that is not run
 Report report_of(const Case& c, const Problem& problem, const Response& none, const SpectralGaps& spectral,
                  const Words& say) {
-  return {{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {}, spectral.levels};
+  return {{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {}, spectral.levels,
+          c.project.has_value()};
 }
 
 }  // namespace
@@ -81,7 +82,8 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                                  const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const Report report = report_of(c, problem, none, spectral, say);
+  Report report = report_of(c, problem, none, spectral, say);
+  report.to_hand_in = report.to_hand_in || !options.head.empty();
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"spectrum", "the spectrum"}},
@@ -89,12 +91,19 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
         return design_spectrum_figure(c, problem, spectral, drawn);
       },
       "figure.design.", options.language);
-  const html::PageBody body{
-      .header =
-          element("h1", title) + element("p", say("spectral.by", {{"version", options.version}}), "class=\"note\""),
+  html::PageBody body{
+      .header = html::title_block(report, title, say("spectral.by", {{"version", options.version}}), options),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
                    html::input_section(report)}};
+  if (report.to_hand_in) {
+    const HandIn told = hand_in(c, problem, spectral);
+    body.sections.insert(body.sections.begin() + 1,
+                         {html::assumptions_section(report, told), std::move(body.sections.back()),
+                          html::checks_section(report, told), html::unchecked_section(report, told)});
+    body.sections.pop_back();
+    body.running_head = html::running_head(c.project, title);
+  }
   return html::page(say, title, body, false);
 }
 

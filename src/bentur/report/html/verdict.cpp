@@ -112,6 +112,7 @@ PageSection remarks_section(const Report& report) {
   Html list, rest;
   for (const SaidStatement& statement : said(report.story.statements, report.say)) {
     if (statement.severity != Severity::remark) continue;
+    if (report.to_hand_in && statement.kind.starts_with("model")) continue;  // it stands with the assumptions
     if (statement.kind.starts_with("remark.")) {
       list += element("li", Html::text(statement.text));
     } else {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/model/story/study_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/markup.h"
@@ -349,7 +350,8 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
       "figure.sweep.", options.language);
 
   html::PageBody body;
-  body.header = element("h1", title) + element("p", say("sweep.by", {{"version", options.version}}), "class=\"note\"") +
+  const std::optional<ProjectSpec> project = project_of(results.attribute("case"));
+  body.header = html::title_block(project, "", title, say("sweep.by", {{"version", options.version}}), options) +
                 element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
   if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
@@ -358,6 +360,7 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
                         varied(sweep, say),
                         runs_table(sweep, say),
                         {"input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case")}});
+  if (project || !options.head.empty()) body.running_head = html::running_head(project, title);
   return html::page(say, title, body, false);
 }
 

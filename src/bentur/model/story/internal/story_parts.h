@@ -40,6 +40,13 @@ void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>&
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 
+/// What a rule without a result is silent for, a word of the catalogue.
+[[nodiscard]] const char* silence_word(RuleFinding::Silence silence);
+/// Of a run, which must outlive them.
+[[nodiscard]] GapFacts facts_of(const RunResults& run);
+/// What the model leaves out.
+[[nodiscard]] Statement model_statement(const RunResults& run);
+
 /// The building that a watched floor faces.
 [[nodiscard]] const std::string& faced_name(const Problem& problem, const WatchedFloor& floor);
 /// {building}, {faced_building} and the word {faced}.

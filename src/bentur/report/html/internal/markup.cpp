@@ -72,10 +72,12 @@ Html HtmlTable::markup(std::string_view attributes) const {
   return element("div", element("table", table, attributes), "class=\"wide\" tabindex=\"0\"") + Html::markup("\n");
 }
 
-Html facts(const std::vector<std::pair<std::string, std::string>>& rows) {
+Html facts(const std::vector<std::pair<std::string, std::string>>& rows, const std::vector<std::string>& sources) {
   Html body;
-  for (const auto& [name, value] : rows) {
-    body += element("tr", element("th", name, "scope=\"row\"") + element("td", value)) + Html::markup("\n");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Html source = sources.empty() ? Html() : element("td", sources.at(i), "class=\"note\"");
+    body += element("tr", element("th", rows[i].first, "scope=\"row\"") + element("td", rows[i].second) + source) +
+            Html::markup("\n");
   }
   return element("div", element("table", element("tbody", body), "class=\"facts\""), "class=\"wide\" tabindex=\"0\"") +
          Html::markup("\n");

@@ -62,7 +62,8 @@ struct PageSection {
   Html content;
 };
 
-/// Names and their values: a table of two columns without a header.
-[[nodiscard]] Html facts(const std::vector<std::pair<std::string, std::string>>& rows);
+/// Names and their values: a table of two columns without a header; with `sources` a third one, of where each is from.
+[[nodiscard]] Html facts(const std::vector<std::pair<std::string, std::string>>& rows,
+                         const std::vector<std::string>& sources = {});
 
 }  // namespace bentur::html

@@ -46,8 +46,9 @@ Html markup_of(const Words& say, const PageBody& body) {
     sections += element("section", element("h2", heading) + Html::markup("\n") + content, "id=\"" + id + "\"") +
                 Html::markup("\n");
   }
+  const std::string on = body.running_head.empty() ? "screen" : "contents";
   const Html list = element("nav", element("ol", links),
-                            "class=\"screen\" aria-label=\"" + Html::text(say("report.contents")).str() + "\"");
+                            "class=\"" + on + "\" aria-label=\"" + Html::text(say("report.contents")).str() + "\"");
   return element("header", body.header) + list + element("main", sections) + body.footer;
 }
 
@@ -62,7 +63,7 @@ std::string_view asset(std::string_view name) {
 
 std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script) {
   const std::string style = std::string(asset("report.css")) + figure_style() + "\n@page { @top-left { content: \"" +
-                            css_text(title) + "\"; } }\n";
+                            css_text(body.running_head.empty() ? title : body.running_head) + "\"; } }\n";
   const std::string script = with_script ? std::string(asset("motion.js")) + std::string(asset("report.js")) : "";
   const std::string head =
       "<meta charset=\"utf-8\">\n"
@@ -76,7 +77,7 @@ std::string page(const Words& say, const std::string& title, const PageBody& bod
   if (with_script) content += element("script", Html::markup(script));
   const Html document =
       element("head", Html::markup(head) + element("title", title) + element("style", Html::markup(style))) +
-      Html::markup("\n") + element("body", content);
+      Html::markup("\n") + element("body", content, body.running_head.empty() ? "" : "class=\"hand-in\"");
   return "<!DOCTYPE html>\n" + element("html", document, "lang=\"" + say.language() + "\"").str() + "\n";
 }
 

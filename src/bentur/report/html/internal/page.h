@@ -15,6 +15,7 @@ struct PageBody {
   Html header;
   std::vector<PageSection> sections;
   Html footer = {};
+  std::string running_head = {};  ///< of printed pages; empty: the title. One to hand in has numbers and contents too
 };
 
 /// A whole page with the style of reports and, where asked for, their script. Its Content-Security-Policy

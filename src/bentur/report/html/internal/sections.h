@@ -7,9 +7,11 @@
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/quantities.h"
+#include "bentur/model/story/hand_in.h"
 #include "bentur/pounding/response.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
+#include "bentur/report/html/report.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 
@@ -25,6 +27,7 @@ struct Report {
   Story story = {};                          ///< what is to be said
   std::vector<StoryTable> gap_tables = {};   ///< of the gaps
   std::vector<LevelSeparation> levels = {};  ///< what each level needs
+  bool to_hand_in = false;                   ///< with what a report has that is handed in
 
   /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
   [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }
@@ -56,6 +59,21 @@ constexpr std::size_t rows_in_print = 30;
 
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] PageSection input_section(const Report& report);
+
+// hand_in.cpp: of reports to hand in.
+
+/// The title block: an office's own head or the program's, what [project] says, and the hashes of case and record.
+[[nodiscard]] Html title_block(const Report& report, const std::string& title, const std::string& made_by,
+                               const ReportOptions& options);
+/// The same of what is no run.
+[[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& file,
+                               const std::string& title, const std::string& made_by, const ReportOptions& options);
+/// What runs along the top of every printed page.
+[[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
+[[nodiscard]] PageSection assumptions_section(const Report& report, const HandIn& told);
+[[nodiscard]] PageSection records_section(const Report& report);
+[[nodiscard]] PageSection checks_section(const Report& report, const HandIn& told);
+[[nodiscard]] PageSection unchecked_section(const Report& report, const HandIn& told);
 
 /// Sections for a page that is no report; those without content are not among them.
 [[nodiscard]] std::vector<PagePart> parts(const std::vector<PageSection>& sections);

@@ -1,0 +1,34 @@
+#include "bentur/io/schema/case_keys.h"
+
+namespace bentur {
+
+const KeyTable& project_keys() {
+  const auto line = [](const char* name, Label label, const char* doc) {
+    return Key::of(name, Key::Kind::line, label, doc).optional("not said");
+  };
+  static const KeyTable table = {
+      "project",
+      "whose case it is and what for, as a report says it that is handed in",
+      {line("name", {"Project", "Proyek"}, "of the project"),
+       line("number", {"Number", "Nomor"}, "the office's number of it"),
+       line("engineer", {"Engineer", "Insinyur"}, "who answers for it"),
+       line("date", {"Date", "Tanggal"}, "of the report, as it is to be printed"),
+       line("revision", {"Revision", "Revisi"}, "of the report"),
+       line("code_basis", {"Code basis", "Dasar peraturan"},
+            "the codes and standards that the project follows, as they are to be named; which separation rules are "
+            "checked `[code]` says"),
+       Key::of("assumptions", Key::Kind::line, {"Assumptions", "Asumsi"},
+               "the engineer's own, a sentence each, before those that the program states")
+           .list()
+           .optional("none"),
+       Key::of("sources", Key::Kind::line, {"Sources", "Sumber"},
+               "where the numbers of the case come from, a sentence each: drawings, surveys, other programs")
+           .list()
+           .optional("none"),
+       Key::of("logo", Key::Kind::file, {"Logo", "Logo"},
+               "an SVG file beside the case; of what may stand in it see [report.md](report.md#logo-and-template)")
+           .optional("none")}};
+  return table;
+}
+
+}  // namespace bentur

@@ -1,0 +1,311 @@
+#include "bentur/model/story/hand_in.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using story::GapFacts;
+using story::text_of;
+
+constexpr double of_hundred = 100;
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? number(value) : number(value) + "\u00A0" + unit;
+}
+
+/// The table of checks, row by row.
+class Checks {
+ public:
+  /// @param by a key of the case, a clause or a publication
+  /// @param result a word of the catalogue
+  void add(const std::string& check, const std::string& by, const std::string& where, const std::string& demand,
+           const std::string& limit, const std::string& result, bool stands_out) {
+    if (stands_out) table_.marked.push_back(check_.texts.size());
+    check_.texts.push_back(check);
+    by_.texts.push_back(by);
+    where_.texts.push_back(where);
+    demand_.texts.push_back(demand);
+    limit_.texts.push_back(limit);
+    result_.texts.push_back(result);
+  }
+  void add(const std::string& check, const std::string& by, const std::string& where, const std::string& demand,
+           const std::string& limit, bool is_met) {
+    add(check, by, where, demand, limit, is_met ? "check.met" : "check.not_met", !is_met);
+  }
+  [[nodiscard]] StoryTable take() {
+    if (!check_.texts.empty()) table_.columns = {check_, by_, where_, demand_, limit_, result_};
+    return std::move(table_);
+  }
+
+ private:
+  StoryTable table_{.kind = "checks"};
+  StoryColumn check_{.label = "check.check", .are_words = true}, by_{.label = "check.by", .are_words = true};
+  StoryColumn where_{.label = "check.where"}, demand_{.label = "check.demand"}, limit_{.label = "check.limit"};
+  StoryColumn result_{.label = "check.result", .are_words = true};
+};
+
+std::string level_text(const GapFacts& facts, Index gap, double level) {
+  return gap_name(facts.problem, gap) + ", " + with_unit(level, facts.c.units.length);
+}
+
+/// The worst demand over capacity of the columns that are struck in each gap.
+void check_columns(const RunResults& run, Checks& checks) {
+  const RunView view = run.view();
+  for (const bool shear : {true, false}) {
+    const Quantity& ratio =
+        quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
+    for (const Gap& gap : gaps_of(run.problem)) {
+      Index worst = -1;
+      double most = -1;
+      for (const Index i : gap.points) {
+        const double value = value_of(ratio, view, {i, 0});
+        if (!(value > most)) continue;
+        most = value;
+        worst = i;
+      }
+      if (worst < 0) continue;
+      const ContactPoint& point = run.problem.points[worst];
+      const ColumnPeaks& column = *run.response.points[worst].column;
+      const char* const form = shear ? "F" : "F L";
+      const double demand = view.shown.factor(form) * (shear ? column.shear : column.moment);
+      const std::string unit = unit_text(form, view.shown.units);
+      const std::string& building = run.problem.buildings[struck_column(run.problem, point)->building].name;
+      checks.add(shear ? "check.column_shear" : "check.column_moment", "column_capacity",
+                 building + ", " + with_unit(point.elevation, run.c.units.length), with_unit(demand, unit),
+                 most > 0 ? with_unit(demand / most, unit) : "–", !(most > 1));
+    }
+  }
+}
+
+/// Of the hinges of each building the worst against each limit that is given.
+void check_hinges(const RunResults& run, Checks& checks) {
+  constexpr const char* names[] = {"check.hinge_io", "check.hinge_ls", "check.hinge_cp"};
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const std::vector<BuildingPeaks::Hinge>& hinges = run.response.buildings[b].hinges;
+    const Eigen::MatrixXd& limits = building.model.hinges.rotation_limits;
+    for (Index level = 0; level < 3; ++level) {
+      double most = -1, demand = 0, limit = 0;
+      for (Index h = 0; h < std::min<Index>(std::ssize(hinges), limits.rows()); ++h) {
+        if (std::isnan(limits(h, level)) || hinges[h].peak_rotation <= most * limits(h, level)) continue;
+        demand = hinges[h].peak_rotation;
+        limit = limits(h, level);
+        most = demand / limit;
+      }
+      if (most < 0) continue;
+      checks.add(names[level], "rotation_limits", building.name, with_unit(1e3 * demand, "mrad"),
+                 with_unit(1e3 * limit, "mrad"), !(most > 1));
+    }
+  }
+}
+
+/// Storeys against the drift that counts as collapse.
+void check_stability(const RunResults& run, Checks& checks) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    if (building.is_rigid()) continue;
+    const Eigen::VectorXd& drifts = run.response.buildings[b].drift_ratio;
+    double most = 0;
+    for (Index storey = building.model.first_storey(); storey < drifts.size(); ++storey) {
+      most = std::fmax(most, drifts(storey));
+    }
+    const auto collapses = [&](const std::optional<Collapse>& one) { return one && one->building == b; };
+    const bool falls = collapses(run.response.collapse) || collapses(run.response.collapse_no_contact);
+    checks.add(building.has_gravity_loads ? "check.stability" : "check.drift", "collapse_drift", building.name,
+               with_unit(of_hundred * most, "%"), with_unit(of_hundred * run.problem.collapse_drift, "%"),
+               !falls && !(most > run.problem.collapse_drift));
+  }
+}
+
+void check_need(const GapFacts& facts, Index gap, Checks& checks) {
+  std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  const std::string& length = facts.c.units.length;
+  const auto add = [&](const char* check, const std::string& by) {
+    const auto found = governing_level(levels, facts.scale(gap));
+    if (!found) return;
+    checks.add(check, by, level_text(facts, gap, found->elevation), with_unit(found->gap_needed, length),
+               with_unit(found->width, length), !found->is_short());
+  };
+  add(facts.response != nullptr ? "check.gap" : "check.gap_spectrum", "check.by_motion");
+  const bool known = std::all_of(levels.begin(), levels.end(), [](const auto& one) { return one.gap_needed_reversed; });
+  if (facts.response == nullptr || !known) return;
+  for (LevelSeparation& one : levels) one.gap_needed = *one.gap_needed_reversed;
+  add("check.gap_reversed", "check.by_motion");
+}
+
+void check_rules(const GapFacts& facts, Index gap, Checks& checks) {
+  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  const std::string& length = facts.c.units.length;
+  for (const RuleFinding& found :
+       rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed)) {
+    const CodeRule* const code = find_code_rule(found.rule);
+    if (code == nullptr) continue;  // no code has it
+    const std::string clause(code->clause);
+    if (!found.at) {
+      checks.add(found.title, clause, gap_name(facts.problem, gap), "–", "–", story::silence_word(found.silence), true);
+      continue;
+    }
+    const LevelSeparation& level = levels[*found.at];
+    checks.add(found.title, clause, level_text(facts, gap, level.level.elevation), with_unit(found.gap, length),
+               with_unit(level.level.width, length), !found.is_short);
+  }
+}
+
+/// @return whether a rule needs to know the seismicity
+bool check_screening(const GapFacts& facts, Index gap, Checks& checks) {
+  using Verdict = ScreeningFinding::Verdict;
+  bool open = false;
+  for (const ScreeningFinding& found : screening(facts.problem, gap, facts.c.screening, facts.c.units)) {
+    open = open || found.verdict == Verdict::needs_seismicity;
+    if (found.verdict == Verdict::needs_seismicity || found.verdict == Verdict::not_applicable) continue;
+    const std::string unit = found.rule->unit == "length" ? facts.c.units.length : std::string(found.rule->unit);
+    const std::string value = found.rule->yes_or_no ? "–" : with_unit(found.value, unit);
+    const bool attention = found.verdict == Verdict::attention;
+    checks.add("screening." + std::string(found.rule->name),
+               found.rule->wording == "ours" ? "screening.ours" : std::string(found.rule->source),
+               gap_name(facts.problem, gap), value, found.limit ? with_unit(*found.limit, unit) : "–",
+               attention ? "screening.attention" : "screening.fine", attention);
+  }
+  return open;
+}
+
+/// What the program checks of its own solution.
+void check_solution(const RunResults& run, Checks& checks) {
+  double most = 0;
+  for (const Discrepancy& found : run.response.discrepancies) most = std::max(most, found.size);
+  checks.add("check.solution", "check.by_program", "", run.response.discrepancies.empty() ? "–" : number(most), "–",
+             run.response.discrepancies.empty());
+}
+
+std::string names_of(const Problem& problem, const std::vector<Index>& buildings) {
+  std::string names;
+  for (const Index b : buildings) names += (names.empty() ? "" : ", ") + problem.buildings[b].name;
+  return names;
+}
+
+template <class Holds>
+std::vector<Index> buildings_where(const Problem& problem, const Holds& holds) {
+  std::vector<Index> found;
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    if (!problem.buildings[b].is_rigid() && holds(b)) found.push_back(b);
+  }
+  return found;
+}
+
+/// One statement of the buildings where something holds; none where it does nowhere.
+template <class Holds>
+void tell_of(const char* kind, const Problem& problem, const Holds& holds, std::vector<Statement>& statements) {
+  std::vector<Index> found = buildings_where(problem, holds);
+  if (found.empty()) return;
+  Statement statement{
+      .kind = kind, .severity = Severity::remark, .values = {text_of("names", names_of(problem, found))}};
+  statement.buildings = std::move(found);
+  statements.push_back(std::move(statement));
+}
+
+void tell(const char* kind, std::vector<Statement>& statements, std::vector<StoryValue> values = {}) {
+  statements.push_back({.kind = kind, .severity = Severity::remark, .values = std::move(values)});
+}
+
+template <class Structure>
+bool is_given_as(const Case& c, Index b) {
+  const auto place = static_cast<std::size_t>(b);
+  return place < c.buildings.size() && std::holds_alternative<Structure>(c.buildings[place].structure);
+}
+
+std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
+  std::vector<Statement> statements;
+  tell_of(
+      "assumption.generic", problem, [&](Index b) { return is_given_as<GenericBuilding>(c, b); }, statements);
+  tell_of(
+      "assumption.modal", problem, [&](Index b) { return is_given_as<ModalBuilding>(c, b); }, statements);
+  const auto is_calibrated = [&](Index b) { return problem.buildings[b].model.stiffness_factor.has_value(); };
+  tell_of("assumption.calibrated", problem, is_calibrated, statements);
+  const bool is_late = std::any_of(problem.delays.begin(), problem.delays.end(), [](double s) { return s != 0; });
+  if (!c.excitation.spectrum) tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
+  if (!c.links.empty()) tell("assumption.links", statements);
+  if (!c.code.rules.empty()) tell("assumption.codes", statements);
+  tell("assumption.defaults", statements);
+  return statements;
+}
+
+/// What is open in every report.
+void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& statements) {
+  const auto no_gravity = [&](Index b) { return !problem.buildings[b].has_gravity_loads; };
+  const auto no_soil = [&](Index b) {
+    return !problem.buildings[b].model.has_soil && !problem.buildings[b].model.has_slab;
+  };
+  tell("unchecked.members", statements);
+  tell("unchecked.drift", statements);
+  tell_of("unchecked.gravity", problem, no_gravity, statements);
+  tell_of("unchecked.soil", problem, no_soil, statements);
+  tell("unchecked.other_directions", statements);
+  tell("unchecked.local", statements);
+  if (!c.excitation.spectrum) tell("unchecked.motions", statements);
+}
+
+/// What the case leaves open: rules, columns, ways round.
+std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity) {
+  const Case& c = facts.c;
+  std::vector<Statement> statements;
+  if (c.code.rules.empty()) {
+    const std::string basis = c.project ? c.project->code_basis : "";
+    tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
+  }
+  std::string bare;  // levels at which a column is struck of which is not said what it bears
+  for (const Gap& gap : gaps_of(facts.problem)) {
+    const auto place = static_cast<std::size_t>(gap.left);
+    if (place < c.gaps.size() && c.gaps[place].column_capacity) continue;
+    for (const Index i : gap.points) {
+      const ContactPoint& point = facts.problem.points[i];
+      if (struck_column(facts.problem, point)) {
+        bare += (bare.empty() ? "" : "; ") + level_text(facts, gap.left, point.elevation);
+      }
+    }
+  }
+  if (!bare.empty()) tell("unchecked.columns", statements, {text_of("levels", bare)});
+  if (needs_seismicity) tell("unchecked.screening", statements);
+  if (facts.response != nullptr && !c.analysis.both_ways) tell("unchecked.reversed", statements);
+  if (facts.response != nullptr && !facts.response->energy) tell("unchecked.energy", statements);
+  tell_always(c, facts.problem, statements);
+  return statements;
+}
+
+HandIn hand_in(const GapFacts& facts, Checks checks, const RunResults* run) {
+  bool needs_seismicity = false;
+  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
+    check_need(facts, gap, checks);
+    check_rules(facts, gap, checks);
+  }
+  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings) && !facts.c.buildings.empty(); ++gap) {
+    needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
+  }
+  if (run != nullptr) check_solution(*run, checks);
+  return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
+}
+
+}  // namespace
+
+HandIn hand_in(const RunResults& run) {
+  Checks checks;
+  check_columns(run, checks);
+  check_hinges(run, checks);
+  check_stability(run, checks);
+  HandIn made = hand_in(story::facts_of(run), std::move(checks), &run);
+  made.assumptions.insert(made.assumptions.begin(), story::model_statement(run));
+  return made;
+}
+
+HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  HandIn made = hand_in(GapFacts{.c = c, .problem = problem, .levels = spectral.levels}, {}, nullptr);
+  made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
+  return made;
+}
+
+}  // namespace bentur

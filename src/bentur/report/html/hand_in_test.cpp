@@ -1,0 +1,198 @@
+#include "bentur/model/story/hand_in.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/markup/safe_markup.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/html/spectral_report.h"
+
+namespace bentur {
+namespace {
+
+const std::string project_table =
+    "\n[project]\nname = \"Hotel <Harapan>\"\nnumber = \"24-117\"\nengineer = \"S. Wirawan\"\nrevision = \"B\"\n"
+    "date = \"14 March 2026\"\ncode_basis = \"SNI 1726:2019\"\nassumptions = [\"Infill is <b>separated</b>.\"]\n"
+    "sources = [\"Drawings S-101.\"]\n";
+
+std::string case_to_hand_in(const std::string& name, const std::string& more = project_table) {
+  std::ifstream stream(std::string(BENTUR_SOURCE_DIR) + "/examples/" + name + ".toml");
+  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()) + more;
+}
+
+Case case_of(const std::string& text, const std::string& folder = "/examples/") {
+  Diagnostics diagnostics;
+  auto c = read_case_text(text, BENTUR_SOURCE_DIR + folder + "case.toml", diagnostics);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  return *c;
+}
+
+RunResults run_to_hand_in(const std::string& text) {
+  Case c = case_of(text);
+  Problem problem = make_problem(c);
+  SolveOptions options = solve_options(c);
+  options.output_step = report_output_step(problem);
+  Response response = solve(problem, c.analysis.solver, options);
+  return run_results(std::move(c), std::move(problem), std::move(response));
+}
+
+std::string spectrum_to_hand_in(const std::string& language, const std::string& head = {}) {
+  const Case c = case_of(case_to_hand_in("gaps/design-spectrum"), "/examples/gaps/");
+  const Problem problem = make_still_problem(c);
+  return spectral_report_html(c, problem, spectral_gaps(problem, *c.excitation.spectrum, c.code, c.units),
+                              {.language = language, .version = "0", .head = head});
+}
+
+/// The ids of the page's sections, in order.
+std::vector<std::string> sections_of(const std::string& page) {
+  std::vector<std::string> ids;
+  const std::string opening = "<section id=\"";
+  for (std::size_t at = page.find(opening); at != std::string::npos; at = page.find(opening, at)) {
+    at += opening.size();
+    ids.push_back(page.substr(at, page.find('"', at) - at));
+  }
+  return ids;
+}
+
+bool holds(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
+
+std::vector<std::string> kinds_of(const std::vector<Statement>& statements) {
+  std::vector<std::string> kinds;
+  for (const Statement& one : statements) kinds.push_back(one.kind);
+  return kinds;
+}
+
+bool has_kind(const std::vector<Statement>& statements, const std::string& kind) {
+  const std::vector<std::string> kinds = kinds_of(statements);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Row of the checks that begins with this word; -1: there is none.
+std::ptrdiff_t row_of(const StoryTable& checks, const std::string& check) {
+  const std::vector<std::string>& all = checks.columns.at(0).texts;
+  const auto found = std::find(all.begin(), all.end(), check);
+  return found == all.end() ? -1 : found - all.begin();
+}
+
+TEST(HandIn, AReportHasItsSectionsInOrderAndItsProject) {
+  const RunResults run = run_to_hand_in(case_to_hand_in("m12-el-centro"));
+  for (const char* const language : {"en", "id"}) {
+    const std::string page = report_html(run, {.language = language, .version = "0"});
+    const std::vector<std::string> expected = {"verdict", "assumptions", "input", "records", "checks",  "unchecked",
+                                               "remarks", "motion",      "gaps",  "peaks",   "impacts", "figures"};
+    EXPECT_EQ(sections_of(page), expected);
+    EXPECT_TRUE(holds(page, "<body class=\"hand-in\">"));
+    EXPECT_TRUE(holds(page, "<td>Hotel &lt;Harapan&gt;</td>"));
+    EXPECT_TRUE(holds(page, "<td>24-117</td>") && holds(page, "<td>S. Wirawan</td>") && holds(page, "<td>B</td>"));
+    EXPECT_TRUE(holds(page, "<li>Infill is &lt;b&gt;separated&lt;/b&gt;.</li>"));
+    EXPECT_TRUE(holds(page, "<li>Drawings S-101.</li>"));
+    EXPECT_TRUE(holds(page, "@top-left { content: \"Hotel\\20 \\3c Harapan\\3e \\20 \\b7 \\20 24\\2d 117"));
+    EXPECT_EQ(page.find("<script>"), page.rfind("<script>"));
+    // Where the width of the gap stands in the case.
+    const std::string text = run.c.source->text;
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("\nwidth")) + 1, '\n');
+    EXPECT_TRUE(holds(page, (language == std::string("en") ? ">line " : ">baris ") + std::to_string(line) + "</td>"));
+  }
+}
+
+TEST(HandIn, WithoutProjectNothingIsOtherThanBefore) {
+  const std::string page = report_html(run_to_hand_in(case_to_hand_in("m12-el-centro", "")), {.version = "0"});
+  const std::vector<std::string> expected = {"verdict", "remarks", "motion",  "gaps",
+                                             "peaks",   "impacts", "figures", "input"};
+  EXPECT_EQ(sections_of(page), expected);
+  EXPECT_FALSE(holds(page, "<body class="));
+  EXPECT_FALSE(holds(page, ">line "));
+}
+
+TEST(HandIn, ChecksAreThoseOfTheVerdict) {
+  const RunResults run = run_to_hand_in(case_to_hand_in("m12-el-centro"));
+  const HandIn told = hand_in(run);
+  const auto simulated = row_of(told.checks, "check.gap");
+  ASSERT_GE(simulated, 0);
+  EXPECT_EQ(told.checks.columns[3].texts[simulated], "0.7262\u00A0cm");
+  EXPECT_EQ(told.checks.columns[4].texts[simulated], "0.2\u00A0cm");
+  EXPECT_EQ(told.checks.columns[5].texts[simulated], "check.not_met");
+  const auto is_marked = [&](std::ptrdiff_t row) {
+    const auto& marked = told.checks.marked;
+    return std::find(marked.begin(), marked.end(), static_cast<std::size_t>(row)) != marked.end();
+  };
+  EXPECT_TRUE(is_marked(simulated));
+  const auto solution = row_of(told.checks, "check.solution");
+  EXPECT_EQ(told.checks.columns[5].texts[solution], "check.met");
+  EXPECT_FALSE(is_marked(solution));
+  EXPECT_LT(row_of(told.checks, "check.drift"), simulated);
+  EXPECT_TRUE(has_kind(told.unchecked, "unchecked.codes_of_basis"));
+  EXPECT_TRUE(has_kind(told.unchecked, "unchecked.gravity") && has_kind(told.unchecked, "unchecked.motions"));
+  EXPECT_FALSE(has_kind(told.unchecked, "unchecked.reversed"));
+  EXPECT_EQ(told.assumptions.front().kind, "model");
+}
+
+TEST(HandIn, WhatIsGivenIsNoLongerUnchecked) {
+  const std::string more = project_table +
+                           "[code.sni-1726-2019]\ndeflection_amplification = 1.0\nimportance_factor = 1.0\n"
+                           "[screening]\nseismicity = \"high\"\n";
+  const HandIn bare = hand_in(run_to_hand_in(case_to_hand_in("m12-el-centro")));
+  const HandIn told = hand_in(run_to_hand_in(case_to_hand_in("m12-el-centro", more)));
+  EXPECT_FALSE(has_kind(told.unchecked, "unchecked.codes_of_basis") || has_kind(told.unchecked, "unchecked.screening"));
+  EXPECT_TRUE(has_kind(bare.unchecked, "unchecked.screening"));
+  EXPECT_TRUE(has_kind(told.assumptions, "assumption.codes"));
+  const auto& by = told.checks.columns[1].texts;
+  EXPECT_TRUE(std::any_of(by.begin(), by.end(), [](const std::string& one) { return holds(one, "7.12.3"); }));
+  EXPECT_GE(row_of(told.checks, "screening.gap-per-height"), 0);
+  EXPECT_GT(told.checks.columns[0].texts.size(), bare.checks.columns[0].texts.size());
+}
+
+TEST(HandIn, StruckColumnsAndHingesComeFirst) {
+  const HandIn struck = hand_in(run_to_hand_in(case_to_hand_in("struck-column")));
+  EXPECT_EQ(struck.checks.columns[0].texts.front(), "check.column_shear");
+  EXPECT_FALSE(has_kind(struck.unchecked, "unchecked.columns"));
+  std::string text = case_to_hand_in("struck-column");
+  const std::size_t at = text.find("[gap.column_capacity]"), end = text.find("[excitation]");
+  ASSERT_LT(at, end);
+  text.erase(at, end - at);
+  const HandIn bare = hand_in(run_to_hand_in(text));
+  EXPECT_TRUE(has_kind(bare.unchecked, "unchecked.columns"));
+  EXPECT_EQ(row_of(bare.checks, "check.column_shear"), -1);
+}
+
+TEST(HandIn, BySpectrumToo) {
+  for (const char* const language : {"en", "id"}) {
+    const std::string page = spectrum_to_hand_in(language);
+    const std::vector<std::string> expected = {"verdict",   "assumptions", "input",   "checks",
+                                               "unchecked", "gaps",        "figures", "peaks"};
+    std::vector<std::string> found = sections_of(page);
+    std::erase(found, "remarks");
+    EXPECT_EQ(found, expected);
+    EXPECT_TRUE(holds(page, "24-117"));
+  }
+}
+
+TEST(HandIn, AnOfficesHeadIsFilledAndRunsNothing) {
+  Diagnostics diagnostics;
+  const auto head = safe_markup("<h1>{title}</h1><p class=\"right\">{number} of {engineer}, {date}; {code_basis}</p>",
+                                "h", MarkupKind::head, diagnostics);
+  ASSERT_TRUE(head.has_value());
+  const RunResults run = run_to_hand_in(case_to_hand_in(
+      "m12-el-centro", "\n[project]\nnumber = \"<script>alert(1)</script>{engineer}\"\nname = \"N\"\n"));
+  const std::string page = report_html(run, {.version = "0", .head = *head});
+  EXPECT_TRUE(holds(page,
+                    "<div class=\"office\"><h1>Monograph M1-2, El Centro</h1><p class=\"head-right\">"
+                    "&lt;script&gt;alert(1)&lt;/script&gt;{engineer} of –, –; –</p></div>"));
+  EXPECT_EQ(page.find("<h1"), page.rfind("<h1"));
+  EXPECT_TRUE(holds(page, "<td>N</td>")) << "what the head does not ask for stands below it";
+  EXPECT_FALSE(holds(page, ">24-117<"));
+  // Without a heading the title is one.
+  const std::string plain_head = report_html(run, {.version = "0", .head = "<p>Office</p>"});
+  EXPECT_TRUE(holds(plain_head, "<div class=\"office\"><p>Office</p></div><h1>Monograph"));
+  EXPECT_TRUE(holds(spectrum_to_hand_in("en", "<p>Office</p>"), "<div class=\"office\"><p>Office</p></div>"));
+}
+
+}  // namespace
+}  // namespace bentur
