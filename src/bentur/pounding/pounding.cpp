@@ -79,15 +79,21 @@ bool is_mirrored(const Problem& problem) {
          });
 }
 
-struct FreeResponse::Parts {
+/// A free response, of a problem that is valid.
+struct CheckedFree {
   Problem problem;
   Solver solver;
   FreeSolution free;
   Response response;  ///< as far as it goes without contact
+
+  /// With the contacts of a problem that is valid, and this one but for gaps and laws.
+  [[nodiscard]] Response solve(const Problem& other, const SolveOptions& options) const;
 };
 
-FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
-                           long most_steps, bool levels) {
+namespace {
+
+CheckedFree free_of(Problem problem, const Solver& solver, const std::function<bool(double)>& progress, long most_steps,
+                    bool levels) {
   Problem given = valid(std::move(problem));
   FreeSolution free(system_of(given, levels), solver, progress, most_steps);
   Response response = free_response(given, free.solution());
@@ -95,23 +101,35 @@ FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::fun
     const bool mirrored = response.status == Status::done && is_mirrored(given);
     report_levels(given, free.solution().watched_free, mirrored, response);
   }
-  parts_ = std::make_shared<Parts>(Parts{std::move(given), solver, std::move(free), std::move(response)});
+  return {std::move(given), solver, std::move(free), std::move(response)};
 }
+
+}  // namespace
+
+Response CheckedFree::solve(const Problem& other, const SolveOptions& options) const {
+  const auto began = std::chrono::steady_clock::now();
+  Response with = response;
+  if (with.status != Status::done && with.status != Status::collapsed) return with;
+  Solution solution = free.solve(contacts_of(other), run_options(options));
+  const SelfMeasures measures = solution.checks;
+  take_solution(other, std::move(solution), with);
+  check_itself(other, solver, measures, with);
+  with.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return with;
+}
+
+struct FreeResponse::Parts : CheckedFree {};
+
+FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
+                           long most_steps, bool levels)
+    : parts_(std::make_shared<Parts>(Parts{free_of(std::move(problem), solver, progress, most_steps, levels)})) {}
 
 const Response& FreeResponse::response() const { return parts_->response; }
 
 Response FreeResponse::solve(const Problem& problem, const SolveOptions& options) const {
   validate(problem);
   require_same_but_gaps(parts_->problem, problem);
-  const auto began = std::chrono::steady_clock::now();
-  Response response = parts_->response;
-  if (response.status != Status::done && response.status != Status::collapsed) return response;
-  Solution solution = parts_->free.solve(contacts_of(problem), run_options(options));
-  const SelfMeasures measures = solution.checks;
-  take_solution(problem, std::move(solution), response);
-  check_itself(problem, parts_->solver, measures, response);
-  response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return response;
+  return parts_->solve(problem, options);
 }
 
 Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options) {
@@ -128,7 +146,7 @@ Response solve(const Problem& problem, const Solver& solver, const SolveOptions&
     rest.progress = [&](double fraction) { return options.progress(free_part + (1.0 - free_part) * fraction); };
   }
   const bool levels = options.levels || options.both_ways;
-  const FreeResponse free(problem, solver, first, options.most_steps, levels);
+  const CheckedFree free = free_of(problem, solver, first, options.most_steps, levels);
   Response response = free.solve(problem, rest);
   add_reversed(problem, solver, options, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

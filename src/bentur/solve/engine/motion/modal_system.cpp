@@ -14,6 +14,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// rows · shapes. Most rows have few entries: a floor's displacement one, a storey's drift two.
+MatrixXd over_modes(const MatrixXd& rows, const MatrixXd& shapes) {
+  if ((rows.array() != 0.0).count() > 2 * rows.rows()) return rows * shapes;
+  MatrixXd result = MatrixXd::Zero(rows.rows(), shapes.cols());
+  for (Index k = 0; k < rows.cols(); ++k) {
+    for (Index i = 0; i < rows.rows(); ++i) {
+      if (rows(i, k) != 0.0) result.row(i) += rows(i, k) * shapes.row(k);
+    }
+  }
+  return result;
+}
+
 /// Outputs of a body of `size` coordinates over them: modes, ground, and the forces of what yields.
 ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outputs, Index size) {
   const Index modes = body.modes.omega.size();
@@ -24,7 +36,7 @@ ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outp
   const auto over = [&](const MatrixXd& of_dofs, MatrixXd& result) {
     if (of_dofs.size() == 0) return;
     result = MatrixXd::Zero(outputs.count, size);
-    result.leftCols(modes) = of_dofs * body.modes.shapes;
+    result.leftCols(modes) = over_modes(of_dofs, body.modes.shapes);
   };
   over(outputs.rows, group.of_position);
   over(outputs.rates, group.of_speed);
