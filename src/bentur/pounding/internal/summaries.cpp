@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/elements/hinges.h"
+#include "bentur/structure/body.h"
 
 namespace bentur {
 namespace {
