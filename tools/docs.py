@@ -88,6 +88,7 @@ docs/start
 docs/tutorials/designer
 docs/tutorials/researcher
 docs/tutorials/teacher
+docs/tutorials/yielding-frame
 docs/questions
 ```
 

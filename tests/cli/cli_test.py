@@ -28,7 +28,7 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
-EXAMPLES = ["m12-el-centro", "free-impact", "generic-neighbour", "hinged-frame", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
+EXAMPLES = ["m12-el-centro", "frame-and-wall", "free-impact", "generic-neighbour", "hinged-frame", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
@@ -239,6 +239,31 @@ class Readme(CommandLine):
         readme = (SOURCE / "README.md").read_text()
         sample = readme.split("<!-- sample -->")[1].split("```\n")[1].rstrip()
         self.assertTrue(self.done("run").stdout.startswith(sample + "\n"))
+
+
+class FramesThatYield(CommandLine):
+    """The reason why: numbers of README and of the example, which an independent program computed too."""
+
+    def roof(self, text):
+        case = self.folder / "frame-and-wall.toml"
+        case.write_text(text)
+        frame = json.loads(self.done("run", case, "--json").stdout)["buildings"][0]
+        return frame["peak_displacement_no_contact"][-1], frame["peak_displacement"][-1], frame["amplification"][-1]
+
+    def test_an_elastic_frame_can_tell_the_opposite(self):
+        hinged = self.written("frame-and-wall").read_text()
+        elastic, count = re.subn(r", moment_capacity = [0-9.]+, hardening = [0-9.]+", "", hinged)
+        self.assertEqual(count, 2)
+        reference = {hinged: (0.1723136741973112, 0.2385584515274739, 1.3844429505595),
+                     elastic: (0.11944352567253175, 0.06241716085546586, 0.5225662965323857)}
+        said = re.sub(r"\s+", " ", (SOURCE / "README.md").read_text())
+        for text, wanted in reference.items():
+            found = self.roof(text)
+            for one, other in zip(found, wanted):
+                self.assertAlmostEqual(one, other, delta=1e-8 * other)
+            for page in said, hinged:
+                for number in f"{found[0]:.4f} m", f"{found[1]:.4f} m", f"{found[2]:.2f}":
+                    self.assertIn(number, page)
 
 
 class Restitution(CommandLine):
@@ -1348,7 +1373,7 @@ class Report(CommandLine):
     def test_figures_need_no_other_program(self):
         case, page = self.written("m12-el-centro"), self.folder / "report.html"
         self.done("report", case, "-o", page, env={"PATH": str(self.folder)})
-        self.assertEqual(page.read_text().count("<figure>") + page.read_text().count('<figure class="broad">'), 9)
+        self.assertEqual(page.read_text().count("<figure>") + page.read_text().count('<figure class="broad">'), 10)
 
     def test_results_give_the_verdict_of_their_case(self):
         for name in "m12-el-centro", "row-of-three", "restitution-asked", "free-impact":

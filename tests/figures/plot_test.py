@@ -23,7 +23,7 @@ from figure_script import blocks  # noqa: E402
 
 EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
-WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "modes", "spectrum"]
+WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "drift", "modes", "spectrum"]
 WITH_IMPACTS = ["overview", "scene", *WITH_AXES]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
          "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a !touch pwned", "'.system('touch pwned').'"]
@@ -154,7 +154,7 @@ class Run(Figures):
         case = self.folder / "m12-el-centro.toml"
         case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
         self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
-        quiet = ["overview", "scene", "displacement", "opening", "envelope", "modes", "spectrum"]
+        quiet = ["overview", "scene", "displacement", "opening", "envelope", "drift", "modes", "spectrum"]
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}{ending}" for kind in quiet for ending in ("-data.csv", ".py", ".svg")} | {"mine.svg"})
 
@@ -194,7 +194,7 @@ class Plot(Figures):
     def test_list_and_suggestion(self):
         results = self.run_of("kelvin-voigt-pair")
         listed = [line.split()[0] for line in self.bentur(0, "plot", results, "--list").stdout.splitlines()]
-        self.assertEqual(listed, ["overview", "scene", "displacement", "opening", "force", "forces", "envelope", "amplification", "modes", "energy"])
+        self.assertEqual(listed, ["overview", "scene", "displacement", "opening", "force", "forces", "envelope", "amplification", "drift", "modes", "energy"])
         message = self.bentur(2, "plot", results, "enrgy").stderr
         self.assertIn('did you mean "energy"?', message)
         self.assertIn("--figures", self.bentur(2, "plot", results, "impact").stderr)

@@ -554,6 +554,31 @@ class Stills(Reports):
             self.assertAlmostEqual(a[0], b[0], delta=delta)
             self.assertAlmostEqual(a[1], b[1], delta=delta)
 
+    def test_hinges_show_from_when_they_form_and_warn_as_they_turn(self):
+        self.opened(self.example("hinged-frame"))
+        data = json.loads(self.js("document.getElementById('data').textContent"))
+        dots = data["hinges"]["dots"]
+        tones = [level["tone"] for level in data["hinges"]["levels"]]
+        self.assertGreater(len(dots), 5)
+        self.assertEqual(tones, ["ink", "teal", "amber", "red"][:len(tones)])
+        reached = [[time for time in dot["reached"] if time is not None] for dot in dots]
+        some = sorted(time for times in reached for time in times)
+        for at in 0, some[0], some[len(some) // 2], data["duration"]:
+            self.scrub(at)
+            now = self.shown_time()
+            wanted = [sum(time <= now for time in times) for times in reached]
+            shown = self.js("[...document.querySelectorAll('#stage .hinge')].map(dot => dot.getAttribute('opacity') === '0'"
+                            " ? 0 : Number(dot.dataset.level))")
+            self.assertEqual(shown, wanted, at)
+            colours = self.js("[...document.querySelectorAll('#stage .hinge')].map(dot => getComputedStyle(dot)[dot.dataset.level"
+                              " > 1 ? 'fill' : 'stroke'])")
+            for level in range(1, 5):
+                self.assertLessEqual(len({colour for colour, of in zip(colours, shown) if of == level}), 1)
+        key = self.js("[...document.querySelectorAll('#stage .caption')].map(line => line.textContent).filter(text => /[○●]/.test(text))")
+        self.assertEqual([line[2:] for line in key], [level["text"] for level in data["hinges"]["levels"]])
+        self.opened(self.example("two-frames-si"))
+        self.assertEqual(self.js("document.querySelectorAll('#stage .hinge').length"), 0)
+
     def test_a_still_is_what_the_page_shows_at_that_time(self):
         for case in sorted((SOURCE / "examples").glob("*.toml")):
             with self.subTest(case.stem):

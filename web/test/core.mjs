@@ -8,12 +8,14 @@ import { pathToFileURL } from "node:url";
 globalThis.require = createRequire(import.meta.url);
 globalThis.__dirname = import.meta.dirname;
 
-/** A studio with the examples' ground motion in it. */
+/** A studio with the examples' ground motions in it. */
 export async function studio(source) {
   const { default: createBentur } = await import(pathToFileURL(process.env.BENTUR_WASM));
   const module = await createBentur();
   const one = new module.Studio();
-  one.putFile("../data/el-centro-1940-ns.csv", readFileSync(`${source}/data/el-centro-1940-ns.csv`));
+  for (const name of readdirSync(`${source}/data`).filter((file) => file.endsWith(".csv"))) {
+    one.putFile(`../data/${name}`, readFileSync(`${source}/data/${name}`));
+  }
   return one;
 }
 

@@ -5,6 +5,7 @@ import row from "@repo/examples/row-of-three.toml?raw";
 import frames from "@repo/examples/two-frames-si.toml?raw";
 import yielding from "@repo/examples/yielding-pair.toml?raw";
 import record from "@repo/data/el-centro-1940-ns.csv?raw";
+import lobes from "@repo/data/four-lobes.csv?raw";
 import columns from "../cases/eight-and-five.toml?raw";
 
 const bare = (text: string) => text.replaceAll('"../data/', '"');
@@ -19,4 +20,5 @@ export const cases = [
 ] as const;
 
 export const recordName = "el-centro-1940-ns.csv";
-export const recordBytes = new TextEncoder().encode(record);
+/** The ground motions of the examples, by name. */
+export const records: [string, Uint8Array][] = [[recordName, new TextEncoder().encode(record)], ["four-lobes.csv", new TextEncoder().encode(lobes)]];

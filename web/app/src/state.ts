@@ -1,7 +1,7 @@
 // What becomes of the case that stands there: it is changed, run, kept, and given away.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { before, curve, files, found, gap, live, progress, result, slow, solvedText, text } from "./case";
-import { cases, recordBytes, recordName } from "./cases";
+import { cases, records } from "./cases";
 import { take as takeDrawn, wanted, wantedNow } from "./drawing";
 import { forget, keep } from "./kept";
 import { type Answer, type CaseError, type Files, type Result, Solver, type Take } from "./solver";
@@ -63,7 +63,7 @@ export const width = computed(() => {
 
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Files) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
-give([[recordName, recordBytes], [`../data/${recordName}`, recordBytes], ...files.value]);
+give([...records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes]]), ...files.value]);
 
 let settle = 0, curveText = "", curveFiles: Files = [];
 

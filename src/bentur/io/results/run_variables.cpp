@@ -198,9 +198,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     const ResultDimension hinges = file_.dimension({"hinge" + number, places.size()});
     fit(places, hinges.size);
     if constexpr (File::reads) {
-      for (auto* list : {&histories_.hinge_moment, &histories_.hinge_rotation}) {
+      for (auto* list : {&histories_.hinge_moment, &histories_.hinge_rotation})
         list->emplace_back(static_cast<Eigen::Index>(hinges.size), static_cast<Eigen::Index>(time_.size));
-      }
     }
     if (hinges.size == 0) return;
     std::vector<std::string> members, ends;
@@ -218,9 +217,14 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     made({"hinge_end" + number, {hinges}, "", "ends of the members" + of}, ends);
     if constexpr (File::reads) {
       for (std::size_t h = 0; h < places.size(); ++h) {
-        places[h] = {
-            .of_beam = members[h] == "beam", .level = levels[h], .number = numbers[h], .end = hinge_end(ends[h])};
+        places[h] = {members[h] == "beam", levels[h], numbers[h], hinge_end(ends[h])};
       }
+    }
+    if (auto& limits = problem_.buildings[b].model.hinges.rotation_limits;
+        file_.has("hinge_limit" + number, limits.size() > 0 && !limits.array().isNaN().all())) {
+      if constexpr (File::reads) limits.resize(static_cast<Eigen::Index>(hinges.size), 3);
+      pass({"hinge_limit" + number, {file_.dimension({"limit" + number, 3}), hinges}, "rad", "IO, LS, CP" + of},
+           limits);
     }
     quantities(Owner::hinge, hinges, hinges_of(problem_, static_cast<Eigen::Index>(b)), number, of);
     mechanism(problem_.buildings[b].model.floors(), response_.buildings[b].mechanism, number, owner);
@@ -385,9 +389,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     auto& course = response_.course;
     const ResultDimension time = file_.dimension({"exact/time", course.time.size()});
     if (time.size == 0) return;
-    const std::string what =
-        "instants between which straight lines follow the solution; two at one time where a force jumps";
-    pass({"exact/time", {time}, "s", what, {{"axis", "T"}}}, course.time);
+    pass({"exact/time", {time}, "s", "instants joined by straight lines; two where a force jumps", {{"axis", "T"}}},
+         course.time);
     for (std::size_t b = 0; b < problem_.buildings.size(); ++b) {
       const Building& building = problem_.buildings[b];
       const std::string number = fmt::format("_{}", b + 1);
@@ -402,13 +405,13 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
                                       fmt::format("{} of building \"{}\"", of, building.name)};
         if (file_.has(variable.name, along.size > 0 && list[b].size() > 0)) pass(variable, list[b]);
       };
-      curves("displacement", course.displacement, floors, length_,
-             "displacement relative to the own base of the floors");
-      curves("drift_ratio", course.drift_ratio, floors, "1",
-             "relative floor displacement over the height of the storeys");
+      curves("displacement", course.displacement, floors, length_, "displacement relative to the own base");
+      curves("drift_ratio", course.drift_ratio, floors, "1", "drift over height of the storeys");
       curves("storey_shear", course.storey_shear, floors, force_, "shear of the storeys");
-      curves("node_displacement", course.node_displacement, nodes, length_,
-             "displacement of struck columns where they are struck, relative to the own base");
+      curves("node_displacement", course.node_displacement, nodes, length_, "displacement of struck columns");
+      const ResultDimension hinges{"hinge" + number, building.model.hinges.places.size()};
+      curves("hinge_moment", course.hinge_moment, hinges, moment_, "moments of the hinges");
+      curves("hinge_rotation", course.hinge_rotation, hinges, "rad", "rotations of the hinges");
       foundation("exact/", time, course.foundation, b);
       if constexpr (File::reads) {
         if (nodes.size == 0) course.node_displacement[b].resize(0, std::ssize(course.time));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/elements/hinges.h"
+#include "bentur/structure/body.h"
 
 namespace bentur {
 namespace {
@@ -194,12 +195,12 @@ void take_lists(const Problem& problem, Solution& solution, Eigen::MatrixXd Outp
     Eigen::MatrixXd& foundation = to.foundation.emplace_back(moved.rows() + forces.rows(), moved.cols());
     foundation.topRows(moved.rows()) = moved;
     foundation.bottomRows(forces.rows()) = forces;
+    take(OutputKind::hinge_moment, to.hinge_moment);
+    take(OutputKind::hinge_rotation, to.hinge_rotation);
     if (of == &OutputsFound::course) continue;
     take(OutputKind::velocity, to.velocity);
     take(OutputKind::acceleration, to.acceleration);
     take(OutputKind::column_force, to.column_forces);
-    take(OutputKind::hinge_moment, to.hinge_moment);
-    take(OutputKind::hinge_rotation, to.hinge_rotation);
   }
 }
 

@@ -15,8 +15,23 @@ namespace bentur {
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
 /// Blue, orange, green, purple, magenta and olive are buildings; black, teal and grey all that is not, red blows and
-/// what is not enough; pale ones are for areas.
-enum class Tone { black, blue, orange, grey, pale, pale_blue, pale_orange, green, purple, red, teal, magenta, olive };
+/// what is not enough, amber what nearly is; pale ones are for areas.
+enum class Tone {
+  black,
+  blue,
+  orange,
+  grey,
+  pale,
+  pale_blue,
+  pale_orange,
+  green,
+  purple,
+  red,
+  teal,
+  magenta,
+  olive,
+  amber
+};
 /// That of building number `index` in every picture, and of nothing else.
 [[nodiscard]] Tone building_tone(std::size_t index);
 
@@ -37,6 +52,15 @@ struct Curve {
   Mark legend_mark = Mark::none;  ///< on the line in the legend alone: that of another curve that goes with it
   double width = 1;               ///< of the line [-], 1 for 0.75 pt
   bool complete = false;          ///< every point is drawn; others are thinned to what can be seen
+  double mark_size = 1;           ///< of its marks [-]; large discs have an edge that parts them from lines below
+};
+
+/// A short text beside a place of a panel.
+struct PlaceText {
+  enum class Side { right, left, above, below };
+  double x = 0, y = 0;
+  std::string text = {};
+  Side side = Side::right;
 };
 
 /// Instants marked along the upper edge of a panel.
@@ -90,6 +114,7 @@ struct Panel {
   std::vector<Curve> curves = {};
   std::vector<RuleLine> rules = {};
   Events events = {};
+  std::vector<PlaceText> texts = {};
   std::optional<HeatMap> map = {};
   std::string note = {};  ///< in the middle of the frame, where there is little else to see
 };

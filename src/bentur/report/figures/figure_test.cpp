@@ -152,6 +152,34 @@ TEST(FigureSvg, PointsStandWhereTheirValuesAre) {
   EXPECT_EQ(count(svg, "<circle"), 3U) << "not where there is no value, and not outside of the frame";
 }
 
+TEST(FigureSvg, TextsStandBesideTheirPlaces) {
+  Figure figure = simple("x");
+  Panel& panel = figure.panels[0];
+  panel.rules.clear();
+  panel.events = {};
+  panel.x.from = panel.y.from = 0;
+  panel.x.to = panel.y.to = 10;
+  panel.curves = {{.x = {5}, .y = {5}, .line = Line::none, .mark = Mark::disc, .mark_size = 2}};
+  using Side = PlaceText::Side;
+  panel.texts = {{5, 5, "east", Side::right}, {5, 5, "west", Side::left}, {5, 5, "north", Side::above}};
+  panel.texts.push_back({.x = 5, .y = 5, .text = "south", .side = Side::below});
+  panel.texts.push_back({.x = 11, .y = 5, .text = "beyond"});
+  const std::string svg = figure_svg(figure);
+  EXPECT_EQ(count(svg, "r=\"3.2\" class=\"fill-ink stroke-paper\""), 1U) << "twice as large";
+  const auto place = [&](const std::string& text) {
+    const std::string tag = svg.substr(svg.rfind("<text", svg.find(">" + text + "<")));
+    double x = 0, y = 0;
+    EXPECT_EQ(std::sscanf(tag.c_str(), "<text x=\"%lf\" y=\"%lf\"", &x, &y), 2) << text;
+    return std::pair(x, y);
+  };
+  EXPECT_GT(place("east").first, place("north").first + 3.2);
+  EXPECT_LT(place("west").first, place("north").first - 3.2);
+  EXPECT_LT(place("north").second, place("east").second - 6);
+  EXPECT_GT(place("south").second, place("east").second + 6);
+  EXPECT_EQ(count(svg, "beyond"), 0U);
+  EXPECT_NE(figure_text(figure, "x").script.find("[5.0,5.0,\"north\",0,1]"), std::string::npos);
+}
+
 TEST(FigureSvg, AreasAndMapsAreFilledAndCutOff) {
   Figure figure;
   Panel panel;
@@ -183,7 +211,7 @@ double contrast(const std::string& a, const std::string& b) {
 
 TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
   for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red,
-                          Tone::teal, Tone::magenta, Tone::olive}) {
+                          Tone::teal, Tone::magenta, Tone::olive, Tone::amber}) {
     const Colour& one = colour(tone);
     EXPECT_GE(contrast(one.paper, paper.paper), 4.5) << one.name;
     EXPECT_GE(contrast(one.dark, paper.dark), 4.5) << one.name;

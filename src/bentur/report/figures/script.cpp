@@ -50,7 +50,7 @@ for panel in figure["panels"]:
             ax.fill_between(*data, color=curve["color"], label=curve["label"], linewidth=0)
         else:
             ax.plot(*data, curve["line"], marker=curve["mark"], color=curve["color"], label=curve["label"],
-                    linewidth=0.75 * curve["width"], markersize=3)
+                    linewidth=0.75 * curve["width"], markersize=3 * curve["mark_size"])
     for rule in panel["rules"]:
         (ax.axvline if rule["vertical"] else ax.axhline)(
             rule["at"], linestyle=rule["line"], color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0)
@@ -58,6 +58,9 @@ for panel in figure["panels"]:
         times = values(event["column"])
         ax.plot(times, [0.97] * len(times), "v", transform=ax.get_xaxis_transform(), color="grey", markersize=2,
                 label=event["label"])
+    for x, y, text, across, up in panel["texts"]:
+        ax.annotate(text, (x, y), (4 * across, 4 * up), textcoords="offset points",
+                    ha=("right", "center", "left")[across + 1], va=("top", "center", "bottom")[up + 1])
     for scale in panel["map"]:
         cells = list(zip(*(values(column) for column in scale["columns"])))
         norm = (LogNorm if scale["logarithmic"] else Normalize)(*scale["range"], clip=True)
@@ -180,6 +183,12 @@ class Writer {
       events.push_back(
           {{"label", plain_text(panel.events.label)}, {"column", column(title_ + panel.events.label, instants)}});
     }
+    Json texts = Json::array();
+    constexpr std::pair<int, int> sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};  // in the order of PlaceText::Side
+    for (const PlaceText& one : panel.texts) {
+      const auto& [across, up] = sides[static_cast<std::size_t>(one.side)];
+      texts.push_back({one.x, one.y, plain_text(one.text), across, up});
+    }
     const double height = placed.top - placed.bottom;
     // As many side by side as in the first line of the legend.
     const auto beside = std::count_if(placed.legend.begin(), placed.legend.end(),
@@ -198,6 +207,7 @@ class Writer {
             {"curves", std::move(curves)},
             {"rules", std::move(rules)},
             {"events", std::move(events)},
+            {"texts", std::move(texts)},
             {"map", std::move(map)}};
   }
 
@@ -225,7 +235,8 @@ class Writer {
             {"color", colour(curve.tone).paper},
             {"line", lines[static_cast<std::size_t>(curve.line)]},
             {"mark", marks[static_cast<std::size_t>(curve.mark)]},
-            {"width", curve.width}};
+            {"width", curve.width},
+            {"mark_size", curve.mark_size}};
   }
 
   Json cells(const PlacedPanel& placed) {

@@ -22,6 +22,7 @@ namespace {
 constexpr double pixel = 2.54 / 96;                        // [cm]
 constexpr double letters = 8.0 / 72 * 2.54 / pixel;        // 8 pt [px]
 constexpr double baseline = 0.36 * letters;                // below the middle of a line of text
+constexpr double large_mark = 1.5;                         // from this size on a disc has an edge
 constexpr double frame_line = 0.7;                         // [px]
 constexpr double major_tick = 3.6, minor_tick = 2;         // [px]
 constexpr double number_gap = 0.12, number_depth = 0.33;   // of numbers from the frame: to its left, below it [cm]
@@ -54,6 +55,12 @@ std::string escaped(std::string_view text) { return markup_text(plain_text(text)
 
 std::string drawn_in(const char* what, const Colour& of) {
   return fmt::format("class=\"{}-{}\" {}=\"{}\"", what, of.name, what, of.paper);
+}
+
+/// A shape with an edge of another colour.
+std::string edged(const Colour& fill, const Colour& stroke) {
+  return fmt::format("class=\"fill-{0} stroke-{1}\" fill=\"{2}\" stroke=\"{3}\"", fill.name, stroke.name, fill.paper,
+                     stroke.paper);
 }
 
 std::string line_style(Tone tone, Line line, double width) {
@@ -133,21 +140,26 @@ class Drawing {
   }
 
   /// Around a place [px].
-  void mark(Mark mark, Tone tone, double x_px, double y_px) {
+  void mark(Mark mark, Tone tone, double x_px, double y_px, double size = 1) {
     const std::string at = fmt::format("cx=\"{}\" cy=\"{}\"", length(x_px), length(y_px));
-    const std::string stroke = "fill=\"none\" stroke-width=\"1\" " + drawn_in("stroke", colour(tone));
+    const bool is_large = size >= large_mark;
+    const std::string stroke = is_large ? "stroke-width=\"1\" " + edged(paper, colour(tone))
+                                        : "fill=\"none\" stroke-width=\"1\" " + drawn_in("stroke", colour(tone));
+    const std::string scale = size == 1 ? "" : fmt::format(" scale({})", length(size));
     const auto shape = [&](const std::string& data) {
-      out_ +=
-          fmt::format("<path transform=\"translate({} {})\" d=\"{}\" {}/>\n", length(x_px), length(y_px), data, stroke);
+      out_ += fmt::format("<path transform=\"translate({} {}){}\" d=\"{}\" {}/>\n", length(x_px), length(y_px), scale,
+                          data, stroke);
     };
     switch (mark) {
       case Mark::none:
         return;
       case Mark::disc:
-        out_ += fmt::format("<circle {} r=\"1.6\" {}/>\n", at, drawn_in("fill", colour(tone)));
+        out_ += fmt::format(
+            "<circle {} r=\"{}\" {}/>\n", at, length(1.6 * size),
+            is_large ? edged(colour(tone), paper) + " stroke-width=\"0.8\"" : drawn_in("fill", colour(tone)));
         return;
       case Mark::circle:
-        out_ += fmt::format("<circle {} r=\"1.8\" {}/>\n", at, stroke);
+        out_ += fmt::format("<circle {} r=\"{}\" {}/>\n", at, length(1.8 * size), stroke);
         return;
       case Mark::square:
         return shape("M-1.7 -1.7H1.7V1.7H-1.7Z");
@@ -176,7 +188,7 @@ class Drawing {
              line_style(entry.tone, entry.line, entry.width));
       }
       if (entry.event) event((begin + end) / 2, middle);
-      mark(entry.mark, entry.tone, (begin + end) / 2, middle);
+      mark(entry.mark, entry.tone, (begin + end) / 2, middle, entry.mark_size);
       text(entry.label, x(entry.x + sample_width + 0.1), middle, "start");
     }
   }
@@ -218,6 +230,7 @@ class Drawing {
     out_ += "</svg>\n";
     if (panel.map) scale(placed, frame);
     for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
+    for (const PlaceText& one : panel.texts) beside(one, frame);
     for (const double at : panel.events.x) {
       if (at < placed.x.from || at > placed.x.to) continue;
       event(frame.left + frame.x(at), frame.top + 0.03 * frame.height);
@@ -268,8 +281,20 @@ class Drawing {
     if (curve.mark == Mark::none) return;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       const double px = frame.x(points.x[i]), py = frame.y(points.y[i]);
-      if (frame.holds(px, py)) mark(curve.mark, curve.tone, frame.left + px, frame.top + py);
+      if (frame.holds(px, py)) mark(curve.mark, curve.tone, frame.left + px, frame.top + py, curve.mark_size);
     }
+  }
+
+  /// Clear of a mark there.
+  void beside(const PlaceText& one, const Frame& frame) {
+    const double px = frame.x(one.x), py = frame.y(one.y);
+    if (!frame.holds(px, py)) return;
+    using Side = PlaceText::Side;
+    constexpr double clear = 5;  // [px]
+    const double right = one.side == Side::right ? clear : one.side == Side::left ? -clear : 0;
+    const double down = one.side == Side::below ? clear + baseline : one.side == Side::above ? -clear - baseline : 0;
+    const char* const anchor = one.side == Side::right ? "start" : one.side == Side::left ? "end" : "middle";
+    text(one.text, frame.left + px + right, frame.top + py + down, anchor);
   }
 
   /// The frame, with ticks inwards on opposite sides, and the numbers.
@@ -379,6 +404,7 @@ std::string letters_beyond_font(const Figure& figure) {
     }
     for (const Curve& curve : panel.curves) add(curve.label);
     for (const RuleLine& rule : panel.rules) add(rule.label);
+    for (const PlaceText& one : panel.texts) add(one.text);
     if (panel.map) add(panel.map->label);
   }
   return all;

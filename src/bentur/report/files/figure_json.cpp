@@ -79,7 +79,7 @@ class Reader {
     table(node, where,
           {field("title", to.title), field("x", to.x), field("y", to.y), field("height", to.height),
            field("rows", to.rows), field("to_scale", to.to_scale), field("curves", to.curves), field("rules", to.rules),
-           field("events", to.events), field("map", to.map), field("note", to.note)});
+           field("events", to.events), field("texts", to.texts), field("map", to.map), field("note", to.note)});
     if (!(to.height >= 0.5 && to.height <= 100)) {
       error(where + ".height", fmt::format("{}", to.height), "must be in [0.5, 100]");
     }
@@ -103,7 +103,14 @@ class Reader {
     table(node, where,
           {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
            field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark),
-           field("width", to.width), field("complete", to.complete)});
+           field("width", to.width), field("complete", to.complete), field("mark_size", to.mark_size)});
+    if (!(to.mark_size > 0 && to.mark_size <= 20)) {
+      error(where + ".mark_size", fmt::format("{}", to.mark_size), "must be in (0, 20]");
+    }
+  }
+
+  void read(const Node& node, const std::string& where, PlaceText& to) {
+    table(node, where, {field("x", to.x), field("y", to.y), field("text", to.text), field("side", to.side)});
   }
 
   void read(const Node& node, const std::string& where, RuleLine& to) {
@@ -172,7 +179,11 @@ class Reader {
   void read(const Node& node, const std::string& where, Tone& to) {
     word(node, where, to,
          {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red", "teal",
-          "magenta", "olive"});
+          "magenta", "olive", "amber"});
+  }
+
+  void read(const Node& node, const std::string& where, PlaceText::Side& to) {
+    word(node, where, to, {"right", "left", "above", "below"});
   }
 
   void read(const Node& node, const std::string& where, Line& to) {

@@ -25,8 +25,10 @@ TEST(FigureJson, ReadsEveryMember) {
        "x": {"label": "x [m]", "from": 0, "to": 2.5, "places": [0, 1], "numbers": false, "least": [0, 1]},
        "y": {"label": "y [m]", "logarithmic": true, "names": ["a", "b"], "number": "record"},
        "curves": [{"label": "c", "x": [0, 1, 2], "y": [1, null, 3], "top": [2, 3, 4], "tone": "pale-blue",
-                   "line": "dash-dot", "mark": "cross", "legend_mark": "disc", "width": 1.5, "complete": true}],
+                   "line": "dash-dot", "mark": "cross", "legend_mark": "disc", "width": 1.5, "complete": true,
+                   "mark_size": 2.5}],
        "rules": [{"at": 1, "vertical": true, "label": "r", "tone": "red", "line": "dotted"}],
+       "texts": [{"x": 1, "y": 2, "text": "w", "side": "above"}],
        "events": {"label": "e", "x": [0.5]}},
       {"map": {"x_edges": [0, 1], "y_edges": [0, 1], "values": [2], "label": "m", "ratio": true, "range": [1, 2]}}]})",
                                                         "f.json", diagnostics);
@@ -46,6 +48,9 @@ TEST(FigureJson, ReadsEveryMember) {
   EXPECT_EQ(curve.line, Line::dash_dot);
   EXPECT_EQ(curve.mark, Mark::cross);
   EXPECT_EQ(curve.legend_mark, Mark::disc);
+  EXPECT_EQ(curve.mark_size, 2.5);
+  EXPECT_EQ(panel.texts.at(0).side, PlaceText::Side::above);
+  EXPECT_EQ(panel.texts.at(0).text, "w");
   EXPECT_EQ(panel.rules.at(0).tone, Tone::red);
   EXPECT_EQ(panel.events.x, std::vector<double>{0.5});
   ASSERT_TRUE(figure->panels.at(1).map);

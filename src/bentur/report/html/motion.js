@@ -196,6 +196,17 @@ function benturMotion(parts, data) {
     drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
     drawn.caption = ["ink", "red"].map((tone) => svg("text", { class: `caption fill-${tone}` }, stage));
+    drawn.dots = data.hinges.dots.map(({ name }) => {
+      const dot = svg("circle", { class: "hinge", opacity: 0 }, stage);
+      svg("title", {}, dot).textContent = name;
+      return dot;
+    });
+    drawn.key = data.hinges.levels.map(({ tone, text }, level) => {
+      const line = svg("text", { class: "caption fill-ink" }, stage);
+      svg("tspan", { class: `fill-${tone}` }, line).textContent = level === 0 ? "\u25cb" : "\u25cf";
+      svg("tspan", {}, line).textContent = ` ${text}`;
+      return line;
+    });
     data.points.forEach((point, i) => {
       drawn.marks.push(svg("circle", { class: "hit", fill: "url(#glow)", opacity: 0, "data-point": i,
         "data-contact": 0 }, stage));
@@ -209,7 +220,7 @@ function benturMotion(parts, data) {
     const place = benturPlaces(scene, magnification, buildings.map(({ rows }) => new Array(rows).fill(0)));
     const ground = scene.shapes[0].lines[0]; // as wide as all may move
     const left = unit * place(ground[0]), right = unit * place(ground[ground.length - 1]), wide = right - left;
-    const base = y(scene.bottom), below = 92; // of names and caption
+    const base = y(scene.bottom), below = 92 + 17 * drawn.key.length; // of names, caption and what dots mean
     // Lines and names keep their size on a narrow page, and most of it on a low one.
     const low = 0.7 * base / Math.max(parseFloat(getComputedStyle(stage).maxHeight) - 0.7 * below, below);
     const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1), low || 0);
@@ -217,6 +228,7 @@ function benturMotion(parts, data) {
     drawn.pixel = pixel;
     stage.style.setProperty("--px", pixel.toFixed(3));
     stage.style.setProperty("--slab", `${Math.min(5, 0.35 * storey).toFixed(2)}px`);
+    stage.style.setProperty("--dot", `${Math.min(4.5, Math.max(1.8, 0.11 * storey)).toFixed(2)}px`);
     stage.style.setProperty("--flash", `${Math.min(24, Math.max(10, 1.2 * storey)).toFixed(2)}px`);
     stage.setAttribute("viewBox", `${left} ${-24 * pixel} ${wide} ${tall}`);
     drawn.ghost.setAttribute("d", scene.shapes.filter(({ role }) => role !== "ground" && role !== "soil")
@@ -228,6 +240,10 @@ function benturMotion(parts, data) {
     drawn.caption.forEach((line, k) => {
       line.setAttribute("x", left + 8 * pixel);
       line.setAttribute("y", base + (42 + 17 * k) * pixel);
+    });
+    drawn.key.forEach((line, k) => {
+      line.setAttribute("x", left + 8 * pixel);
+      line.setAttribute("y", base + (76 + 17 * k) * pixel);
     });
     nameBuildings(left, right);
     if (parts.steady && stage.clientWidth !== framed) { // the page does not jump when the magnification changes
@@ -331,6 +347,17 @@ function benturMotion(parts, data) {
     glow = glow.map((value) => value * fading);
     const motion = motionAt(now), place = benturPlaces(scene, magnification, motion);
     scene.shapes.forEach(({ lines }, k) => drawn.shapes[k].setAttribute("d", path(lines, place)));
+    data.hinges.dots.forEach(({ at, reached }, k) => {
+      const level = reached.filter((time) => time !== null && time <= now).length;
+      const dot = drawn.dots[k];
+      dot.setAttribute("cx", (unit * place(at)).toFixed(2));
+      dot.setAttribute("cy", y(at[0]).toFixed(2));
+      dot.setAttribute("opacity", level > 0 ? 1 : 0);
+      if (dot.getAttribute("data-level") === String(level)) return;
+      dot.setAttribute("data-level", level);
+      const tone = level > 0 ? data.hinges.levels[level - 1].tone : "ink";
+      dot.setAttribute("class", level > 1 ? `hinge fill-${tone} stroke-paper` : `hinge fill-paper stroke-${tone}`);
+    });
     const current = underWay(since === undefined ? now : Math.min(since, now), now);
     data.points.forEach((point, i) => {
       const hit = current.some((impact) => impact.point === i);

@@ -10,6 +10,7 @@
 #include "bentur/report/words.h"
 #include "tests/support/column_case.h"
 #include "tests/support/drawn_run.h"
+#include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
 
 namespace bentur {
@@ -34,8 +35,9 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
     if (key.starts_with("figure.text.")) known.insert(text.at("en"));
   }
   const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ)[^a-zA-Z]*( s|%| \[.*\])?)");
-  for (const std::string& text : {std::string(test::struck_columns), std::string(test::every_kind),
-                                  std::string(test::linked), test::sticks_in_mm(5000, 3500)}) {
+  for (const std::string& text :
+       {std::string(test::struck_columns), std::string(test::every_kind), std::string(test::linked),
+        std::string(test::hinged), std::string(test::hinged_alone), test::sticks_in_mm(5000, 3500)}) {
     const RunResults results = test::drawn_run(text);
     std::set<std::string> names;
     for (const Building& building : results.problem.buildings) names.insert(building.name);

@@ -241,6 +241,52 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
   return figure;
 }
 
+Figure drift_figure(const RunResults& run, const FigureOptions& options) {
+  Figure figure{.title = "Largest storey drift, and what is left of it at the end where something yields",
+                .columns = 2,
+                .width = options.width,
+                .shared_legend = true};
+  struct Drift {
+    const char *key, *label, *finding;
+  };
+  const Drift drifts[] = {{"peak_drift_ratio", "Storey drift Δ/h [%]", "drift up to {} %: {}"},
+                          {"residual_drift_ratio", "Residual drift [%]", "left at the end up to {} %: {}"}};
+  constexpr double percent = 100;
+  for (const auto& [key, label, finding] : drifts) {
+    const Quantity& quantity = quantity_named(key, Owner::floor);
+    const bool is_signed = !figure.panels.empty();
+    Panel panel{.x = {.label = word(options, label)},
+                .y = elevation_axis(run, options),
+                .height = frame_height(run),
+                .rules = {{.at = 0, .vertical = true}}};
+    double most = -1;
+    std::string place;
+    for (const Eigen::Index b : moving(run, options)) {
+      const Building& building = run.problem.buildings[b];
+      std::vector<double> values = of_floors(run, quantity, b);
+      for (std::size_t storey = 0; storey < values.size(); ++storey) {
+        values[storey] *= percent;
+        if (!(std::abs(values[storey]) > most)) continue;
+        most = std::abs(values[storey]);
+        place =
+            building.name + ", " +
+            word(options, "storey {}", std::to_string(building.model.storey_number(static_cast<Eigen::Index>(storey))));
+      }
+      Curve curve = over_storeys(building, values);
+      tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
+      curve.mark = Mark::none;
+      if (!curve.x.empty()) panel.curves.push_back(curve);
+    }
+    if (panel.curves.empty()) continue;
+    if (is_signed) leave_to_neighbour(panel.y);
+    figure.finding += (figure.finding.empty() ? "" : "; ") + word(options, finding, number(most), place);
+    figure.panels.push_back(std::move(panel));
+  }
+  if (figure.panels.empty()) throw NoFigure("no building shown has storeys");
+  if (figure.panels.size() == 1) figure.columns = 1;
+  return figure;
+}
+
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   Figure figure = beside(run, options, shown, 2.7);

@@ -10,6 +10,7 @@
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/drawn_run.h"
+#include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
 
 namespace bentur {
@@ -22,6 +23,10 @@ const RunResults& linked_run() {
 }
 const RunResults& supported_run() {
   static const RunResults run = test::drawn_run(test::every_kind);
+  return run;
+}
+const RunResults& hinged_frames() {
+  static const RunResults run = test::drawn_run(test::hinged);
   return run;
 }
 const RunResults& apart_run() {
@@ -40,7 +45,7 @@ double area_of(const Curve& curve) {
 }
 
 TEST(Pictures, AxesHaveTwoNumbersAtLeast) {
-  for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &hinged_frames(), &apart_run()}) {
     for (const FigureKind& kind : figure_kinds(*run)) {
       const Figure figure = make_figure(*run, kind.name);
       const Layout placing = layout(figure);
@@ -54,7 +59,7 @@ TEST(Pictures, AxesHaveTwoNumbersAtLeast) {
 }
 
 TEST(Pictures, TheToneOfABuildingIsUsedForNothingElse) {
-  for (const RunResults* run : {&linked_run(), &supported_run(), &apart_run()}) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &hinged_frames(), &apart_run()}) {
     const std::vector<Building>& buildings = run->problem.buildings;
     std::size_t of_buildings = 0;
     for (const FigureKind& kind : figure_kinds(*run)) {

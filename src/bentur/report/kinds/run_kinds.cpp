@@ -41,6 +41,11 @@ bool has_heights(const RunResults& run) {
   return std::any_of(buildings.begin(), buildings.end(),
                      [](const Building& building) { return !building.is_rigid() && building.model.floors() > 1; });
 }
+bool has_storeys(const RunResults& run) {
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  return std::any_of(buildings.begin(), buildings.end(),
+                     [](const BuildingPeaks& peaks) { return !peaks.drift_ratio.array().isNaN().all(); });
+}
 bool has_loop(const RunResults& run) { return !is_lossless(run); }
 bool has_close_up(const RunResults& run) { return run.figures.close_up.has_value(); }
 bool has_energy(const RunResults& run) {
@@ -56,6 +61,18 @@ bool has_yielding(const RunResults& run) {
     }
   }
   return any && !run.response.histories.time.empty();
+}
+bool has_hinges(const RunResults& run) {
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  return has_histories(run) && std::any_of(buildings.begin(), buildings.end(),
+                                           [](const BuildingPeaks& peaks) { return !peaks.hinges.empty(); });
+}
+bool has_formed_hinges(const RunResults& run) {
+  const auto formed = [](const BuildingPeaks::Hinge& hinge) { return hinge.first_yield.has_value(); };
+  const std::vector<BuildingPeaks>& buildings = run.response.buildings;
+  return has_hinges(run) && std::any_of(buildings.begin(), buildings.end(), [&](const BuildingPeaks& peaks) {
+           return std::any_of(peaks.hinges.begin(), peaks.hinges.end(), formed);
+         });
 }
 bool has_bearings(const RunResults& run) {
   const std::vector<Building>& buildings = run.problem.buildings;
@@ -90,7 +107,13 @@ const RunKind run_kinds[] = {
      has_heights},
     {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
      amplification_figure, has_heights},
+    {"drift", "largest storey drift over the height, and what is left of it at the end where something yields",
+     has_storeys, drift_figure, has_heights},
     {"modes", "mode shapes of each building", always, modes_figure, has_heights},
+    {"hinges", "hinges on the frames by how far they turned, numbered in the order in which they formed", has_hinges,
+     hinges_figure, has_formed_hinges},
+    {"hinge-loop", "moment over rotation of the hinge of each building that turned furthest", has_formed_hinges,
+     hinge_loop_figure},
     {"storey-loop", "storey shear over drift, of the storey of each building that yields most", has_yielding,
      storey_loop_figure},
     {"bearing-loop", "force of the bearings over their displacement", has_bearings, bearing_loop_figure},

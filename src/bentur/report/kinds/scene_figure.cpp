@@ -7,28 +7,11 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 
 namespace bentur {
 namespace {
-
-/// The lines of a shape as one curve, with a gap between each two.
-Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  Curve curve{.tone = shape.tone, .width = 0.9, .complete = true};
-  for (const auto& line : shape.lines) {
-    if (!curve.x.empty()) {
-      curve.x.push_back(none);
-      curve.y.push_back(none);
-    }
-    for (const ScenePoint& point : line) {
-      const auto [x, y] = places(point);
-      curve.x.push_back(x);
-      curve.y.push_back(y);
-    }
-  }
-  return curve;
-}
 
 bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::wall; }
 
@@ -71,6 +54,23 @@ std::string instant_text(const RunResults& run, const SceneInstant& instant, con
 
 }  // namespace
 
+Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Curve curve{.tone = shape.tone, .width = 0.9, .complete = true};
+  for (const auto& line : shape.lines) {
+    if (!curve.x.empty()) {
+      curve.x.push_back(none);
+      curve.y.push_back(none);
+    }
+    for (const ScenePoint& point : line) {
+      const auto [x, y] = places(point);
+      curve.x.push_back(x);
+      curve.y.push_back(y);
+    }
+  }
+  return curve;
+}
+
 SceneInstant chosen_instant(const RunResults& run, const FigureOptions& options) {
   const bool asked = options.gap || options.elevation;
   return telling_instant(run.response, asked ? std::optional(chosen_point(run, options)) : std::nullopt);
@@ -108,6 +108,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));
   }
+  add_hinge_marks(panel, run, scene, places, {.time = instant.time, .storey = scene.storey / tall * height}, options);
   if (instant.point && !instant.impact) {
     const auto [x, y] = places(scene.contacts[*instant.point]);
     panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});

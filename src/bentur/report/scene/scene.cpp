@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/scene/internal/hinges.h"
 #include "bentur/report/scene/internal/symbols.h"
 
 namespace bentur {
@@ -45,6 +46,8 @@ class SceneBuilder {
     for (const ContactPoint& point : problem_.points) {
       scene_.contacts.push_back(at(point.left, point.left_floor, scene_.breadths[point.left], point.elevation));
     }
+    scene_.bounds = scene::hinge_bounds(problem_, response_);
+    for (Index b = 0; b < std::ssize(buildings_); ++b) add_hinges(b);
     return std::move(scene_);
   }
 
@@ -263,37 +266,66 @@ class SceneBuilder {
     }
     add_columns(b);
     SceneShape slabs{.role = SceneRole::slab, .item = b, .tone = tone_of_building(b)};
-    for (Index floor = 0; floor < building.model.floors(); ++floor) {
-      const double height = building.model.elevations[floor];
-      slabs.lines.push_back({at(b, floor, 0, height, stands_back(b, floor)), at(b, floor, breadth, height)});
-    }
+    for (Index floor = 0; floor < building.model.floors(); ++floor) slabs.lines.push_back(slab_line(b, floor));
     scene_.shapes.push_back(std::move(slabs));
   }
 
+  /// Of a column line from the left face.
+  [[nodiscard]] double offset_of(Index b, std::size_t line) const {
+    return std::accumulate(bays_[b].begin(), bays_[b].begin() + static_cast<std::ptrdiff_t>(line), 0.0);
+  }
+
   /// They bend where they are struck between floors: those in the outer line that faces the gap.
-  void add_columns(Index b) {
+  [[nodiscard]] scene::SceneLine column_line(Index b, std::size_t line) const {
     const StructuralModel& model = buildings_[b].model;
-    SceneShape columns{.role = SceneRole::column, .item = b, .tone = tone_of_building(b)};
-    double offset = 0;
-    for (std::size_t line = 0; line <= bays_[b].size(); ++line) {
-      std::vector<ScenePoint> points;
-      if (!model.has_slab) points.push_back(at(b, foundation_row(b), offset, base_level(buildings_[b])));
-      for (Index floor = 0; floor < model.floors(); ++floor) {
-        points.push_back(at(b, floor, offset, model.elevations[floor]));
-      }
-      for (const ContactPoint& point : problem_.points) {
-        const std::optional<StruckColumn> struck = struck_column(problem_, point);
-        const std::size_t facing = point.left == b ? bays_[b].size() : 0;
-        if (!struck || struck->building != b || line != facing) continue;
-        const Index row = model.floors() + struck->node;
-        points.push_back(at(b, row, offset, model.node_elevations[struck->node], line == 0 ? stands_back(b, row) : 0));
-      }
-      std::stable_sort(points.begin(), points.end(),
-                       [](const ScenePoint& low, const ScenePoint& high) { return low.height < high.height; });
-      columns.lines.push_back(std::move(points));
-      if (line < bays_[b].size()) offset += bays_[b][line];
+    const double offset = offset_of(b, line);
+    scene::SceneLine points;
+    if (!model.has_slab) points.push_back(at(b, foundation_row(b), offset, base_level(buildings_[b])));
+    for (Index floor = 0; floor < model.floors(); ++floor) {
+      points.push_back(at(b, floor, offset, model.elevations[floor]));
     }
+    for (const ContactPoint& point : problem_.points) {
+      const std::optional<StruckColumn> struck = struck_column(problem_, point);
+      const std::size_t facing = point.left == b ? bays_[b].size() : 0;
+      if (!struck || struck->building != b || line != facing) continue;
+      const Index row = model.floors() + struck->node;
+      points.push_back(at(b, row, offset, model.node_elevations[struck->node], line == 0 ? stands_back(b, row) : 0));
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const ScenePoint& low, const ScenePoint& high) { return low.height < high.height; });
+    return points;
+  }
+
+  void add_columns(Index b) {
+    SceneShape columns{.role = SceneRole::column, .item = b, .tone = tone_of_building(b)};
+    for (std::size_t line = 0; line <= bays_[b].size(); ++line) columns.lines.push_back(column_line(b, line));
     scene_.shapes.push_back(std::move(columns));
+  }
+
+  [[nodiscard]] scene::SceneLine slab_line(Index b, Index floor) const {
+    const double height = buildings_[b].model.elevations[floor];
+    return {at(b, floor, 0, height, stands_back(b, floor)), at(b, floor, scene_.breadths[b], height)};
+  }
+
+  void add_hinges(Index b) {
+    const StructuralModel& model = buildings_[b].model;
+    for (SceneHinge& hinge : scene::hinges_of(problem_, response_, b, scene_.bounds)) {
+      const HingePlace& place = model.hinges.places[hinge.hinge];
+      const Index floor = std::clamp<Index>(place.level - 1 + model.first_storey(), 0, model.floors() - 1);
+      const auto last = static_cast<Index>(bays_[b].size()) - (place.of_beam ? 1 : 0);
+      const auto number = static_cast<std::size_t>(std::clamp<Index>(place.number - 1, 0, last));
+      if (place.of_beam) {
+        const scene::SceneLine slab = slab_line(b, floor);
+        hinge.at = scene::on_beam(slab, place.end, offset_of(b, number) / scene_.breadths[b],
+                                  offset_of(b, number + 1) / scene_.breadths[b], scene_.breadths[b],
+                                  model.storey_heights[floor]);
+      } else {
+        const double above = model.elevations[floor];
+        hinge.at = scene::on_column(column_line(b, number), place.end, above - model.storey_heights[floor], above,
+                                    scene::nodes_before(model.hinges.places, hinge.hinge));
+      }
+      scene_.hinges.push_back(std::move(hinge));
+    }
   }
 
   const Problem& problem_;

@@ -40,6 +40,27 @@ struct SceneShape {
   std::vector<std::vector<ScenePoint>> lines = {};
 };
 
+/// A plastic hinge, a dot near the end of its member. How far it has turned is told in levels: 1 it has yielded, 2 to 4
+/// it has turned beyond the first to the third of its bounds.
+struct SceneHinge {
+  static constexpr int levels = 4;
+  Eigen::Index building = 0, hinge = 0;  ///< of StructuralModel::hinges
+  ScenePoint at;
+  std::array<double, levels> reached{};  ///< when it comes to each level [s]; infinite: never
+  int order = 0;                         ///< from 1, of those of its building by when they first yield; 0: never
+  [[nodiscard]] int level(double time) const;
+};
+
+/// What the bounds of hinges are.
+struct HingeBounds {
+  /// Limits IO, LS and CP of those that have such; else a quarter, a half and three quarters of `largest`.
+  bool are_limits = false;
+  double largest = 0;  ///< max |θ| of all [rad]
+  static constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
+};
+/// Of a level from 1 to 4: the worse the more it warns.
+[[nodiscard]] Tone hinge_tone(int level);
+
 struct Scene {
   std::vector<double> breadths;  ///< of the buildings [length]
   std::vector<double> gaps;      ///< at rest, but none wider than a picture can hold [length]
@@ -49,6 +70,8 @@ struct Scene {
   double magnification = 1;      ///< that shows most: 1, 2 or 5 times a power of ten
   std::vector<SceneShape> shapes;
   std::vector<ScenePoint> contacts;  ///< left face of each contact point
+  std::vector<SceneHinge> hinges;
+  HingeBounds bounds;
 };
 
 /// The response must have histories.

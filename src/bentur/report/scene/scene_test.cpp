@@ -112,7 +112,7 @@ TEST(Scene, HasEverythingOfEveryExample) {
   EXPECT_EQ(links, 5U);  // two springs with dashpots and one that yields
   EXPECT_EQ(bearings, 2U);
   EXPECT_EQ(soils, 2U);
-  EXPECT_EQ(walls, 3U);
+  EXPECT_EQ(walls, 4U);
 }
 
 TEST(Scene, PointsLieBetweenWhatMovesThem) {

@@ -143,7 +143,7 @@ void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
   };
   for (const Curve& curve : panel.curves) {
     add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
-         !curve.top.empty()});
+         !curve.top.empty(), false, curve.mark_size});
   }
   for (const RuleLine& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});

@@ -8,6 +8,7 @@
 
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur::html {
@@ -84,6 +85,25 @@ Json scene_json(const Scene& scene) {
           {"contacts", contacts}};
 }
 
+/// Hinges that form: where, when they come to each level (null: never), and their names; and what each level means.
+Json hinges_json(const Report& report, const Scene& scene) {
+  const FigureWords say = figure_words(report.say.language());
+  Json dots = Json::array(), levels = Json::array();
+  int worst = 0;
+  for (const SceneHinge& hinge : scene.hinges) {
+    if (hinge.order == 0) continue;
+    Json reached = Json::array();
+    for (const double at : hinge.reached) reached.push_back(std::isfinite(at) ? Json(at) : Json());
+    const HingePlace& place = report.problem.buildings[hinge.building].model.hinges.places[hinge.hinge];
+    dots.push_back({{"at", point_json(hinge.at)}, {"reached", reached}, {"name", hinge_name(say, place)}});
+    worst = std::max(worst, hinge.level(report.problem.duration));
+  }
+  for (int level = 1; level <= worst; ++level) {
+    levels.push_back({{"tone", colour(hinge_tone(level)).name}, {"text", hinge_level_text(say, scene.bounds, level)}});
+  }
+  return {{"dots", dots}, {"levels", levels}};
+}
+
 Json building_json(const Report& report, std::size_t b, Eigen::Index stride, const std::vector<Eigen::Index>& keys) {
   const Building& building = report.problem.buildings[b];
   const Eigen::MatrixXd displacement = scene_rows(report.response.histories, b);
@@ -151,6 +171,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
     words[word] = report.say("script." + std::string(word));
   }
   words["magnified"] = report.say("figure.text.magnified");
+  const Scene scene = scene_of(report.problem, report.response);
   const Json all = {{"words", words},
                     {"units", {{"length", report.c.units.length}, {"force", units.units.force}}},
                     {"duration", report.problem.duration},
@@ -158,7 +179,8 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
                     {"keys", key_times},
                     {"points", points},
                     {"shown", telling_instant(report.response).time},
-                    {"scene", scene_json(scene_of(report.problem, report.response))},
+                    {"scene", scene_json(scene)},
+                    {"hinges", hinges_json(report, scene)},
                     {"impacts", impacts},
                     {"buildings", buildings}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);

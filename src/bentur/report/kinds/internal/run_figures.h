@@ -63,7 +63,10 @@ template <class... Values>
 [[nodiscard]] Figure envelope_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure amplification_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure forces_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure drift_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure modes_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure hinges_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure hinge_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure storey_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure bearing_loop_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure soil_loop_figure(const RunResults& run, const FigureOptions& options);
