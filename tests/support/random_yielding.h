@@ -13,6 +13,7 @@
 #include "bentur/elements/kinematic_hardening.h"
 #include "bentur/elements/link_laws.h"
 #include "bentur/elements/peak_oriented.h"
+#include "bentur/elements/softening/backbone_law.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/yielding_buildings.h"
 
@@ -26,10 +27,11 @@ struct RandomYielding {
 
 /// Draws rows of two to four sticks of one to eight storeys [m, N, s]: storeys that stay elastic, bilinear and
 /// peak-oriented ones; every kind of damping, some of it following the stiffness; every contact law; links of every
-/// law; records, harmonic motion, starts out of rest and beyond yield; delays; both kinematics.
+/// law; records, harmonic motion, starts out of rest and beyond yield; delays; both kinematics. Or storeys that lose
+/// strength in place of those that keep it.
 class YieldingGenerator {
  public:
-  explicit YieldingGenerator(std::uint64_t seed) : random_(seed) {}
+  explicit YieldingGenerator(std::uint64_t seed, bool softening = false) : random_(seed), softening_(softening) {}
 
   RandomYielding make() {
     RandomYielding result;
@@ -52,7 +54,32 @@ class YieldingGenerator {
   bool chance(double p) { return uniform(0, 1) < p; }
   int among(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
 
+  Backbone backbone(double stiffness, double yield_force) {
+    const double at_yield = yield_force / stiffness;
+    Backbone side = {.yield = yield_force, .cap = 1 + uniform(0, 0.3)};
+    side.plastic = at_yield * logarithmic(0.5, 5);
+    side.softening = at_yield * logarithmic(1, 20);
+    side.residual = chance(0.3) ? 0 : uniform(0, 0.6);
+    if (chance(0.2)) side.ultimate = at_yield * uniform(4, 15);
+    return side;
+  }
+
+  /// Of any kind, worn out or not.
+  std::shared_ptr<const HystereticLaw> softening(double stiffness, double yield_force) {
+    BackboneLaw::Parameters of = {.stiffness = stiffness, .positive = backbone(stiffness, yield_force), .negative = {}};
+    of.negative = chance(0.5) ? of.positive : backbone(stiffness, yield_force * uniform(0.6, 1.4));
+    of.reloading = static_cast<Reloading>(among(0, 2));
+    for (double* gamma : {&of.deterioration.strength, &of.deterioration.cap, &of.deterioration.reloading,
+                          &of.deterioration.unloading}) {
+      if (chance(0.5)) *gamma = logarithmic(15, 300);
+    }
+    of.pinching_force = uniform(0.2, 0.9);
+    of.pinching_deformation = uniform(0, 0.8);
+    return std::make_shared<BackboneLaw>(of);
+  }
+
   std::shared_ptr<const HystereticLaw> hysteresis(double stiffness, double yield_force) {
+    if (softening_) return softening(stiffness, yield_force);
     const double hardening = chance(0.3) ? 0 : uniform(0, 0.3);
     if (chance(0.5)) return std::make_shared<KinematicHardening>(stiffness, yield_force, hardening);
     return std::make_shared<PeakOriented>(stiffness, yield_force, hardening, chance(0.4) ? 0 : uniform(0, 1));
@@ -174,6 +201,7 @@ class YieldingGenerator {
   }
 
   std::mt19937_64 random_;
+  bool softening_ = false;
   double peak_ = 1;  ///< [m/s²], of the ground acceleration
 };
 

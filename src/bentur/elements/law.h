@@ -12,10 +12,10 @@ namespace bentur {
 
 /// Where one element stands in its law. A law reads and writes it, a solver carries it, one per element.
 struct LawState {
-  int branch = 0;                  ///< number of the law's branch; 0: nothing has happened yet, or is remembered
-  double since = 0;                ///< when the branch began [s]
-  double closing_speed = 0;        ///< of a contact, v₀: δ̇ at its start, kept until it ends [length/s]
-  std::array<double, 4> memory{};  ///< the law's own, each in a unit of its own
+  int branch = 0;                   ///< number of the law's branch; 0: nothing has happened yet, or is remembered
+  double since = 0;                 ///< when the branch began [s]
+  double closing_speed = 0;         ///< of a contact, v₀: δ̇ at its start, kept until it ends [length/s]
+  std::array<double, 25> memory{};  ///< the law's own, each in a unit of its own
 };
 
 /// A branch lasts while  constant + deformation δ + speed δ̇ + decaying exp(−rate (t − since)) ≥ 0.
@@ -107,6 +107,14 @@ class Law {
   [[nodiscard]] virtual bool is_limit() const noexcept { return false; }
 };
 
+/// What has become of the strength of a law that can lose it.
+struct StrengthLoss {
+  std::optional<double> capped;    ///< when its force first fell while the deformation grew [s]
+  std::optional<double> residual;  ///< when it first was down to its residual strength [s]
+  std::optional<double> failed;    ///< when it was gone [s]
+  double left = 1;                 ///< of the largest force, what the weaker side can still reach [-], 0 … 1
+};
+
 /// A law that yields: of a storey, a bearing or a link. It begins on a line of its initial stiffness.
 class HystereticLaw : public Law {
  public:
@@ -116,6 +124,11 @@ class HystereticLaw : public Law {
   [[nodiscard]] virtual double yield_deformation() const noexcept = 0;
   /// Where it would come to rest if it were unloaded slowly from here, Δ − V/k_u [length].
   [[nodiscard]] virtual double residual(const LawState& state, double deformation) const noexcept = 0;
+  /// Nothing of a law that keeps its strength.
+  [[nodiscard]] virtual std::optional<StrengthLoss> loss(const LawState& /*state*/,
+                                                         double /*deformation*/) const noexcept {
+    return std::nullopt;
+  }
 };
 
 }  // namespace bentur

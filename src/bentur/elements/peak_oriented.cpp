@@ -27,7 +27,7 @@ struct PeakOriented::Past {
   double upper, lower;        ///< Δ of the extreme points [length]
   double deformation, force;  ///< of the point that the line goes through: Δ_u, V_u
   [[nodiscard]] double extreme(double side) const { return side > 0 ? upper : lower; }
-  [[nodiscard]] std::array<double, 4> memory() const { return {upper, lower, deformation, force}; }
+  [[nodiscard]] decltype(LawState::memory) memory() const { return {upper, lower, deformation, force}; }
 };
 
 PeakOriented::PeakOriented(double stiffness, double yield_force, double hardening, double unloading_exponent)

@@ -146,6 +146,11 @@ std::deque<Quantity>& list() {
       {"ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at yield", {"Ductility", "Daktilitas"}, yielding(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio", floor, "1", "Δ_r/h", "storey drift left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, yielding(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
       {"hysteretic_energy", floor, "F L", "E_h", "energy that the storey has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, yielding(&BuildingPeaks::Yielding::hysteretic_energy)},
+      {"strength_left", floor, "1", "V_c/V_c⁰", "largest shear that the storey can still reach at the end over that at first, of its weaker side", {"Strength left", "Kekuatan tersisa"}, yielding(&BuildingPeaks::Yielding::strength_left), {}, "%", 100},
+      {"capped_time", floor, "s", "t_c", "when the storey first softened", {"Softens at", "Melunak saat"}, yielding(&BuildingPeaks::Yielding::capped_time)},
+      {"residual_time", floor, "s", "t_r", "when the storey first was down to its residual strength", {"Residual at", "Sisa saat"}, yielding(&BuildingPeaks::Yielding::residual_time)},
+      {"failed_time", floor, "s", "t_u", "when the storey failed", {"Fails at", "Gagal saat"}, yielding(&BuildingPeaks::Yielding::failed_time)},
+      {"strength_left_no_contact", floor, "1", "V_c/V_c⁰", "largest shear that the storey can still reach at the end over that at first, with contact switched off", {"Strength left without contact", "Kekuatan tersisa tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::strength_left), {}, "%", 100},
       {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {"Ductility without contact", "Daktilitas tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {"Residual drift without contact", "Simpangan sisa tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
@@ -281,6 +286,10 @@ bool is_of_yielding(const Quantity& quantity, const Building& building) {
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   if (source == nullptr) return false;
   const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
+  for (const auto list : {&BuildingPeaks::Yielding::strength_left, &BuildingPeaks::Yielding::capped_time,
+                          &BuildingPeaks::Yielding::residual_time, &BuildingPeaks::Yielding::failed_time}) {
+    if (source->list == list) return building.can_lose_strength();
+  }
   return building.storeys_yield() || (residual && !building.model.hinges.places.empty());
 }
 

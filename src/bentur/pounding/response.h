@@ -24,6 +24,10 @@ struct BuildingPeaks {
     /// (H-11)
     Eigen::VectorXd residual_drift_ratio;
     Eigen::VectorXd hysteretic_energy;  ///< ∫V dΔ less what could still be given back, at the end [force·length]
+    /// Where storeys can lose strength, else empty; NaN of those that cannot. Of its largest shear what the weaker side
+    /// could still reach at the end [-], and when the storey first softened, was down to its residual strength, and had
+    /// failed [s], NaN: not.
+    Eigen::VectorXd strength_left = {}, capped_time = {}, residual_time = {}, failed_time = {};
   };
   // With contact switched off, as displacement_no_contact; empty where that is not known.
   Eigen::VectorXd acceleration_no_contact = {};

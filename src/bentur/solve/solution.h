@@ -51,6 +51,7 @@ struct ElementFound {
   Reach closing = {}, opening = {};         ///< how far δ and −δ of joints went
   double energy_lost = 0;                   ///< [force·length]
   double residual = 0;                      ///< δ that would be left without force, of members [length]
+  std::optional<StrengthLoss> loss = {};    ///< of members that can lose strength
 };
 
 /// Times, and at each the openings w − δ and forces of contacts, and δ and F of joints; a column each.

@@ -102,6 +102,7 @@ void report(const System& system, const ModalSystem& modal, Status status, Run& 
     solution.members[b].resize(system.bodies[b].elements.size());
     for (ElementFound& member : solution.members[b]) {
       member.residual = run.elements().residual(element, run.state());
+      member.loss = run.elements().loss(element, run.state());
       member.energy_lost = run.elements().energy_lost(element++, run.state());
     }
   }

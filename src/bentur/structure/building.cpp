@@ -34,6 +34,11 @@ HingePlace::End hinge_end(std::string_view word) {
   return static_cast<HingePlace::End>(found - hinge_ends.begin());
 }
 
+bool Building::can_lose_strength() const {
+  return std::any_of(elements.begin(), elements.end(),
+                     [](const BuildingElement& element) { return element.law->loss({}, 0).has_value(); });
+}
+
 const HystereticLaw* Building::storey_law(Eigen::Index storey) const {
   const auto found = std::find_if(elements.begin(), elements.end(),
                                   [&](const BuildingElement& element) { return element.storey == storey; });

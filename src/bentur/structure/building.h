@@ -145,6 +145,8 @@ struct Building {
   /// The law of storey `storey` (0 the lowest); none: it stays elastic.
   [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const;
   [[nodiscard]] bool storeys_yield() const { return !elements.empty(); }
+  /// A storey has a law by which its strength can be lost.
+  [[nodiscard]] bool can_lose_strength() const;
   /// Storeys, or hinges at the ends of members.
   [[nodiscard]] bool can_yield() const { return storeys_yield() || !coupled.empty(); }
   /// Moves with the ground (a moat wall): it has no modes.

@@ -43,7 +43,55 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
   return model;
 }
 
+namespace {
+
+/// Entry j of a list of one for all or one for each of n.
+double entry_of(const char* name, const std::vector<double>& list, std::size_t n, std::size_t j, double otherwise) {
+  if (list.empty()) return otherwise;
+  if (list.size() != 1) require_size(name, list.size(), n);
+  return list[list.size() == 1 ? 0 : j];
+}
+
+Backbone backbone_of(const StoreyBackbones::Side& side, std::size_t n, std::size_t j) {
+  constexpr Backbone otherwise;
+  if (side.yield.empty()) throw InvalidParameter("backbone.yield", "an empty list", "must have at least one entry");
+  return {.yield = entry_of("backbone.yield", side.yield, n, j, 0),
+          .cap = entry_of("backbone.cap", side.cap, n, j, otherwise.cap),
+          .plastic = entry_of("backbone.plastic_drift", side.plastic, n, j, otherwise.plastic),
+          .softening = entry_of("backbone.softening_drift", side.softening, n, j, otherwise.softening),
+          .residual = entry_of("backbone.residual", side.residual, n, j, otherwise.residual),
+          .ultimate = entry_of("backbone.ultimate_drift", side.ultimate, n, j, otherwise.ultimate)};
+}
+
+/// Of the storeys, `scale` times as stiff as they are given.
+std::vector<std::shared_ptr<const HystereticLaw>> softening_laws(const Stick& stick, double scale) {
+  const StoreyBackbones& of = *stick.backbone;
+  const std::size_t n = stick.stiffnesses.size();
+  std::vector<std::shared_ptr<const HystereticLaw>> laws(n);
+  bool any = false;
+  for (std::size_t j = 0; j < n; ++j) {
+    BackboneLaw::Parameters law = {.stiffness = scale * stick.stiffnesses[j],
+                                   .positive = backbone_of(of.positive, n, j),
+                                   .negative = backbone_of(of.negative.value_or(of.positive), n, j),
+                                   .deterioration = of.deterioration,
+                                   .reloading = of.reloading,
+                                   .pinching_force = of.pinching_force,
+                                   .pinching_deformation = of.pinching_deformation};
+    if (std::isinf(law.positive.yield) && std::isinf(law.negative.yield)) continue;
+    laws[j] = std::make_shared<BackboneLaw>(law);
+    any = true;
+  }
+  if (!any) laws.clear();
+  return laws;
+}
+
+}  // namespace
+
 std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick, const StructuralModel& model) {
+  if (stick.backbone) {
+    require_size("stiffnesses", stick.stiffnesses.size(), model.floors());
+    return softening_laws(stick, model.stiffness(model.floors() - 1, model.floors() - 1) / stick.stiffnesses.back());
+  }
   const std::vector<double>& forces = stick.yield_forces;
   if (forces.empty()) return {};
   const Eigen::Index n = model.floors();

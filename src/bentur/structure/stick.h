@@ -2,13 +2,29 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bentur/elements/law_entry.h"
+#include "bentur/elements/softening/backbone_law.h"
 #include "bentur/structure/building.h"
 
 namespace bentur {
+
+/// How the storeys of a stick lose their strength (L-5), (L-6). Of each number one for all storeys or one per storey.
+struct StoreyBackbones {
+  /// One side; what is empty has the default of Backbone.
+  struct Side {
+    std::vector<double> yield;  ///< [force], not empty; infinite: the storey stays elastic
+    std::vector<double> cap, plastic, softening, residual, ultimate;
+  };
+  Side positive;
+  std::optional<Side> negative = {};  ///< nothing: as the other
+  Deterioration deterioration = {};
+  Reloading reloading = Reloading::bilinear;
+  double pinching_force = 1, pinching_deformation = 0;  ///< κ_F, κ_D
+};
 
 /// A shear building: one mass and one lateral spring per storey.
 struct Stick {
@@ -22,6 +38,7 @@ struct Stick {
                                           ///< hysteretic_laws()
   std::map<std::string, double, std::less<>> law_numbers = {};     ///< what that law has beside these; defaults else
   std::shared_ptr<const LawEntryOf<HystereticLaw>> own = nullptr;  ///< a law that is not listed, in place of that
+  std::optional<StoreyBackbones> backbone = {};  ///< in place of all that has to do with yielding above
 };
 
 /// One sway per floor: M diagonal, K tridiagonal, load = the masses. `base_elevation` as assemble_plane_frame().

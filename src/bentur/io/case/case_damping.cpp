@@ -20,8 +20,9 @@ Damping read_rayleigh(const TableView& view) {
 /// Whether some storey can yield, as far as it was read.
 bool some_storey_yields(const BuildingSpec& spec) {
   const auto* stick = std::get_if<Stick>(&spec.structure);
-  return stick != nullptr && std::any_of(stick->yield_forces.begin(), stick->yield_forces.end(),
-                                         [](double force) { return std::isfinite(force); });
+  if (stick == nullptr) return false;
+  const std::vector<double>& forces = stick->backbone ? stick->backbone->positive.yield : stick->yield_forces;
+  return std::any_of(forces.begin(), forces.end(), [](double force) { return std::isfinite(force); });
 }
 
 /// Whether a stiffness part is there, and is one that a storey's dashpot can be made of; an error unless it is.
@@ -67,10 +68,11 @@ void read_damping_stiffness(const TableView& view, ReadBuilding& building) {
   building.spec.tangent_damping = choice == "tangent";
   check_stiffness_part(*word, building.spec.damping, choice == "tangent");
   const auto stick = view.find("stick");
-  const bool yields = stick && stick->is(TomlValue::Kind::table) && stick->has("yield_forces");
+  const bool yields =
+      stick && stick->is(TomlValue::Kind::table) && (stick->has("yield_forces") || stick->has("backbone"));
   // Yield forces that could not be read have been reported.
   const auto* read = std::get_if<Stick>(&building.spec.structure);
-  const bool unread = yields && (read == nullptr || read->yield_forces.empty());
+  const bool unread = yields && (read == nullptr || (read->yield_forces.empty() && !read->backbone));
   if (!unread && !some_storey_yields(building.spec)) {
     word->error_value("needs storeys that can yield: stick.yield_forces");
   }

@@ -244,6 +244,9 @@ const KeyTable& stick_keys() {
                  .optional()
                  .goes_with("yield_forces"),
              made.keys);
+    made.keys.push_back(Key::sub_table("backbone", backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
+                                       "storeys that yield and lose strength; in place of the keys of yielding above")
+                            .optional("no strength is lost"));
     return made;
   }();
   return table;

@@ -289,6 +289,33 @@ void tell_yielding(const RunResults& run, std::vector<Statement>& statements) {
   }
 }
 
+/// Of each building the storey that has least of its strength left, where some has softened.
+void tell_lost_strength(const RunResults& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const BuildingPeaks::Yielding& yielding = run.response.buildings[b].yielding;
+    Index worst = -1;
+    for (Index f = 0; f < yielding.capped_time.size(); ++f) {
+      if (std::isnan(yielding.capped_time(f)) && std::isnan(yielding.failed_time(f))) continue;
+      if (worst < 0 || yielding.strength_left(f) < yielding.strength_left(worst)) worst = f;
+    }
+    if (worst < 0) continue;
+    const double failed = yielding.failed_time(worst);
+    const bool has_failed = !std::isnan(failed);
+    const bool to_residual = !std::isnan(yielding.residual_time(worst));
+    Statement statement{.kind = has_failed    ? "storey_fails"
+                                : to_residual ? "storey_at_residual"
+                                              : "storey_softens",
+                        .severity = has_failed ? Severity::danger : Severity::warning,
+                        .buildings = {b},
+                        .level = building.model.elevations[worst]};
+    const double time = has_failed ? failed : to_residual ? yielding.residual_time(worst) : yielding.capped_time(worst);
+    statement.values = {text_of("building", building.name), count_of("storey", building.model.storey_number(worst)),
+                        value_in("time", time, "s"), value_in("left", percent * yielding.strength_left(worst), "%")};
+    statements.push_back(std::move(statement));
+  }
+}
+
 void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
   const double pga = applied_pga(run.c);
   if (!(pga > 0)) return;
@@ -366,6 +393,7 @@ Story run_story(const RunResults& run) {
   for (const GapOutcome& found : all) tell_columns(run, found.gap.left, told.statements);
   for (const GapOutcome& found : all) tell_unmodelled(run, found, told.statements);
   tell_drifts(run, told.statements);
+  tell_lost_strength(run, told.statements);
   tell_row(run, all, told);
   for (const GapOutcome& found : all) {
     tell_impacts(run, found, told.statements);

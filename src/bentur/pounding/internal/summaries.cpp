@@ -38,6 +38,17 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
     const double residual = members[i].residual / height;
     yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
     yielding.hysteretic_energy(f) = members[i].energy_lost;
+    if (!members[i].loss) continue;
+    constexpr double not_so = std::numeric_limits<double>::quiet_NaN();
+    const StrengthLoss& loss = *members[i].loss;
+    for (auto* list :
+         {&yielding.strength_left, &yielding.capped_time, &yielding.residual_time, &yielding.failed_time}) {
+      if (list->size() == 0) list->setConstant(floors, not_so);
+    }
+    yielding.strength_left(f) = loss.left;
+    yielding.capped_time(f) = loss.capped.value_or(not_so);
+    yielding.residual_time(f) = loss.residual.value_or(not_so);
+    yielding.failed_time(f) = loss.failed.value_or(not_so);
   }
   return yielding;
 }

@@ -193,12 +193,19 @@ void expect_same(const RandomYielding& random, const Response& base, const Respo
                 << "; by perturbations " << most;
 }
 
-TEST(RandomYielding, IsTheSameByAnotherSolverAndInAMirror) {
-  const auto [first, count] = chosen();
+class RandomYieldingRows : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(, RandomYieldingRows, testing::Bool(),
+                         [](const auto& one) { return one.param ? "LosingStrength" : "KeepingStrength"; });
+
+TEST_P(RandomYieldingRows, AreTheSameByAnotherSolverAndInAMirror) {
+  const bool softening = GetParam();
+  auto [first, count] = chosen();
+  if (softening) count = std::max(1U, count / 3);
   int sensitive = 0, yielding = 0;
   long impacts = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
-    const RandomYielding random = YieldingGenerator(seed).make();
+    const RandomYielding random = YieldingGenerator(seed, softening).make();
     const Problem& problem = random.problem;
     const Response exact = audited(problem, ExactSolver{});
     ASSERT_EQ(exact.status, Status::done) << "case " << seed << ": " << exact.message;
@@ -208,17 +215,24 @@ TEST(RandomYielding, IsTheSameByAnotherSolverAndInAMirror) {
     for (const BuildingPeaks& peaks : exact.buildings) {
       for (const auto* is : {&peaks.yielding, &peaks.yielding_no_contact}) {
         for (const double energy : is->hysteretic_energy) {
-          EXPECT_GE(energy, -1e-12 * exact.energy->peak_input) << "case " << seed;
+          // Where unloading softens with each turn, more comes back than was left by the turn before.
+          EXPECT_GE(energy, -(softening ? 1e-2 : 1e-12) * exact.energy->peak_input) << "case " << seed;
           yields = yields || energy > 1e-6 * exact.energy->peak_input;
         }
       }
     }
     for (const LinkSummary& link : exact.links) {
-      EXPECT_GE(link.energy_dissipated, -1e-9 * exact.energy->peak_input) << "case " << seed;
+      EXPECT_GE(link.energy_dissipated, -(softening ? 1e-2 : 1e-9) * exact.energy->peak_input) << "case " << seed;
     }
     yielding += yields ? 1 : 0;
     expect_same(random, exact, audited(problem, AdaptiveSolver{1e-11}), seed, sensitive, "adaptive");
-    // δ = x_left − x_right of links is the same in a mirror.
+    // δ = x_left − x_right of links is the same in a mirror, drifts are not.
+    const bool alike_both_ways =
+        std::all_of(problem.buildings.begin(), problem.buildings.end(), [](const Building& building) {
+          return std::all_of(building.elements.begin(), building.elements.end(),
+                             [](const BuildingElement& element) { return element.law->is_odd(); });
+        });
+    if (!alike_both_ways) continue;
     const Response other = mirrored_back(audited(mirrored(problem), ExactSolver{}));
     expect_same(random, exact, other, seed, sensitive, "mirrored");
   }

@@ -275,6 +275,11 @@ double Elements::residual(Index i, const State& state) const {
   return law == nullptr ? 0.0 : law->residual(states_[i], deformation(i, state));
 }
 
+std::optional<StrengthLoss> Elements::loss(Index i, const State& state) const {
+  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
+  return law == nullptr ? std::nullopt : law->loss(states_[i], deformation(i, state));
+}
+
 void Elements::accumulate(const Expansion& motion, double time, double end) {
   for (Index i = idle_; i < system_->members; ++i) {
     if (branches_[i].touching()) {
@@ -369,7 +374,9 @@ void Elements::gather(State& state) {
       forces_.nonlinear.push_back(i);
     } else {
       const double stiffness = branch.stiffness - element.stiffness;
-      linear = {branch.base, stiffness, branch.damping + element.tangent_damping * stiffness};
+      // A dashpot that follows the stiffness is none where that is negative.
+      const double of_dashpot = std::max(branch.stiffness, 0.0) - element.stiffness;
+      linear = {branch.base, stiffness, branch.damping + element.tangent_damping * of_dashpot};
       constant = linear.stiffness == 0.0 && linear.damping == 0.0 && (branch.base == 0.0 || element.force >= 0);
       if (!constant) {
         forces_.pressing.push_back(i);

@@ -135,6 +135,7 @@ class Elements {
   // Of an element at the end:
   [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
   [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
+  [[nodiscard]] std::optional<StrengthLoss> loss(Eigen::Index element, const State& state) const;
   /// Of those of several deformations.
   [[nodiscard]] std::vector<CoupledState> coupled(const State& state) const { return coupled_.states_at(state); }
   [[nodiscard]] const Account& account(Eigen::Index element) const { return accounts_[element]; }
