@@ -175,7 +175,7 @@ def python_reference():
 
     groups = {
         "Cases": ["Case", "CaseError", "Finding", "example", "examples"],
-        "What is done with them": ["run", "Result", "modes", "minimum_gap", "SolveError"],
+        "What is done with them": ["run", "Result", "modes", "minimum_gap", "height_rules", "SolveError"],
         "Many runs": ["sweep", "ida", "vary", "fragility"],
         "Records": ["read_record", "Record", "response_spectrum", "Spectrum", "logarithmic_periods"],
         "Laws of one's own": ["ForceLaw", "BranchLaw", "Branch", "Guard"],

@@ -21,6 +21,7 @@ struct FragilityArguments {
   std::string file;
   FragilityRequest request;
   std::optional<double> at;
+  std::string method = "likelihood";
   bool json = false;
 };
 
@@ -105,9 +106,58 @@ std::string reason(const CaseFragility& fragility, const std::string& unit) {
   return "no run has succeeded: θ and β cannot be found";
 }
 
+std::string with_unit_of(double x, const std::string& unit) {
+  return unit.empty() ? number(x) : number(x) + " " + unit;
+}
+
+/// That θ is beyond what was analysed.
+std::string beyond(const CaseFragility& one, const std::string& unit) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const IntensityCount& count : one.counts) {
+    if (count.runs == 0) continue;
+    lowest = std::min(lowest, count.intensity);
+    highest = std::max(highest, count.intensity);
+  }
+  return fmt::format("θ is extrapolated, levels were analysed from {} to {}", with_unit_of(lowest, unit),
+                     with_unit_of(highest, unit));
+}
+
+/// θ and β of a part of the runs, or why there are none.
+std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& counts, const std::string& unit) {
+  CaseFragility part;
+  part.counts = counts;
+  part.fit = fit;
+  if (fit.kind != Fragility::Kind::fitted) return reason(part, unit);
+  return fmt::format("θ {}, β {}, KS {}{}", with_unit_of(fit.median, unit), number(fit.dispersion),
+                     number(fit_distance(counts, fit).value_or(none)),
+                     is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : "");
+}
+
+/// Collapse by itself, and what a cloud or stripes are made of.
+std::string more(const CaseFragility& one, const std::string& of, const std::string& unit) {
+  std::string text;
+  if (one.split) {
+    text +=
+        fmt::format("  {}collapse alone: {}.\n", of, part_text(one.split->collapse, one.split->collapse_counts, unit));
+    text += fmt::format("  {}the event where nothing collapses: {}.\n", of,
+                        part_text(one.split->standing, one.split->standing_counts, unit));
+  }
+  if (one.cloud) {
+    text +=
+        fmt::format("  {}ln d = {} + {} ln x, σ {}, R² {}, {} runs that stand.\n", of, number(one.cloud->a),
+                    number(one.cloud->b), number(one.cloud->sigma), number(one.cloud->determination), one.cloud->runs);
+  }
+  for (const Stripe& stripe : one.stripes) {
+    text += fmt::format("  {}at {}: median demand {}, dispersion {}, {} of {} runs collapse.\n", of,
+                        with_unit_of(stripe.intensity, unit), number(stripe.median), number(stripe.dispersion),
+                        stripe.collapsed, stripe.runs);
+  }
+  return text;
+}
+
 std::string curves_text(const FragilityReport& report, const std::string& unit) {
   std::vector<std::size_t> cases;
-  std::vector<double> median, median_low, median_high, dispersion, dispersion_low, dispersion_high;
+  std::vector<double> median, median_low, median_high, dispersion, dispersion_low, dispersion_high, distance;
   std::vector<std::string> runs, events;
   std::string notes;
   for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
@@ -123,7 +173,11 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
     runs.push_back(fmt::format("{}", one.runs));
     events.push_back(fmt::format("{}", one.events));
     const std::string name = case_name(report.results, c);
-    if (!known) notes += fmt::format("  {}{}{}.\n", name, name.empty() ? "" : ": ", reason(one, unit));
+    const std::string of = name.empty() ? "" : name + ": ";
+    distance.push_back(one.distance().value_or(none));
+    if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit));
+    if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit));
+    notes += more(one, of, unit);
   }
   Table table;
   add_case_columns(report.results, cases, report.results.axes.size(), table);
@@ -133,6 +187,7 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
   table.add("β", "", dispersion);
   table.add("from", "", dispersion_low);
   table.add("to", "", dispersion_high);
+  table.add("KS", "", distance);
   table.add("events", "", events);
   table.add("runs", "", runs);
   return table.text() + (notes.empty() ? "" : "\n" + notes);
@@ -187,7 +242,12 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
   if (!report.gaps.empty()) result += gaps_text(report, request, unit);
   const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),
                                   [](const CaseFragility& one) { return one.bounds.has_value(); });
-  result += "\nP(event | x) = Φ(ln(x/θ)/β), by maximum likelihood.";
+  result += fmt::format(
+      "\nP(event | x) = Φ(ln(x/θ)/β), {}. KS: the largest distance of the curve from the part of the "
+      "runs with the event at a level.",
+      request.method == FragilityMethod::likelihood ? "by maximum likelihood"
+      : request.method == FragilityMethod::cloud    ? "by a cloud: of the runs that stand, KS too"
+                                                    : "by the stripes' lognormal demands and collapses");
   if (bounds) {
     result += fmt::format(" From, to: {} % bounds from {} resamples of whole records.",
                           number(100 * request.bootstrap.confidence), request.bootstrap.resamples);
@@ -198,6 +258,9 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
 void run(const FragilityArguments& arguments) {
   FragilityRequest request = arguments.request;
   request.at = arguments.at;
+  request.method = arguments.method == "cloud"     ? FragilityMethod::cloud
+                   : arguments.method == "stripes" ? FragilityMethod::stripes
+                                                   : FragilityMethod::likelihood;
   for (const double p : request.probabilities) {
     if (!(p > 0 && p < 1)) throw Failure(exit_bad_input, fmt::format("bentur: --probability {}: must be in (0, 1)", p));
   }
@@ -228,6 +291,10 @@ void add_fragility_command(CLI::App& app) {
       "--event", request.event,
       "a quantity of the results compared with a number in its unit there, true where any point or floor "
       "has it; default \"impacts > 0\"");
+  command
+      ->add_option("--method", arguments->method,
+                   "of θ and β: likelihood (default), cloud or stripes (of demands, events that exceed a number)")
+      ->check(CLI::IsMember({"likelihood", "cloud", "stripes"}));
   CLI::Option* at =
       command->add_option("--at", arguments->at, "intensity for the gaps, in the unit of the levels")->check(finite());
   CLI::Option* probability =

@@ -10,6 +10,7 @@
 
 #include "arguments.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/results/rules_json.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
@@ -25,7 +26,7 @@ namespace {
 struct GapArguments {
   std::string file;
   std::optional<double> at;
-  bool json = false;
+  bool json = false, rules = false;
   std::string language = "en";
 };
 
@@ -78,18 +79,23 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
          "\n\n" + table.text();
 }
 
-/// Statements, the tables of every gap, remarks and what the numbers mean.
-std::string gaps_text(const Case& c, const Problem& problem, const Story& story, const std::string& note,
-                      const Words& say) {
-  std::string text = "\n" + story_text(problem, {story.statements}, say, Told::outcome);
+/// Statements, the tables of every gap, remarks.
+std::string tables_text(const Problem& problem, const Story& story, const Words& say) {
+  std::string text = story_text(problem, {story.statements}, say, Told::outcome);
   std::optional<Eigen::Index> gap;
   for (const StoryTable& table : story.tables) {
     if (table.gap != gap && problem.buildings.size() > 2) text += "\n" + gap_name(problem, table.gap.value()) + "\n";
     gap = table.gap;
     text += "\n" + table_text(said(table, say));
   }
-  text += "\n" + story_text(problem, {story.statements}, say, Told::remarks);
-  return text + "\n" + wrapped(note) + "\n\n" + wrapped(say("screening.note")) + "\n" + codes_note(c.code, say);
+  return text + "\n" + story_text(problem, {story.statements}, say, Told::remarks);
+}
+
+/// The same, and what the numbers mean.
+std::string gaps_text(const Case& c, const Problem& problem, const Story& story, const std::string& note,
+                      const Words& say) {
+  return "\n" + tables_text(problem, story, say) + "\n" + wrapped(note) + "\n\n" + wrapped(say("screening.note")) +
+         "\n" + codes_note(c.code, say);
 }
 
 void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
@@ -140,7 +146,29 @@ void run_study(const GapArguments& arguments) {
   print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(study_text(*study, say)));
 }
 
+/// What rules ask from heights alone.
+void run_rules(const GapArguments& arguments) {
+  if (is_study(arguments.file)) {
+    throw Failure(exit_bad_input, error_words("bentur gap: --rules is for a case", arguments.language));
+  }
+  if (arguments.at)
+    throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
+  const Words say(arguments.language);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  const Case& c = loaded.c;
+  if (arguments.json) {
+    print(height_rules_json(c, loaded.problem, BENTUR_VERSION));
+    return;
+  }
+  std::string text = c.title.empty() ? "" : c.title + "\n\n";
+  const Story story = height_rules_story(c, loaded.problem);
+  if (!story.tables.empty())
+    text += tables_text(loaded.problem, story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
+  print(fitted(text + codes_note(c.code, say)));
+}
+
 void run(const GapArguments& arguments) {
+  if (arguments.rules) return run_rules(arguments);
   if (is_study(arguments.file)) return run_study(arguments);
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
@@ -167,10 +195,12 @@ void add_gap_command(CLI::App& app) {
       ->check(not_empty());
   command->add_option("--at", arguments->at, "for a study with [ida]: the intensity; default its highest level")
       ->check(positive());
+  command->add_flag("--rules", arguments->rules, "what rules of [code] ask from heights alone; nothing is computed");
   command->add_flag("--json", arguments->json, "JSON instead of tables");
   add_language(*command, arguments->language);
   command->footer(
       "Example: bentur gap case.toml\n"
+      "What codes ask from heights alone: bentur gap --rules case.toml\n"
       "Over the records of a study: bentur gap study.toml --at 0.5");
   command->callback([arguments] { run(*arguments); });
 }

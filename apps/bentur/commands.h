@@ -17,5 +17,7 @@ void add_check_command(CLI::App& app);
 void add_spectrum_command(CLI::App& app);
 void add_plot_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
+void add_export_command(CLI::App& app);
+void add_import_command(CLI::App& app);
 
 }  // namespace bentur::cli

@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
   add_check_command(app);
   add_spectrum_command(app);
   add_plot_command(app);
+  add_export_command(app);
+  add_import_command(app);
   add_example_command(app);
   add_schema_command(app);
   app.require_subcommand(1);

@@ -927,13 +927,56 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         text = self.done("gap", case).stdout
         self.assertNotIn("Not shown", text)
         rules = json.loads(self.done("gap", case, "--json").stdout)["code_rules"]
-        self.assertEqual(len(rules), 8)
+        self.assertEqual(len(rules), 14)
         for rule in rules:
-            self.assertIn(f"{rule['title']}  {rule['clause']:>8}", text)
+            self.assertRegex(text, re.escape(rule["title"]) + r" +" + re.escape(rule["clause"]))
             page = (SOURCE / "docs" / "separation-rules.md").read_text()
             self.assertIn(f"| `{rule['rule']}` |", page)
             self.assertIn(f"| {rule['assumes']} |", page)
             self.assertIn(f"{rule['title']}: {rule['assumes']}", " ".join(text.split()))
+
+
+    def test_rules_from_heights_alone(self):
+        """h = 12 m, by hand; nothing is computed, so that a motion that cannot be solved does not matter."""
+        case = self.folder / "twelve.toml"
+        storeys = "stick = { storey_heights = [3, 3, 3, 3], masses = [9e4, 9e4, 9e4, 9e4], stiffnesses = [9e7, 9e7, 9e7, 9e7] }"
+        case.write_text(
+            "".join(f'[[building]]\nname = "{name}"\ndamping = 0.05\n{storeys}\n' for name in "AB")
+            + '[[gap]]\nbetween = ["A", "B"]\nwidth = 0.065\ncontact = { law = "linear", stiffness = 3e8 }\n'
+            '[excitation]\nkind = "harmonic"\nperiod = 0.4\ndisplacement_amplitude = 0.05\n[analysis]\nduration = 5\n'
+            "[code]\nsame_owner = OWNER\nen-1998-1 = { behaviour_factor = 3 }\ne-030-2018 = {}\nrpa-2024 = {}\n"
+            'nsr-10 = { neighbour = "NEIGHBOUR" }\nntc-2018 = { ground_acceleration = "0.2 g", soil_factor = 1.25 }\n')
+        template = case.read_text()
+        for neighbour, to_line in ("coincides", 0.24), ("differs", 0.36), ("none", 0.12):
+            case.write_text(template.replace("OWNER", "false").replace("NEIGHBOUR", neighbour))
+            document = json.loads(self.done("gap", "--rules", case, "--json").stdout)
+            rules = {one["rule"]: one for one in document["gaps"][0]["rules"]}
+            self.assertEqual(rules["en-1998-1"]["given_is"], "not_evaluated")
+            self.assertEqual(rules["en-1998-1"]["reason"], "displacements")
+            for rule, asked, least in (("e-030-2018", 0.072, True), ("rpa-2024", 0.04, True), ("ntc-2018", 0.06, False)):
+                self.assertAlmostEqual(rules[rule]["gap"], asked, delta=1e-12)
+                self.assertEqual(rules[rule]["at_least"], least)
+                self.assertEqual(rules[rule]["given_is"], "too_small" if asked > 0.065 else "as_much_as_the_least" if least else "enough")
+            top = rules["nsr-10"]["levels"][-1]
+            self.assertEqual(top["elevation"], 12)
+            for distance in top["to_property_line"]:
+                self.assertAlmostEqual(distance, to_line, delta=1e-12)
+            self.assertEqual([level["elevation"] for level in rules["e-030-2018"]["levels"]], [3, 6, 9, 12])
+        text = self.done("gap", "--rules", case).stdout
+        self.assertRegex(text, r"E\.030-2018 \(Peru\) +art\. 33 +0\.072 .*too small")
+        self.assertIn("it needs displacements", text)
+        self.assertIn("E.030-2018", self.done("gap", "--rules", case, "--lang", "id").stdout)
+        case.write_text(template.replace("OWNER", "true").replace("NEIGHBOUR", "none"))
+        self.assertIn("NSR-10 (Colombia) (it needs displacements)", self.done("gap", "--rules", case).stdout.replace("\n", " "))
+
+    def test_the_exception_of_the_code_is_quoted(self):
+        case = self.written("m12-el-centro")
+        self.assertNotIn("rational analyses", self.done("gap", case).stdout)
+        case.write_text(case.read_text() + self.CODE)
+        for command in "gap", "run":
+            self.assertIn("rational analyses", self.done(command, case).stdout)
+        self.done("report", case, "-o", self.folder / "quoted.html")
+        self.assertIn("rational analyses", (self.folder / "quoted.html").read_text())
 
 
 def documented(document, name):

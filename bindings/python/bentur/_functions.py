@@ -75,6 +75,14 @@ def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[
     return {one["name"]: {k: np.array(v) if isinstance(v, list) else v for k, v in one.items()} for one in told["buildings"]}
 
 
+def height_rules(case: Case | str | PathLike[str]) -> dict[str, Any]:
+    """What the rules of the case's ``[code]`` ask of each gap from heights alone, before anything is computed, as
+    ``bentur gap --rules --json`` has it.
+    """
+    found: dict[str, Any] = json.loads(_core.height_rules_json(as_case(case)._made))
+    return found
+
+
 def minimum_gap(
     case: Case | str | PathLike[str], *, at: float | None = None, progress: Progress = None
 ) -> dict[str, Any]:

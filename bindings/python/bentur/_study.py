@@ -208,6 +208,7 @@ def fragility(
     resamples: int = 1000,
     confidence: float = 0.95,
     seed: int = 1,
+    method: str = "likelihood",
 ) -> dict[str, Any]:
     """Fragility curves, and the gap for a pounding probability, as ``bentur fragility --json`` has them.
 
@@ -216,8 +217,11 @@ def fragility(
         floor or gap has it.
     :param at: intensity for the gaps, in the unit of the levels; goes with `probabilities`, each in (0, 1).
     :param along: the gap width that is meant, where several vary.
+    :param method: of θ and β: "likelihood", or of events that exceed a number above 0 "cloud" or "stripes".
     :raises ValueError: where the results do not have what is asked for.
     """
+    if method not in ("likelihood", "cloud", "stripes"):
+        raise ValueError(f'method = "{method}", must be "likelihood", "cloud" or "stripes"')
     wanted = _arguments.listed("probabilities", probabilities)
     if not hasattr(results, "data_vars"):
         raise TypeError(f"results is a {type(results).__name__}, must be an xarray.Dataset of bentur.ida")
@@ -234,6 +238,7 @@ def fragility(
         at=None if at is None else _arguments.number("at", at),
         probabilities=wanted,
         along=_arguments.text("along", along),
+        method=method,
     )
     found: dict[str, Any] = json.loads(told)
     return found

@@ -11,6 +11,7 @@
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/io/results/rules_json.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
@@ -241,6 +242,9 @@ void bind_run(py::module_& module) {
                                  spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), BENTUR_VERSION);
       },
       py::arg("case"), py::arg("progress"));
+  module.def(
+      "height_rules_json",
+      [](const PyCase& given) { return height_rules_json(given.c, given.problem, BENTUR_VERSION); }, py::arg("case"));
   module.def("report_output_step", [](const PyCase& given) { return report_output_step(given.problem); });
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
 }

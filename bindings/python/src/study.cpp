@@ -235,8 +235,11 @@ class DatasetSource final : public ResultSource {
 /// Fits the outcomes of an incremental dynamic analysis, as `bentur fragility --json` tells them.
 std::string fragility(const py::object& dataset, const std::string& event, int resamples, double confidence,
                       std::uint64_t seed, const std::optional<double>& at, const std::vector<double>& probabilities,
-                      const std::string& along) {
+                      const std::string& along, const std::string& method) {
   const FragilityRequest request{.event = event,
+                                 .method = method == "cloud"     ? FragilityMethod::cloud
+                                           : method == "stripes" ? FragilityMethod::stripes
+                                                                 : FragilityMethod::likelihood,
                                  .bootstrap = {.resamples = resamples, .confidence = confidence, .seed = seed},
                                  .at = at,
                                  .probabilities = probabilities,
@@ -270,7 +273,8 @@ void bind_study(py::module_& module) {
       .def("stop", &PyStudy::stop);
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
-             py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"));
+             py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),
+             py::arg("method"));
   module.def("is_study", &is_study, py::arg("file"));
 }
 

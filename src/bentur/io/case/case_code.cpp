@@ -33,12 +33,21 @@ void read_words(const TomlView& value, const Key& key, const Length& length, Cod
   }
 }
 
-void read_key(const TomlView& value, const Key& key, std::size_t buildings, CodeRuleSpec& spec) {
+/// In g: a bare number, or a text with its unit.
+std::optional<double> read_in_g(const TomlView& value, const Units& units) {
+  if (!value.is(TomlValue::Kind::text)) return value.as_number(Range::positive);
+  const auto acceleration = read_acceleration(value, units);
+  return acceleration ? std::optional(*acceleration / units.gravity) : std::nullopt;
+}
+
+void read_key(const TomlView& value, const Key& key, std::size_t buildings, const Units& units, CodeRuleSpec& spec) {
   const std::string name(key.name);
   const Length length{buildings, std::string(key.each)};
   if (key.kind == Key::Kind::number) {
     if (auto numbers = value.as_number_or_numbers(key.range, length); !numbers.empty())
       spec.numbers[name] = std::move(numbers);
+  } else if (key.kind == Key::Kind::quantity) {
+    if (const auto number = read_in_g(value, units)) spec.numbers[name] = {*number};
   } else if (key.kind == Key::Kind::whole) {
     if (const auto number = value.as_number(Range::finite)) {
       if (*number < static_cast<double>(key.least) || *number > static_cast<double>(key.most) ||
@@ -56,17 +65,19 @@ void read_key(const TomlView& value, const Key& key, std::size_t buildings, Code
   }
 }
 
-CodeRuleSpec read_rule(const TableView& table, std::size_t buildings) {
+CodeRuleSpec read_rule(const TableView& table, std::size_t buildings, const Units& units) {
   CodeRuleSpec spec{.rule = std::string(table.keys().name)};
   for (const Key& key : table.keys().keys) {
-    if (const auto value = table.get(key.name)) read_key(*value, key, buildings, spec);
+    const bool counts = broken_condition(key, table.keys(), table.value()) == nullptr;
+    if (!counts && !table.has(std::string(key.name))) continue;
+    if (const auto value = table.get(key.name)) read_key(*value, key, buildings, units, spec);
   }
   return spec;
 }
 
 }  // namespace
 
-CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+CodeSpec read_code(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings) {
   CodeSpec code;
   const auto view = TableView(root, case_keys()).table("code");
   if (!view) return code;
@@ -82,7 +93,7 @@ CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildi
     if (!view->has(std::string(rule.name))) continue;
     any = true;
     if (const auto table = view->table(rule.name)) {
-      code.rules.push_back(read_rule(*table, buildings.size()));
+      code.rules.push_back(read_rule(*table, buildings.size(), units));
     } else {
       code.rules.push_back({.rule = std::string(rule.name)});
     }

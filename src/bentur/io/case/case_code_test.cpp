@@ -70,6 +70,12 @@ is-1893-1 = { response_reduction = [5, 3, 4] }
 en-1998-1 = { behaviour_factor = 3.9 }
 sni-1726-2019 = { deflection_amplification = 5.5, importance_factor = 1 }
 asce-7-16 = { deflection_amplification = 5.5, importance_factor = [1, 1.25, 1.5] }
+nec-se-ds = {}
+rpa-2024 = {}
+nsr-10 = { neighbour = "differs" }
+e-030-2026 = { zone_factor = 0.45, soil_factor = 1.05 }
+e-030-2018 = {}
+ntc-2018 = { ground_acceleration = "0.2 g", soil_factor = 1.25 }
 )");
   ASSERT_EQ(c.code.rules.size(), code_rules().size());
   for (std::size_t i = 0; i < code_rules().size(); ++i) EXPECT_EQ(c.code.rules[i].rule, code_rules()[i].name);
@@ -80,6 +86,8 @@ asce-7-16 = { deflection_amplification = 5.5, importance_factor = [1, 1.25, 1.5]
   EXPECT_EQ(c.code.rules[6].words.at("system"), (std::vector<std::string>{"frame", "wall", "frame-wall"}));
   EXPECT_EQ(c.code.rules[7].words.at("zone"), std::vector<std::string>{"III"});
   EXPECT_TRUE(c.code.rules[7].flags.at("structures_alike"));
+  EXPECT_NEAR(c.code.rules[8].numbers.at("ground_acceleration").at(0), 0.2, 1e-15);
+  EXPECT_EQ(c.code.rules[11].words.at("neighbour"), std::vector<std::string>{"differs"});
 }
 
 TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {

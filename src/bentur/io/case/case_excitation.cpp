@@ -40,7 +40,8 @@ std::optional<std::string> settle_unit(const TableView& view, const StrongMotion
   return record.unit;
 }
 
-/// An acceleration > 0 [length/s²]: a number in the case's own unit, or a text with its unit, "0.35 g".
+}  // namespace
+
 std::optional<double> read_acceleration(const TomlView& value, const Units& units) {
   if (!value.is(TomlValue::Kind::text)) return value.as_number(Range::positive);
   const std::string& text = value.value().text;
@@ -67,6 +68,8 @@ std::optional<double> read_acceleration(const TomlView& value, const Units& unit
   if (!(acceleration > 0)) return value.error_value("must be > 0");
   return acceleration;
 }
+
+namespace {
 
 /// The peak that the record is scaled to, or the amplitude of a harmonic motion [length/s²].
 std::optional<double> read_acceleration(const TomlView& view, const char* key, const Units& units) {

@@ -126,9 +126,20 @@ void read_generic(const TomlView& given, const Units& units, ReadBuilding& build
       generic.stiffness_ratio = ratio_of(*system);
     }
   }
-  generic.yield_base_shear = view.number("yield_base_shear");
+  const auto yields = view.exactly_one("yields");
+  if (yields == "design_base_shear") {
+    const auto design = view.number("design_base_shear");
+    if (!view.has("overstrength")) {
+      view.error_missing("overstrength",
+                         "design_base_shear times it is the base shear at yield; 1 where they are the same");
+    }
+    generic.yield_base_shear = design.value_or(1) * view.number("overstrength").value_or(1);
+  } else {
+    generic.yield_base_shear = view.number("yield_base_shear");
+    view.refuse({"overstrength"}, "goes with design_base_shear");
+  }
   generic.hardening = view.number("hardening").value_or(0);
-  if (!generic.yield_base_shear) view.refuse({"hardening"}, "goes with yield_base_shear");
+  if (!yields) view.refuse({"hardening"}, "goes with yield_base_shear or design_base_shear");
   if (storeys == 0) return;
   building.modes = storeys;
   building.elevations = floor_elevations(generic.storey_heights);

@@ -108,6 +108,10 @@ void read_stick(const TomlView& stick, ReadBuilding& building);
 /// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
 void read_damping_stiffness(const TableView& building, ReadBuilding& read);
 
+/// case_excitation.cpp: an acceleration > 0 [length/s²], a number in the case's own unit or a text with its unit,
+/// "0.35 g".
+[[nodiscard]] std::optional<double> read_acceleration(const TomlView& value, const Units& units);
+
 /// case_excitation.cpp. `folder` is the one that record files are relative to.
 [[nodiscard]] ExcitationSpec read_excitation(const TomlView& root, const Units& units,
                                              const std::vector<ReadBuilding>& buildings,
@@ -122,7 +126,7 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
 /// case_code.cpp
-[[nodiscard]] CodeSpec read_code(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+[[nodiscard]] CodeSpec read_code(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings);
 
 /// case_project.cpp
 [[nodiscard]] std::optional<ProjectSpec> read_project(const TomlView& root, const std::filesystem::path& folder,

@@ -229,7 +229,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   bool moves = false;
   c.initial = read_initial(root, buildings, moves);
   c.analysis = read_analysis(root, c.excitation);
-  c.code = read_code(root, buildings);
+  c.code = read_code(root, c.units, buildings);
   c.screening = read_screening(root);
   c.project = read_project(root, folder, diagnostics);
   check_values(root, case_keys());

@@ -63,6 +63,10 @@ std::string_view kind_name(ResultKind kind) {
       "data of a figure by bentur, whose script would stand beside them",
       "a figure by bentur, whose script would stand beside it",
       "a schema of bentur schema",
+      "demands of bentur export",
+      "fragility functions of bentur export",
+      "taxonomies of bentur export",
+      "the imported case",
       "the example",
   };
   return names[static_cast<std::size_t>(kind)];
@@ -76,6 +80,12 @@ bool is_result(const fs::path& file, ResultKind kind) {
       return beginning(file, 64).starts_with("left,right,elevation [");
     case ResultKind::case_copy:
       return is_untouched_copy(file);
+    case ResultKind::demands:
+      return beginning(file, demands_mark.size()) == demands_mark;
+    case ResultKind::fragility_model:
+      return beginning(file, 256).find(nrml_mark) != std::string::npos;
+    case ResultKind::taxonomy:
+      return beginning(file, taxonomy_mark.size()) == taxonomy_mark;
     case ResultKind::spectrum:
       return beginning(file, 64).starts_with("period [s],displacement [");
     case ResultKind::report:
@@ -100,6 +110,7 @@ bool is_result(const fs::path& file, ResultKind kind) {
     case ResultKind::histories:
     case ResultKind::sweep:
     case ResultKind::ida:
+    case ResultKind::imported:
     case ResultKind::example:
       break;
   }

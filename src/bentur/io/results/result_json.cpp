@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/internal/record_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -354,26 +355,7 @@ namespace {
 
 Json codes_json(const std::vector<CodeSeparation>& codes) {
   Json json = Json::array();
-  for (const CodeSeparation& code : codes) {
-    json.push_back({{"rule", code.rule},
-                    {"gap", or_null_if_unknown(code.gap)},
-                    {"to_property_line", {or_null(code.to_left), or_null(code.to_right)}}});
-  }
-  return json;
-}
-
-/// What is known of the rules themselves.
-Json rules_json(const CodeSpec& code) {
-  Json json = Json::array();
-  for (const CodeRuleSpec& spec : code.rules) {
-    const CodeRule* const rule = find_code_rule(spec.rule);
-    if (rule == nullptr) continue;
-    json.push_back({{"rule", rule->name},
-                    {"title", rule->title},
-                    {"clause", rule->clause},
-                    {"wording", rule->wording},
-                    {"assumes", rule->assumes}});
-  }
+  for (const CodeSeparation& code : codes) json.push_back(code_separation_json(code));
   return json;
 }
 
@@ -400,11 +382,6 @@ Json separation_json(const LevelSeparation& separation) {
                {"codes", codes_json(separation.codes)}};
   if (separation.gap_needed_reversed) json["gap_needed_reversed"] = *separation.gap_needed_reversed;
   return json;
-}
-
-std::string_view silence_name(RuleFinding::Silence silence) {
-  constexpr std::string_view names[] = {"", "no_level", "collapsed", "linked", "unknown"};
-  return names[static_cast<std::size_t>(silence)];
 }
 
 /// What each rule asks where it falls short the most.
@@ -464,7 +441,7 @@ std::string gap_json(const RunResults& results, std::string_view version) {
                {"version", version},
                {"excitation", excitation_json(results.c.excitation)},
                {"statements", Json::parse(statements_json(problem, gap_story(results).statements))},
-               {"code_rules", rules_json(results.c.code)},
+               {"code_rules", code_rules_json(results.c.code)},
                {"gaps", gaps}});
 }
 
@@ -490,7 +467,7 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
                {"version", version},
                {"excitation", excitation_json(c.excitation)},
                {"statements", Json::parse(statements_json(problem, spectral_story(c, problem, spectral).statements))},
-               {"code_rules", rules_json(c.code)},
+               {"code_rules", code_rules_json(c.code)},
                {"buildings", buildings},
                {"gaps", gaps}});
 }

@@ -315,9 +315,20 @@ const KeyTable& generic_keys() {
            .one_of("system"),
        Key::number("yield_base_shear", dimension::none, Range::positive, {"Base shear at yield", "Geser dasar leleh"},
                    "share of the weight: the shear springs yield, each in proportion to its shear in the first mode; "
-                   "needs `stiffness_ratio` ≥ 30")
+                   "needs `stiffness_ratio` ≥ 30; or")
+           .one_of("yields", Need::optional)
            .optional("none yields"),
-       hardening_of_storeys().goes_with("yield_base_shear")}};
+       Key::number("design_base_shear", dimension::none, Range::positive, {"Design base shear", "Geser dasar rencana"},
+                   "share of the weight, as the drawings or the code of its year give it: times `overstrength` it is "
+                   "the base shear at yield; at most one of the two")
+           .one_of("yields", Need::optional)
+           .optional("none yields"),
+       Key::number("overstrength", dimension::none, Range::positive, {"Overstrength", "Kuat lebih"},
+                   "base shear at yield over `design_base_shear`, which needs it: "
+                   "[what codes have](case-file.md#how-strong-a-building-is)")
+           .goes_with("design_base_shear")
+           .optional("none"),
+       hardening_of_storeys()}};
   return table;
 }
 

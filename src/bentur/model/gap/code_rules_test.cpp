@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace {
 
 /// In metres: 3 cm and 4 cm at the roof of the lower one.
 CodePair pair_in_metres() {
-  return {.left = {.displacement = 0.03, .level = 12, .height = 12},
-          .right = {.displacement = 0.04, .level = 12, .height = 24}};
+  return {.left = {.displacement = 0.03, .level = 12, .height = 12, .storeys = 4},
+          .right = {.displacement = 0.04, .level = 12, .height = 24, .storeys = 8}};
 }
 
 /// Numbers a code could have, some for each building.
@@ -31,8 +32,11 @@ CodeRuleSpec spec(const std::string& rule) {
                    {"response_reduction", {5.0, 3.0}},
                    {"ductility_factor", {4.0, 2.0}},
                    {"overstrength_factor", {1.7, 1.4}},
-                   {"intensity", {8}}};
-  given.words = {{"system", {"frame"}}, {"zone", {"II"}}};
+                   {"intensity", {8}},
+                   {"ground_acceleration", {0.2}},
+                   {"soil_factor", {1.25}},
+                   {"zone_factor", {0.45}}};
+  given.words = {{"system", {"frame"}}, {"zone", {"II"}}, {"neighbour", {"coincides"}}};
   return given;
 }
 
@@ -131,12 +135,138 @@ TEST(CodeRules, Mexican) {
   pair.floors_aligned = true;
   const double whole = gap(pair, given);
   given.flags["structures_alike"] = true;
+  EXPECT_NEAR(gap(pair, given), whole, 1e-15) << "half wants one height";
+  pair.right.height = 12;
   EXPECT_NEAR(gap(pair, given), whole / 2, 1e-15);
   pair.floors_aligned = false;
   EXPECT_NEAR(gap(pair, given), whole, 1e-15) << "half needs both";
+  given.words["method"] = {"simplified"};
+  for (const auto& [zone, slope] :
+       std::vector<std::pair<std::string, double>>{{"I", 0.007}, {"II", 0.009}, {"III", 0.012}}) {
+    given.words["zone"] = {zone};
+    EXPECT_NEAR(gap(pair, given), 2 * slope * 12, 1e-15) << zone << ": no displacement";
+  }
+  given.words.erase("method");
+  given.words["zone"] = {"I"};
   pair.left.displacement = pair.right.displacement = 0.001;
   EXPECT_NEAR(gap(pair, given), 0.100, 1e-15) << "50 mm from each";
   EXPECT_NEAR(code_separation(pair, given).to_left.value(), 0.050, 1e-15);
+}
+
+TEST(CodeRules, ChineseSteel) {
+  CodePair pair = pair_in_metres();
+  pair.left.height = pair.right.height = 75;
+  CodeRuleSpec given = spec("gb-50011-2010");
+  given.words["material"] = {"concrete"};
+  EXPECT_NEAR(gap(pair, given), 0.500, 1e-15);
+  given.words["material"] = {"steel"};
+  given.words["system"] = {"wall"};
+  EXPECT_NEAR(gap(pair, given), 0.750, 1e-15) << "of the concrete frame, whatever its own system";
+  given.words["material"] = {"concrete", "steel"};
+  EXPECT_NEAR(gap(pair, given), 0.750, 1e-15) << "the one that needs more decides";
+  pair.left.height = 12;
+  EXPECT_NEAR(gap(pair, given), 0.150, 1e-15);
+}
+
+TEST(CodeRules, Italian) {  // a_g S = 0.25 g
+  CodePair pair = pair_in_metres();
+  EXPECT_NEAR(gap(pair, spec("ntc-2018")), 0.07, 1e-15) << "the sum of the displacements";
+  pair.left.displacement = pair.right.displacement = 0.001;
+  EXPECT_NEAR(gap(pair, spec("ntc-2018")), 0.060, 1e-15) << "12 m / 100 · 2 · 0.25";
+  const auto alone = height_separation(pair, spec("ntc-2018"));
+  ASSERT_TRUE(alone);
+  EXPECT_NEAR(alone->asked.gap, 0.060, 1e-15) << "30 mm from each";
+  EXPECT_FALSE(alone->is_least);
+  CodeRuleSpec strong = spec("ntc-2018");
+  strong.numbers["ground_acceleration"] = {0.6};  // a_g S = 0.75 g: 2 a_g S/g counts as 1
+  EXPECT_NEAR(gap(pair, strong), 0.120, 1e-15);
+  EXPECT_NEAR(height_separation(pair, strong)->asked.gap, 2 * 0.090, 1e-15) << "the estimate has no such limit";
+  pair.right.level = 10;  // whose ground is 2 m higher
+  EXPECT_NEAR(gap(pair, strong), 0.120, 1e-15) << "the larger height";
+}
+
+TEST(CodeRules, Peruvian) {
+  CodePair still = pair_in_metres();
+  still.left.displacement = still.right.displacement = 0;
+  EXPECT_NEAR(gap(still, spec("e-030-2018")), 0.072, 1e-15) << "0.006 · 12 m";
+  EXPECT_NEAR(gap(still, spec("e-030-2026")), 0.02 * 0.45 * 1.25 * 12, 1e-15);
+  EXPECT_NEAR(code_separation(still, spec("e-030-2018")).to_left.value(), 0.036, 1e-15);
+  still.left.level = still.right.level = 3;
+  EXPECT_NEAR(gap(still, spec("e-030-2018")), 0.030, 1e-15) << "never under 30 mm";
+  CodePair far = pair_in_metres();
+  far.left.displacement = 0.20;
+  far.right.displacement = 0.04;
+  EXPECT_NEAR(gap(far, spec("e-030-2018")), 0.16, 1e-15) << "two thirds of the sum";
+  const CodeSeparation lined = code_separation(far, spec("e-030-2018"));
+  EXPECT_NEAR(lined.to_left.value(), 0.4 / 3, 1e-15) << "two thirds of its own";
+  EXPECT_NEAR(lined.to_right.value(), 0.08, 1e-15) << "half of s";
+  far.same_owner = false;
+  EXPECT_NEAR(gap(far, spec("e-030-2018")), 0.4 / 3 + 0.08, 1e-15);
+  const auto alone = height_separation(far, spec("e-030-2018"));
+  EXPECT_NEAR(alone->asked.gap, 0.072, 1e-15);
+  EXPECT_TRUE(alone->is_least);
+}
+
+TEST(CodeRules, Colombian) {
+  CodePair pair = pair_in_metres();
+  CodeRuleSpec given = spec("nsr-10");
+  EXPECT_NEAR(gap(pair, given), 0.07, 1e-15) << "of one construction the sum";
+  EXPECT_FALSE(height_separation(pair, given));
+  pair.same_owner = false;
+  const std::vector<std::tuple<std::string, int, double>> rows = {
+      {"coincides", 2, 0}, {"differs", 2, 0},       {"none", 1, 0},        {"coincides", 3, 0}, {"differs", 3, 0.120},
+      {"none", 3, 0.120},  {"coincides", 4, 0.240}, {"differs", 4, 0.360}, {"none", 4, 0.120}};
+  for (const auto& [neighbour, storeys, to_line] : rows) {
+    SCOPED_TRACE(neighbour + ", storeys " + std::to_string(storeys));
+    given.words["neighbour"] = {neighbour};
+    pair.left.storeys = pair.right.storeys = storeys;
+    const auto alone = height_separation(pair, given);
+    ASSERT_TRUE(alone);
+    EXPECT_FALSE(alone->is_least);
+    EXPECT_NEAR(alone->asked.to_left.value(), to_line, 1e-15);
+    EXPECT_NEAR(alone->asked.gap, (neighbour == "none" ? 2 : 1) * to_line, 1e-15);
+    EXPECT_NEAR(gap(pair, given), alone->asked.gap, 1e-15) << "displacements play no part";
+  }
+  pair.left.level = pair.right.level = 6;
+  EXPECT_NEAR(code_separation(pair, given).to_left.value(), 0.060, 1e-15) << "at other levels their height";
+}
+
+TEST(CodeRules, Algerian) {
+  CodePair pair = pair_in_metres();
+  EXPECT_NEAR(gap(pair, spec("rpa-2024")), 0.05, 1e-15);
+  pair.left.displacement = 0.01;
+  pair.right.displacement = 0.02;
+  EXPECT_NEAR(gap(pair, spec("rpa-2024")), 0.040, 1e-15) << "never under 40 mm";
+  EXPECT_NEAR(height_separation(pair, spec("rpa-2024"))->asked.gap, 0.040, 1e-15);
+}
+
+TEST(CodeRules, Ecuadorian) {
+  EXPECT_NEAR(gap("nec-se-ds", false), 0.035, 1e-15) << "the mean";
+  EXPECT_NEAR(gap("nec-se-ds", true), 0.020, 1e-15) << "half of the larger";
+  EXPECT_TRUE(std::isnan(gap("nec-se-ds", true, false))) << "not said of a property line";
+  EXPECT_FALSE(height_separation(pair_in_metres(), spec("nec-se-ds")));
+}
+
+TEST(CodeRules, HeightsAloneAskNoMoreThanAnyDisplacements) {
+  int with = 0;
+  for (const CodeRule& rule : code_rules()) {
+    for (const bool same_owner : {false, true}) {
+      SCOPED_TRACE(rule.name);
+      CodePair pair = pair_in_metres();
+      pair.same_owner = same_owner;
+      const CodeRuleSpec given = spec(std::string(rule.name));
+      const auto alone = height_separation(pair, given);
+      if (!alone) continue;
+      ++with;
+      for (double u = 0; alone->is_least && u < 0.2; u += 0.01) {
+        pair.left.displacement = pair.right.displacement = u;
+        EXPECT_LE(alone->asked.gap, gap(pair, given));
+      }
+      if (alone->is_least) continue;
+      EXPECT_TRUE(rule.takes == CodeRule::Takes::height || rule.name == "ntc-2018" || rule.name == "nsr-10");
+    }
+  }
+  EXPECT_EQ(with, 15);  // seven rules, and one across a property line alone
 }
 
 /// Every rule, aligned or not, of one owner or two.
@@ -168,6 +298,7 @@ TEST(CodeRules, UnitsOfLengthDoNotMatter) {
         side->level *= feet.metre;
         side->height *= feet.metre;
       }
+      if (std::isnan(gap(metres, given))) continue;
       EXPECT_NEAR(gap(feet, given) * 0.3048, gap(metres, given), 1e-14);
     }
   });
@@ -181,6 +312,10 @@ TEST(CodeRules, LeftAndRightDoNotMatter) {
     for (auto& [key, values] : turned.numbers) {
       if (values.size() == 2) std::swap(values[0], values[1]);
     }
+    if (std::isnan(gap(pair, given))) {
+      EXPECT_TRUE(std::isnan(gap(mirrored, turned)));
+      return;
+    }
     EXPECT_NEAR(gap(mirrored, turned), gap(pair, given), 1e-15);
   });
 }
@@ -191,6 +326,7 @@ TEST(CodeRules, MoreDisplacementNeverNeedsLess) {
     for (double u = 0; u < 0.2; u += 0.01) {
       CodePair moved = pair;
       moved.left.displacement = u;
+      if (std::isnan(gap(moved, given))) return;
       EXPECT_GE(gap(moved, given), before);
       before = gap(moved, given);
     }
@@ -207,7 +343,7 @@ TEST(CodeRules, EachBuildingOfARowHasItsOwnNumbers) {
 }
 
 TEST(CodeRules, AreNamedAndNothingIsMadeUp) {
-  EXPECT_EQ(code_rules().size(), 8U);
+  EXPECT_EQ(code_rules().size(), 14U);
   EXPECT_EQ(find_code_rule("no-such-code"), nullptr);
   for (const CodeRule& rule : code_rules()) {
     EXPECT_EQ(find_code_rule(rule.name), &rule);
@@ -239,6 +375,8 @@ TEST(CodeRules, RefuseWhatCannotBe) {
   CodePair pair = pair_in_metres();
   pair.left.displacement = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)code_separation(pair, spec("nbcc")), InvalidParameter);
+  EXPECT_THROW((void)height_separation(pair, spec("no-such-code")), InvalidParameter);
+  EXPECT_TRUE(height_separation(pair, spec("rpa-2024"))) << "no displacement is asked for";
 }
 
 /// A building with floors at the given elevations above the datum.

@@ -54,6 +54,22 @@ bool is_linked(const Problem& problem, Eigen::Index gap) {
   return std::any_of(problem.links.begin(), problem.links.end(), ties);
 }
 
+CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeSpec& code, const Units& units) {
+  const Building& left = problem.buildings[level.gap];
+  const Building& right = problem.buildings[level.gap + 1];
+  const auto side = [&](int of, const Building& building) {
+    return CodeSide{.level = face_height(problem, level, of),
+                    .height = height_of(building.model),
+                    .storeys = static_cast<int>(building.model.storey_heights.size())};
+  };
+  return {.left = side(0, left),
+          .right = side(1, right),
+          .left_building = static_cast<std::size_t>(level.gap),
+          .floors_aligned = code.floors_aligned ? code.floors_aligned->at(level.gap) : floors_aligned(left, right),
+          .same_owner = code.same_owner.empty() || code.same_owner.at(level.gap),
+          .metre = 1 / metres(units.length)};
+}
+
 std::vector<LevelSeparation> separations(const Problem& problem,
                                          const std::function<LevelPeaks(const FacingLevel&)>& peaks_at,
                                          const CodeSpec& code, const Units& units) {
@@ -72,24 +88,18 @@ std::vector<LevelSeparation> separations(const Problem& problem,
                           .abs = separation_abs({peaks.left}, {peaks.right}),
                           .srss = separation_srss({peaks.left}, {peaks.right}),
                           .ddc = ddc()};
-    const auto side = [&](int of, double displacement) {
-      const Building& building = problem.buildings[level.gap + of];
-      return CodeSide{
-          .displacement = displacement, .level = face_height(problem, level, of), .height = height_of(building.model)};
-    };
-    const bool peaks_known = std::isfinite(peaks.left_of_codes) && std::isfinite(peaks.right_of_codes);
+    const bool peaks_known = std::isfinite(peaks.left_of_codes) && std::isfinite(peaks.right_of_codes) &&
+                             std::isfinite(peaks.left) && std::isfinite(peaks.right);
     for (const CodeRuleSpec& rule : code.rules) {
       if (!peaks_known) {
         found.codes.push_back({rule.rule, not_known, {}, {}});
         continue;
       }
-      const CodePair pair{
-          .left = side(0, peaks.left_of_codes),
-          .right = side(1, peaks.right_of_codes),
-          .left_building = static_cast<std::size_t>(level.gap),
-          .floors_aligned = code.floors_aligned ? code.floors_aligned->at(level.gap) : floors_aligned(left, right),
-          .same_owner = code.same_owner.empty() || code.same_owner.at(level.gap),
-          .metre = 1 / metres(units.length)};
+      const CodeRule* const known = find_code_rule(rule.rule);
+      const bool reduced = known != nullptr && known->takes == CodeRule::Takes::reduced;
+      CodePair pair = code_pair(problem, level, code, units);
+      pair.left.displacement = reduced ? peaks.left_of_codes : peaks.left;
+      pair.right.displacement = reduced ? peaks.right_of_codes : peaks.right;
       found.codes.push_back(code_separation(pair, rule));
     }
     result.push_back(std::move(found));
@@ -160,12 +170,13 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
   std::vector<RuleFinding> findings;
   const auto add = [&](std::string_view rule, std::string_view title, const auto& asked) {
     RuleFinding found{.rule = std::string(rule), .title = std::string(title)};
-    bool known = true;
+    bool known = true, is_unsaid = false;  // a code's clause does not say what is not known
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < levels.size(); ++i) {
       const LevelSeparation& one = levels[i];
       const double gap = asked(one);
       known = known && std::isfinite(gap);
+      is_unsaid = is_unsaid || (!std::isfinite(gap) && std::isfinite(one.abs));
       if (!(gap - one.level.width >= most)) continue;  // of levels that are alike the highest
       most = gap - one.level.width;
       found.at = i;
@@ -180,7 +191,7 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
       found.silence = levels.empty() ? Silence::no_level
                       : linked       ? Silence::linked
-                      : !known       ? Silence::unknown
+                      : !known       ? (is_unsaid ? Silence::property_line : Silence::unknown)
                       : collapsed    ? Silence::collapsed
                                      : Silence::none;
     }

@@ -32,6 +32,10 @@ struct LevelSeparation {
   std::vector<CodeSeparation> codes = {};  ///< one per rule of the case's [code], in its order
 };
 
+/// How two neighbours stand at a level, without displacements.
+[[nodiscard]] CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeSpec& code,
+                                 const Units& units);
+
 /// One entry per facing level of the problem, as facing_levels() has them. `units` are those of the problem. DDC is not
 /// known of buildings whose damping is not, as results read back have them, nor where links tie the two together.
 /// @throws InvalidParameter when a code rule lacks something.
@@ -54,11 +58,13 @@ struct LevelSeparation {
 struct RuleFinding {
   /// Why a rule says nothing.
   enum class Silence {
-    none,       ///< it does
-    no_level,   ///< the neighbours face one another nowhere
-    collapsed,  ///< the free response ends before the motion does
-    linked,     ///< links tie the buildings, so that they have no periods of their own
-    unknown,    ///< what it combines is not known at some level
+    none,           ///< it does
+    no_level,       ///< the neighbours face one another nowhere
+    collapsed,      ///< the free response ends before the motion does
+    linked,         ///< links tie the buildings, so that they have no periods of their own
+    unknown,        ///< what it combines is not known at some level
+    property_line,  ///< a property line stands in the gap, of which its clause does not speak
+    displacements,  ///< heights alone do not say
   };
   std::string rule;                    ///< "abs", "srss", "ddc", or a name of code_rules()
   std::string title;                   ///< as people call it

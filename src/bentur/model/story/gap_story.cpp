@@ -65,23 +65,6 @@ std::vector<RuleFinding> findings_of(const GapFacts& facts, const std::vector<Le
   return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed);
 }
 
-/// The level of all items where it is one, else each item's own.
-void tell_levels_once(Statement& statement) {
-  const auto level_of = [](const std::vector<StoryValue>& item) { return std::get<double>(item[2].value); };
-  const auto& items = statement.items;
-  const bool alike = !items.empty() && std::all_of(items.begin(), items.end(), [&](const auto& item) {
-    return level_of(item) == level_of(items.front());
-  });
-  for (auto& item : statement.items) {
-    item.push_back(alike ? text_of("where", "") : word_of("where", "story.at_level"));
-  }
-  if (alike) {
-    statement.level = level_of(statement.items.front());
-    statement.values.push_back(value_in("level", *statement.level, statement.items.front()[2].unit));
-  }
-  statement.values.push_back(alike ? word_of("where", "story.at_level") : text_of("where", ""));
-}
-
 StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
   const double scale = facts.scale(gap);
@@ -193,10 +176,42 @@ const char* silence_word(RuleFinding::Silence silence) {
       return "story.silence.linked";
     case RuleFinding::Silence::unknown:
       return "story.silence.unknown";
+    case RuleFinding::Silence::property_line:
+      return "story.silence.property_line";
+    case RuleFinding::Silence::displacements:
+      return "story.silence.displacements";
     case RuleFinding::Silence::none:
       break;
   }
   return "gap.wide_enough";
+}
+
+void tell_levels_once(Statement& statement) {
+  const auto level_of = [](const std::vector<StoryValue>& item) { return std::get<double>(item[2].value); };
+  const auto& items = statement.items;
+  const bool alike = !items.empty() && std::all_of(items.begin(), items.end(), [&](const auto& item) {
+    return level_of(item) == level_of(items.front());
+  });
+  for (auto& item : statement.items) {
+    item.push_back(alike ? text_of("where", "") : word_of("where", "story.at_level"));
+  }
+  if (alike) {
+    statement.level = level_of(statement.items.front());
+    statement.values.push_back(value_in("level", *statement.level, statement.items.front()[2].unit));
+  }
+  statement.values.push_back(alike ? word_of("where", "story.at_level") : text_of("where", ""));
+}
+
+void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements) {
+  for (const CodeRuleSpec& given : code.rules) {
+    const CodeRule* const rule = find_code_rule(given.rule);
+    if (rule == nullptr || rule->quotation.empty()) continue;
+    statements.push_back(
+        {.kind = "code_quotation",
+         .severity = Severity::remark,
+         .values = {text_of("rule", std::string(rule->title)), text_of("quotation", std::string(rule->quotation)),
+                    text_of("source", std::string(rule->quoted_from))}});
+  }
 }
 
 double GapFacts::scale(Eigen::Index gap) const {
@@ -276,6 +291,7 @@ Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& 
     for (StoryTable& table : story::gap_tables(facts, gap)) told.tables.push_back(std::move(table));
   }
   sort_by_severity(told.statements);
+  story::tell_quotations(c.code, told.statements);
   for (Statement& remark : remark_statements(remarks(c, problem))) told.statements.push_back(std::move(remark));
   return told;
 }

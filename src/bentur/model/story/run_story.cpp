@@ -378,6 +378,7 @@ std::vector<StoryTable> tables_of(const GapFacts& facts) {
 /// Remarks and what the model leaves out, after all else.
 void tell_remarks(const RunResults& run, Story& told) {
   sort_by_severity(told.statements);
+  story::tell_quotations(run.c.code, told.statements);
   for (Statement& remark : remark_statements(run.remarks)) told.statements.push_back(std::move(remark));
   told.statements.push_back(story::model_statement(run));
 }

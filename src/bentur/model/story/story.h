@@ -56,7 +56,8 @@ struct StoryColumn {
 };
 
 struct StoryTable {
-  std::string kind;  ///< "row", "levels", "rules", "screening", "records"; its heading is "story.table." + kind
+  std::string
+      kind;  ///< "row", "levels", "rules", "height_rules", "screening", "records"; its heading is "story.table." + kind
   std::optional<Eigen::Index> gap = {};
   std::vector<StoryValue> values = {};  ///< that fill the heading
   std::vector<StoryColumn> columns = {};
@@ -86,6 +87,9 @@ void sort_by_severity(std::vector<Statement>& statements);
 
 /// The same by a spectrum.
 [[nodiscard]] Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral);
+
+/// What rules of [code] ask of the gaps from heights alone, before anything is computed.
+[[nodiscard]] Story height_rules_story(const Case& c, const Problem& problem);
 
 /// Remarks as statements; those that differ in subject and number alone become one.
 [[nodiscard]] std::vector<Statement> remark_statements(const std::vector<Remark>& remarks);

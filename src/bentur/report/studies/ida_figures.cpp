@@ -244,17 +244,33 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       finding += (finding.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") +
                  word(options, "median intensity {}, dispersion {}", intensity_text(levels, fit.median),
                       number(fit.dispersion));
+      if (const auto distance = fragility.distance()) {
+        finding += ", " + word(options, "distance from observed {}", number(*distance));
+      }
+      if (is_extrapolated(fragility.counts, fit)) finding += ", " + word(options, "extrapolated");
     }
     if (fit.kind == Fragility::Kind::fitted) {
       Curve line{.label = name.empty() ? word(options, "lognormal fit") : name, .width = 1.3};
       tell_apart(line, c);
       line.mark = Mark::none;
       Curve area{.label = areas.empty() ? word(options, "95 % bounds") : "", .tone = pale_of(line.tone)};
+      // Beyond the levels analysed the curve is told apart.
+      const double first = observed.x.front(), last = observed.x.back();
+      Curve below = line, above = line;
+      for (Curve* const part : {&below, &above}) {
+        part->label.clear();
+        part->line = Line::dashed;
+      }
       constexpr int steps = 200;
       for (int i = 1; i <= steps; ++i) {
         const double x = *panel.x.to * i / steps;
-        line.x.push_back(x);
-        line.y.push_back(fit.probability(x));
+        const double fitted = fit.probability(x);
+        for (Curve* const part : {&below, &line, &above}) {
+          const bool is_here = part == &below ? x <= first : part == &above ? x >= last : x >= first && x <= last;
+          if (!is_here) continue;
+          part->x.push_back(x);
+          part->y.push_back(fitted);
+        }
         std::vector<double> values;
         if (fragility.bounds) {
           for (const Fragility& one : fragility.bounds->fits) {
@@ -280,6 +296,9 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       }
       line.legend_mark = observed.mark;
       lines.push_back(std::move(line));
+      for (Curve* const part : {&below, &above}) {
+        if (part->x.size() > 1) lines.push_back(std::move(*part));
+      }
     } else {
       observed.label = name;
     }

@@ -162,7 +162,7 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
   const std::string unit = unit_text(report.results.units);
   html::HtmlTable table;
   std::vector<std::size_t> cases;
-  std::vector<std::string> medians, median_bounds, dispersions, dispersion_bounds, events;
+  std::vector<std::string> medians, median_bounds, dispersions, dispersion_bounds, distances, events;
   for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
     const CaseFragility& one = report.fragilities[c];
     const bool fitted = one.fit.kind == Fragility::Kind::fitted;
@@ -171,7 +171,10 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
     medians.push_back(one.fit.kind == Fragility::Kind::no_event     ? "> " + number(one.fit.lower)
                       : one.fit.kind == Fragility::Kind::all_events ? "< " + number(one.fit.upper)
                       : one.fit.kind == Fragility::Kind::separated  ? interval_text(one.fit.lower, one.fit.upper)
-                                                                    : known(one.fit.median, fitted));
+                      : is_extrapolated(one.counts, one.fit)
+                          ? number(one.fit.median) + " (" + say("ida.extrapolated") + ")"
+                          : known(one.fit.median, fitted));
+    distances.push_back(one.distance() ? number(*one.distance()) : "–");
     median_bounds.push_back(bounded ? interval_text(one.bounds->median.lower, one.bounds->median.upper) : "–");
     dispersions.push_back(known(one.fit.dispersion, fitted));
     dispersion_bounds.push_back(bounded ? interval_text(one.bounds->dispersion.lower, one.bounds->dispersion.upper)
@@ -183,6 +186,7 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
   table.add(say("ida.bounds"), unit, median_bounds);
   table.add(say("ida.dispersion"), "", dispersions);
   table.add(say("ida.bounds"), "", dispersion_bounds);
+  table.add(say("ida.distance"), "", distances);
   table.add(say("ida.events"), "", events);
   return table;
 }

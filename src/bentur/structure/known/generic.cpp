@@ -108,7 +108,8 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const GenericBuild
   if (!(building.stiffness_ratio >= pure_shear)) {
     throw InvalidParameter(
         "stiffness_ratio", fmt::format("{}", building.stiffness_ratio),
-        "must be 30 at least where yield_base_shear is given: shear springs yield, bending does not");
+        "must be 30 at least where yield_base_shear is given: shear springs yield, bending does not; give 30, or the "
+        "building as building.frame with moment_capacity");
   }
   const VectorXd shape = modes(model.mass, model.stiffness).shapes.col(0);
   const VectorXd shears = shear_rows(model).leftCols(model.floors()) * shape;

@@ -221,6 +221,28 @@ Fragility fit_fragility(const std::vector<IntensityCount>& counts) {
   return result;
 }
 
+std::optional<double> fit_distance(const std::vector<IntensityCount>& counts, const Fragility& fit) {
+  if (fit.kind != Fragility::Kind::fitted) return std::nullopt;
+  double largest = 0;
+  for (const IntensityCount& one : counts) {
+    if (one.runs == 0) continue;
+    const double observed = static_cast<double>(one.events) / static_cast<double>(one.runs);
+    largest = std::max(largest, std::abs(observed - fit.probability(one.intensity)));
+  }
+  return largest;
+}
+
+bool is_extrapolated(const std::vector<IntensityCount>& counts, const Fragility& fit) {
+  if (fit.kind != Fragility::Kind::fitted) return false;
+  bool below = true, above = true;  // all intensities are
+  for (const IntensityCount& one : counts) {
+    if (one.runs == 0) continue;
+    below = below && one.intensity < fit.median;
+    above = above && one.intensity > fit.median;
+  }
+  return below || above;
+}
+
 Interval percentile_interval(std::vector<double> values, double confidence) {
   if (values.empty()) return {unknown, unknown};
   std::sort(values.begin(), values.end());

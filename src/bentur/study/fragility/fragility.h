@@ -58,6 +58,13 @@ struct Fragility {
 /// ln L of (2) for given θ > 0, β > 0.
 [[nodiscard]] double log_likelihood(const std::vector<IntensityCount>& counts, double median, double dispersion);
 
+/// How far a fit is from what was observed: the largest |k_i/n_i − P(x_i)| over the intensities, the distance of
+/// Kolmogorov and Smirnov [-]. Nothing unless θ and β are known.
+[[nodiscard]] std::optional<double> fit_distance(const std::vector<IntensityCount>& counts, const Fragility& fit);
+
+/// Whether θ is known and beyond the intensities of which there are runs: then the curve there is extrapolated.
+[[nodiscard]] bool is_extrapolated(const std::vector<IntensityCount>& counts, const Fragility& fit);
+
 struct Interval {
   double lower = 0, upper = 0;
 };

@@ -22,6 +22,10 @@ NLOHMANN_JSON_SERIALIZE_ENUM(GapForProbability::Kind, {{GapForProbability::Kind:
                                                        {GapForProbability::Kind::smallest, "smallest"},
                                                        {GapForProbability::Kind::beyond, "beyond"}})
 
+NLOHMANN_JSON_SERIALIZE_ENUM(FragilityMethod, {{FragilityMethod::likelihood, "likelihood"},
+                                               {FragilityMethod::cloud, "cloud"},
+                                               {FragilityMethod::stripes, "stripes"}})
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -93,6 +97,24 @@ Json case_json(const IdaResults& results, std::size_t c, std::optional<std::size
   return json;
 }
 
+/// Of collapse alone, or of the runs that stand.
+Json part_json(const Fragility& fit, const std::vector<IntensityCount>& counts) {
+  const bool known = fit.kind == Fragility::Kind::fitted;
+  const auto distance = fit_distance(counts, fit);
+  long runs = 0, events = 0;
+  for (const IntensityCount& one : counts) {
+    runs += one.runs;
+    events += one.events;
+  }
+  return {{"kind", fit.kind},
+          {"median", known ? Json(fit.median) : Json(nullptr)},
+          {"dispersion", known ? Json(fit.dispersion) : Json(nullptr)},
+          {"distance", distance ? Json(*distance) : Json(nullptr)},
+          {"extrapolated", is_extrapolated(counts, fit)},
+          {"runs", runs},
+          {"events", events}};
+}
+
 Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& fragility) {
   const bool known = fragility.fit.kind == Fragility::Kind::fitted;
   Json counts = Json::array();
@@ -100,17 +122,39 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
     counts.push_back({{"intensity", count.intensity}, {"runs", count.runs}, {"events", count.events}});
   }
   const auto& bounds = fragility.bounds;
-  return {{"case", case_json(results, c, std::nullopt)},
-          {"kind", fragility.fit.kind},
-          {"median", known ? Json(fragility.fit.median) : Json(nullptr)},
-          {"median_bounds", known && bounds ? interval_json(bounds->median) : Json(nullptr)},
-          {"dispersion", known ? Json(fragility.fit.dispersion) : Json(nullptr)},
-          {"dispersion_bounds", known && bounds ? interval_json(bounds->dispersion) : Json(nullptr)},
-          {"median_between", interval_json({fragility.fit.lower, fragility.fit.upper})},
-          {"runs", fragility.runs},
-          {"events", fragility.events},
-          {"failed", fragility.failed},
-          {"counts", counts}};
+  const auto distance = fragility.distance();
+  Json json = {{"case", case_json(results, c, std::nullopt)},
+               {"kind", fragility.fit.kind},
+               {"median", known ? Json(fragility.fit.median) : Json(nullptr)},
+               {"median_bounds", known && bounds ? interval_json(bounds->median) : Json(nullptr)},
+               {"dispersion", known ? Json(fragility.fit.dispersion) : Json(nullptr)},
+               {"dispersion_bounds", known && bounds ? interval_json(bounds->dispersion) : Json(nullptr)},
+               {"median_between", interval_json({fragility.fit.lower, fragility.fit.upper})},
+               {"runs", fragility.runs},
+               {"events", fragility.events},
+               {"failed", fragility.failed},
+               {"counts", counts},
+               {"distance", distance ? Json(*distance) : Json(nullptr)},
+               {"extrapolated", is_extrapolated(fragility.counts, fragility.fit)}};
+  if (fragility.split) {
+    json["collapse"] = part_json(fragility.split->collapse, fragility.split->collapse_counts);
+    json["standing"] = part_json(fragility.split->standing, fragility.split->standing_counts);
+  }
+  if (const auto& cloud = fragility.cloud) {
+    json["cloud"] = {{"a", cloud->a},
+                     {"b", cloud->b},
+                     {"sigma", cloud->sigma},
+                     {"determination", cloud->determination},
+                     {"runs", cloud->runs}};
+  }
+  for (const Stripe& one : fragility.stripes) {
+    json["stripes"].push_back({{"intensity", one.intensity},
+                               {"runs", one.runs},
+                               {"collapsed", one.collapsed},
+                               {"median", one.median},
+                               {"dispersion", one.dispersion}});
+  }
+  return json;
 }
 
 Json gaps_json(const FragilityReport& report, const FragilityRequest& request) {
@@ -160,8 +204,13 @@ std::optional<FragilityReport> fragility_report(IdaResults results, const Fragil
   FragilityReport report;
   report.results = std::move(results);
   if (request.at && !where_gaps_are(report.results, request, error)) return std::nullopt;  // before the long part
+  if (request.method != FragilityMethod::likelihood && !report.results.table.threshold) {
+    error = fmt::format("--method {} needs an event that exceeds a number above 0, as \"drift > 0.01\"",
+                        request.method == FragilityMethod::cloud ? "cloud" : "stripes");
+    return std::nullopt;
+  }
   for (std::size_t c = 0; c < report.results.table.cases; ++c) {
-    report.fragilities.push_back(fit_case(report.results.table, c, request.bootstrap));
+    report.fragilities.push_back(fit_case(report.results.table, c, request.bootstrap, request.method));
   }
   if (request.at && !find_gaps(report, request, error)) return std::nullopt;
   return report;
@@ -176,6 +225,7 @@ std::string fragility_json(const FragilityReport& report, const FragilityRequest
       {"title", report.results.title},
       {"version", version},
       {"event", request.event},
+      {"method", request.method},
       {"event_units", report.results.quantity_units},
       {"intensity",
        {{"name", report.results.intensity}, {"units", report.results.units}, {"levels", report.results.table.levels}}},

@@ -14,6 +14,7 @@ namespace bentur {
 /// What is asked of the results of an incremental dynamic analysis.
 struct FragilityRequest {
   std::string event = pounding_event;
+  FragilityMethod method = FragilityMethod::likelihood;
   BootstrapOptions bootstrap = {};
   std::optional<double> at = {};           ///< intensity [its unit in the results] for the gaps
   std::vector<double> probabilities = {};  ///< p of the gaps, each in (0, 1)

@@ -56,6 +56,64 @@ std::optional<Interval> gap_bounds(const std::vector<double>& widths, const std:
   return percentile_interval(std::move(gaps), confidence);
 }
 
+/// Calls back with level and run number of every run of a case that makes a case.
+template <class Tell>
+void for_each_run(const OutcomeTable& table, std::size_t c, const Tell& tell) {
+  for (std::size_t record = 0; record < table.records; ++record) {
+    for (std::size_t level = 0; level < table.levels.size(); ++level) {
+      const std::size_t run = (c * table.records + record) * table.levels.size() + level;
+      if (table.outcomes[run] != Outcome::failed) tell(level, run);
+    }
+  }
+}
+
+/// Nothing where no run collapses, or no event but collapses.
+std::optional<CaseFragility::Split> split_off(const OutcomeTable& table, std::size_t c) {
+  require_size("collapsed", table.collapsed.size(), table.outcomes.size());
+  CaseFragility::Split split;
+  for (const double level : table.levels) {
+    split.collapse_counts.push_back({level, 0, 0});
+    split.standing_counts.push_back({level, 0, 0});
+  }
+  long collapses = 0, standing_events = 0;
+  for_each_run(table, c, [&](std::size_t level, std::size_t run) {
+    const bool collapsed = table.collapsed[run] != 0;
+    ++split.collapse_counts[level].runs;
+    split.collapse_counts[level].events += collapsed ? 1 : 0;
+    collapses += collapsed ? 1 : 0;
+    if (collapsed) return;
+    const long events = table.outcomes[run] == Outcome::event ? 1 : 0;
+    ++split.standing_counts[level].runs;
+    split.standing_counts[level].events += events;
+    standing_events += events;
+  });
+  if (collapses == 0 || standing_events == 0) return std::nullopt;
+  split.collapse = fit_fragility(split.collapse_counts);
+  split.standing = fit_fragility(split.standing_counts);
+  return split;
+}
+
+void fit_demands(const OutcomeTable& table, std::size_t c, FragilityMethod method, CaseFragility& result) {
+  require_size("demands", table.demands.size(), table.outcomes.size());
+  require_positive("threshold", table.threshold.value_or(0));
+  std::vector<RunDemand> demands;
+  for_each_run(table, c, [&](std::size_t level, std::size_t run) {
+    demands.push_back({table.levels[level], table.demands[run], table.collapsed.at(run) != 0});
+  });
+  if (method == FragilityMethod::stripes) {
+    result.stripes = stripes_of(demands);
+    result.fit = stripe_fragility(result.stripes, *table.threshold);
+    return;
+  }
+  result.cloud = fit_cloud(demands);
+  if (result.cloud) {
+    result.fit = cloud_fragility(*result.cloud, *table.threshold);
+  } else {
+    result.fit = {};
+    result.fit.median = result.fit.dispersion = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 }  // namespace
 
 std::optional<double> CaseFragility::probability(double intensity) const {
@@ -63,7 +121,12 @@ std::optional<double> CaseFragility::probability(double intensity) const {
   return probability_of(fit, intensity);
 }
 
-CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options) {
+std::optional<double> CaseFragility::distance() const {
+  return fit_distance(cloud && split ? split->standing_counts : counts, fit);
+}
+
+CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
+                       FragilityMethod method) {
   require_size("outcomes", table.outcomes.size(), table.cases * table.records * table.levels.size());
   require_size("records", table.records, table.records / table.together * table.together);
   CaseFragility result;
@@ -85,6 +148,11 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
     }
   }
   result.fit = fit_fragility(result.counts);
+  if (!table.collapsed.empty()) result.split = split_off(table, c);
+  if (method != FragilityMethod::likelihood) {
+    fit_demands(table, c, method, result);
+    return result;
+  }
   const FragilityKind kind = result.fit.kind;
   if (units.size() > 1 &&
       (kind == FragilityKind::fitted || kind == FragilityKind::separated || kind == FragilityKind::falling)) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/study/fragility/demand_fits.h"
 #include "bentur/study/fragility/fragility.h"
 
 namespace bentur {
@@ -18,10 +19,23 @@ struct OutcomeTable {
   std::size_t cases = 0, records = 0;
   std::vector<Outcome> outcomes;  ///< cases × records × levels, the last fastest
   std::size_t together = 1;  ///< so many records in succession are one, applied both ways round: resampled together
+  /// Of each run, in the order of the outcomes, where they are known: the event's quantity, the largest of all places,
+  /// and whether the run collapses or its numbers failed. Empty: not known.
+  std::vector<double> demands = {};
+  std::vector<char> collapsed = {};
+  /// The threshold that a demand has to exceed; nothing where the event is another one.
+  std::optional<double> threshold = {};
 
   [[nodiscard]] Outcome at(std::size_t c, std::size_t record, std::size_t level) const {
     return outcomes[(c * records + record) * levels.size() + level];
   }
+};
+
+/// By what θ and β are found.
+enum class FragilityMethod {
+  likelihood,  ///< of the events counted at each level, all runs
+  cloud,       ///< of demands of runs that stand, (2) of CloudFit: P given no collapse
+  stripes      ///< of the levels' lognormal demands and collapses, (3) of Stripe
 };
 
 /// The fragility of one case.
@@ -30,7 +44,18 @@ struct CaseFragility {
   long runs = 0, events = 0;           ///< sums of them
   long failed = 0;                     ///< runs left out, whose values make no case
   Fragility fit;
-  std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
+  std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on; by
+                                          ///< likelihood alone
+  /// Where some run collapses and the event is another: collapse by itself, and the event of the runs that stand.
+  struct Split {
+    std::vector<IntensityCount> collapse_counts, standing_counts;  ///< per level
+    Fragility collapse, standing;
+  };
+  std::optional<Split> split = {};
+  std::optional<CloudFit> cloud = {};  ///< by that method
+  std::vector<Stripe> stripes = {};    ///< by that method
+  /// fit_distance() of what was counted; by a cloud of the runs that stand.
+  [[nodiscard]] std::optional<double> distance() const;
 
   /// P(event | intensity) at an intensity from the lowest to the highest level. It is 0 where no run has the event and
   /// 1 where every run has it; where data are separated it is 1 above the last level without an event, the safe side;
@@ -41,7 +66,9 @@ struct CaseFragility {
 
 /// Fits one case. Whole records are resampled for the bounds, so that equal seeds draw the same records in each case.
 /// @throws InvalidParameter when the table's sizes do not agree, or as bootstrap_fragility().
-[[nodiscard]] CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options);
+/// By a cloud or by stripes the table must have demands and a threshold > 0.
+[[nodiscard]] CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
+                                     FragilityMethod method = FragilityMethod::likelihood);
 
 /// The gap for which P(event | intensity) ≤ p, from the fragilities at several widths.
 struct GapEstimate {

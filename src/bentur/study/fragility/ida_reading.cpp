@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -120,27 +121,39 @@ class Reader {
     results_.quantity_units = variables.front()->units;
     OutcomeTable& table = results_.table;
     table.outcomes.resize(table.cases * table.records * table.levels.size());
+    table.demands.resize(table.outcomes.size(), std::numeric_limits<double>::quiet_NaN());
+    table.collapsed.resize(table.outcomes.size(), 0);
+    const bool exceeds =
+        event_.comparison == EventRule::Comparison::more || event_.comparison == EventRule::Comparison::at_least;
+    if (exceeds && event_.threshold > 0) table.threshold = event_.threshold;
     for (std::size_t i = 0; i < sizes_.front(); ++i) {
       const std::vector<double> ends = file_.numbers("status", i);
-      std::vector<bool> events(ends.size(), false);
+      std::vector<bool> events(ends.size(), false), gone(ends.size(), false);
+      std::vector<double> demands(ends.size(), std::numeric_limits<double>::quiet_NaN());
       // What collapses, and what no longer can be computed, is beyond any threshold.
       if (file_.find("collapsed") != nullptr) {
         const std::vector<double> collapsed = file_.numbers("collapsed", i);
-        for (std::size_t k = 0; k < collapsed.size(); ++k) events[k] = collapsed[k] > 0;
+        for (std::size_t k = 0; k < collapsed.size(); ++k) events[k] = gone[k] = collapsed[k] > 0;
       }
       for (const StoredVariable* variable : variables) {
         const std::vector<double> values = file_.numbers(variable->name, i);
         const std::size_t each = values.size() / ends.size();
         const bool by_size = is_compared_by_size(file_, variable->name);
         for (std::size_t k = 0; k < values.size(); ++k) {
-          if (event_.holds(by_size ? std::abs(values[k]) : values[k])) events[k / each] = true;
+          const double value = by_size ? std::abs(values[k]) : values[k];
+          if (event_.holds(value)) events[k / each] = true;
+          double& demand = demands[k / each];
+          if (!std::isnan(value)) demand = std::isnan(demand) ? value : std::max(demand, value);
         }
       }
       for (std::size_t k = 0; k < ends.size(); ++k) {
         constexpr double numbers_failed = 1, no_case = 2;
-        table.outcomes[place(i * ends.size() + k)] = ends[k] == no_case                       ? Outcome::failed
-                                                     : events[k] || ends[k] == numbers_failed ? Outcome::event
-                                                                                              : Outcome::no_event;
+        const std::size_t at = place(i * ends.size() + k);
+        table.demands[at] = demands[k];
+        table.collapsed[at] = gone[k] || ends[k] == numbers_failed ? 1 : 0;
+        table.outcomes[at] = ends[k] == no_case                       ? Outcome::failed
+                             : events[k] || ends[k] == numbers_failed ? Outcome::event
+                                                                      : Outcome::no_event;
       }
     }
   }

@@ -37,6 +37,13 @@ void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>&
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap);
 
+/// The word for why a rule says nothing, or "enough" where it does.
+[[nodiscard]] const char* silence_word(RuleFinding::Silence silence);
+/// Of items {rule}, {gap}, {level}: the level of all where it is one, else each item's own.
+void tell_levels_once(Statement& statement);
+/// What has to be read of a code's text with the number of its rule.
+void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
+
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 

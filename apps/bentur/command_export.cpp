@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.h"
+#include "bentur/files/ida_reading.h"
+#include "bentur/files/netcdf.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/gap/spectral_gap.h"
+#include "bentur/study/exchange/demands.h"
+#include "bentur/study/exchange/gem.h"
+#include "bentur/study/exchange/nrml.h"
+#include "commands.h"
+#include "output.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+struct ExportArguments {
+  std::string file, output = "-", building, taxonomy;
+  std::vector<std::string> only, events;
+  bool force = false;
+};
+
+OutputFile output_file(const ExportArguments& arguments, ResultKind kind) {
+  return {arguments.output, kind, {.inputs = {arguments.file}, .force = arguments.force}};
+}
+
+void export_demands(const ExportArguments& arguments) {
+  DemandRequest request{.building = arguments.building};
+  for (const std::string& one : arguments.only) {
+    const std::size_t equals = one.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw Failure(exit_bad_input, fmt::format("bentur export: --only {}: must be NAME=VALUE", one));
+    }
+    request.only.emplace_back(one.substr(0, equals), one.substr(equals + 1));
+  }
+  OutputFile output = output_file(arguments, ResultKind::demands);
+  Demands demands;
+  try {
+    demands = demand_sample(NetcdfReader(arguments.file), request);
+  } catch (const NetcdfError& error) {
+    throw Failure(exit_bad_input, fmt::format("{}: error: {}", arguments.file, error.reason));
+  }
+  output.write(demands.csv);
+  std::vector<std::string> over;
+  for (const auto& [name, size] : demands.over) over.push_back(fmt::format("{} ({})", name, size));
+  std::string told = fmt::format("{} runs", demands.runs);
+  if (!over.empty()) told += fmt::format(" over {}", fmt::join(over, ", "));
+  if (demands.errors > 0) told += fmt::format(", {} of them with 1-ERROR", demands.errors);
+  if (demands.left_out > 0) told += fmt::format("; {} whose values make no case are left out", demands.left_out);
+  message(told);
+}
+
+void export_fragility(const ExportArguments& arguments) {
+  std::vector<std::string> events = arguments.events;
+  if (events.empty()) events.emplace_back(pounding_event);
+  OutputFile output = output_file(arguments, ResultKind::fragility_model);
+  Diagnostics diagnostics;
+  std::vector<std::pair<std::string, IdaResults>> read;
+  for (const std::string& event : events) {
+    if (auto results = read_ida_results(arguments.file, event, diagnostics))
+      read.emplace_back(event, std::move(*results));
+  }
+  if (!diagnostics.ok()) throw Failure(diagnostics);
+  std::string error;
+  const auto made = nrml_of(read, arguments.taxonomy, error);
+  if (!made) {
+    diagnostics.error({arguments.file, 0, 0}, error);
+    throw Failure(diagnostics);
+  }
+  output.write(nrml_fragility(made->model, BENTUR_VERSION));
+  if (!made->left_out.empty()) {
+    message(
+        fmt::format("warning: left out, for want of a median and a dispersion: {}", fmt::join(made->left_out, "; ")));
+  }
+  if (made->model.period && made->damping != 0.05) {
+    message(
+        fmt::format("warning: intensities are of {:.3g} % damping, where OpenQuake takes 5 %", 100 * made->damping));
+  }
+}
+
+/// Whether the gap is narrower than what is needed, one way round or the other.
+bool is_short(const std::vector<LevelSeparation>& all, Eigen::Index gap, double scale) {
+  const std::vector<LevelSeparation> levels = of_gap(all, gap);
+  return std::any_of(levels.begin(), levels.end(), [&](const LevelSeparation& one) {
+    return falls_short(one.level.width, std::max(one.gap_needed, one.gap_needed_reversed.value_or(0)), scale);
+  });
+}
+
+void export_taxonomy(const ExportArguments& arguments) {
+  OutputFile output = output_file(arguments, ResultKind::taxonomy);
+  const Loaded loaded = load(arguments.file, Purpose::no_run);
+  const Case& c = loaded.c;
+  const Eigen::Index gaps = std::ssize(loaded.problem.buildings) - 1;
+  std::vector<char> pounds(static_cast<std::size_t>(gaps) + 2, 0);  // of the gap left of each building
+  const auto tell = [&](const std::vector<LevelSeparation>& all, const auto& scale) {
+    for (Eigen::Index gap = 0; gap < gaps; ++gap)
+      pounds[static_cast<std::size_t>(gap) + 1] = is_short(all, gap, scale(gap)) ? 1 : 0;
+  };
+  if (c.excitation.spectrum) {
+    tell(spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units).levels,
+         [](Eigen::Index) { return 0.0; });
+  } else {
+    const RunResults run = simulate(loaded, 0, true);
+    tell(separations(run.problem, run.response),
+         [&](Eigen::Index gap) { return displacement_scale(run.problem, run.response, gap); });
+  }
+  std::string text = "building,taxonomy\n";
+  for (Eigen::Index b = 0; b <= gaps; ++b) {
+    const auto place = static_cast<std::size_t>(b);
+    if (loaded.problem.buildings[b].is_rigid()) continue;
+    std::string name = loaded.problem.buildings[b].name;
+    for (std::size_t quote = name.find('"'); quote != std::string::npos; quote = name.find('"', quote + 2)) {
+      name.insert(quote, "\"");
+    }
+    text += fmt::format("\"{}\",{}\n", name,
+                        gem_taxonomy(c, loaded.problem, b, pounds[place] != 0 || pounds[place + 1] != 0));
+  }
+  output.write(text);
+}
+
+CLI::App* format(CLI::App& app, const char* name, const char* what, const char* file, ExportArguments& arguments) {
+  CLI::App* command = app.add_subcommand(name, what);
+  command->add_option("FILE", arguments.file, file)->required()->check(not_empty());
+  command->add_option("-o,--output", arguments.output, "file to write; default - for standard output")
+      ->check(not_empty());
+  add_force(*command, arguments.force);
+  return command;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command = app.add_subcommand("export", "Numbers for other programs: pelicun, OpenQuake, GEM taxonomy");
+  command->require_subcommand(1);
+  CLI::App* pelicun = format(*command, "pelicun", "A sample of demands of one building, as pelicun reads it",
+                             "results of bentur sweep or bentur ida (NetCDF-4)", *arguments);
+  pelicun->add_option("--building", arguments->building, "its name")->required()->check(not_empty());
+  pelicun->add_option("--only", arguments->only,
+                      "NAME=VALUE: runs that have this value of what varies, as intensity=0.5");
+  pelicun->callback([arguments] { export_demands(*arguments); });
+  CLI::App* openquake = format(*command, "openquake", "Fragility functions in NRML 0.5, as OpenQuake reads them",
+                               "results of bentur ida (NetCDF-4)", *arguments);
+  openquake->add_option("--taxonomy", arguments->taxonomy, "id of the functions: the taxonomy of the asset")
+      ->required()
+      ->check(not_empty());
+  openquake->add_option("--event", arguments->events, "a limit state, as in bentur fragility; default \"impacts > 0\"");
+  openquake->callback([arguments] { export_fragility(*arguments); });
+  CLI::App* gem =
+      format(*command, "gem", "Of each building its GEM taxonomy, with POP where it may pound", "a case", *arguments);
+  gem->callback([arguments] { export_taxonomy(*arguments); });
+  command->footer(
+      "Example: bentur export pelicun ida.nc --building Tower --only intensity=0.5 -o demands.csv\n"
+      "         bentur export openquake ida.nc --taxonomy CR/LFM/HEX:8 --event \"impacts > 0\" -o fragility.xml");
+}
+
+}  // namespace bentur::cli

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arguments.h"
+#include "bentur/io/exchange/e2k.h"
+#include "bentur/io/input_file.h"
+#include "commands.h"
+#include "output.h"
+#include "session.h"
+
+namespace bentur::cli {
+namespace {
+
+struct ImportArguments {
+  std::string file, output = "-", along = "x";
+  std::optional<double> at;
+  bool force = false;
+};
+
+void run(const ImportArguments& arguments) {
+  Diagnostics diagnostics;
+  const auto text = read_input(arguments.file, {"model", std::uintmax_t{256} << 20}, diagnostics);
+  if (!text) throw Failure(diagnostics);
+  const auto made = read_e2k(*text, arguments.file, {arguments.along == "x", arguments.at}, diagnostics);
+  if (!made) throw Failure(diagnostics);
+  OutputFile output(arguments.output, ResultKind::imported, {.inputs = {arguments.file}, .force = arguments.force});
+  output.write(made->text);
+  for (const std::string& one : made->taken) message("taken: " + one);
+  for (const E2kUnread& one : made->unread) {
+    const std::string lines =
+        one.first == one.last ? fmt::format("{}", one.first) : fmt::format("{}-{}", one.first, one.last);
+    message(fmt::format("{}:{}: not read: {}", arguments.file, lines, one.what));
+  }
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& app) {
+  auto arguments = std::make_shared<ImportArguments>();
+  CLI::App* command = app.add_subcommand("import", "A frame of an ETABS model (.e2k) as the beginning of a case");
+  command->add_option("FILE", arguments->file, "model.e2k, the text that ETABS exports")
+      ->required()
+      ->check(not_empty());
+  command->add_option("--along", arguments->along, "axis along which its bays run, x or y; default x")
+      ->check(CLI::IsMember({"x", "y"}));
+  command->add_option("--at", arguments->at, "where across that axis the frame stands, in the model's length")
+      ->check(finite());
+  command->add_option("-o,--output", arguments->output, "case file to write; default - for standard output")
+      ->check(not_empty());
+  add_force(*command, arguments->force);
+  command->footer("What is not read is listed with its lines.\nExample: bentur import model.e2k --at 6 -o frame.toml");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

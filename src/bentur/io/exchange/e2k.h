@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+
+namespace bentur {
+
+/// Which of a model's frames is read: the columns that stand on the line x = at, or y = at.
+struct E2kFrame {
+  bool along_x = true;            ///< its bays run along X, so that it stands at a Y
+  std::optional<double> at = {};  ///< [length]; nothing: the only one there is
+};
+
+/// Lines that say something that was not read.
+struct E2kUnread {
+  int first = 0, last = 0;  ///< of the file, from 1
+  std::string what;
+};
+
+struct E2kCase {
+  std::string text;                ///< a case with one building.frame, to be completed by its user
+  std::vector<E2kUnread> unread;   ///< in the order of the file
+  std::vector<std::string> taken;  ///< what was made of numbers that a frame here does not have, sentence by sentence
+};
+
+/// One plane frame of a model that ETABS has written as text (.e2k, "Export ETABS .e2k Text File"): units, storeys,
+/// materials (E, weight per volume), frame sections (rectangular, or of area and I33; modifiers AMOD and I3MOD),
+/// points, lines and the sections assigned to them. A frame here has one section for all columns of a storey and all
+/// beams of a floor, and one modulus: where they differ areas and E·I are the means, which is said in `taken`. Weights
+/// of slabs, loads, walls and all else are listed as unread.
+/// @param name of the file, for messages
+/// @return nothing when there is an error, all of which are in `diagnostics`
+[[nodiscard]] std::optional<E2kCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,
+                                              Diagnostics& diagnostics);
+
+}  // namespace bentur

@@ -1,0 +1,152 @@
+#include "bentur/io/exchange/e2k.h"
+
+#include <gtest/gtest.h>
+
+#include "bentur/io/case/case_toml.h"
+
+namespace bentur {
+namespace {
+
+/// Two storeys of two bays at y = 0, another frame at y = 5; written for this test.
+const std::string small_model = R"($ File small.e2k saved for a test
+$ PROGRAM INFORMATION
+  PROGRAM  "ETABS"  VERSION "18.0.0"
+
+$ CONTROLS
+  UNITS  "KN"  "M"  "C"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "ROOF"  HEIGHT 3.0 MASTERSTORY "Yes"
+  STORY "FIRST"  HEIGHT 3.6
+  STORY "Base"  ELEV 0
+$ DIAPHRAGM NAMES
+  DIAPHRAGM "D1"    TYPE RIGID
+$ MATERIAL PROPERTIES
+  MATERIAL  "C30"    TYPE "Concrete"    WEIGHTPERVOLUME 25
+  MATERIAL  "C30"    SYMTYPE "Isotropic"  E 3E7  U 0.2  A 9.9E-06
+  MATERIAL  "C30"    FC 30000
+$ FRAME SECTIONS
+  FRAMESECTION  "C 40"  MATERIAL "C30"  SHAPE "Concrete Rectangular"  D 0.4 B 0.4
+  FRAMESECTION  "C50"  MATERIAL "C30"  SHAPE "Concrete Rectangular"  D 0.5 B 0.5
+  FRAMESECTION  "B30"  MATERIAL "C30"  SHAPE "Concrete Rectangular"  D 0.6 B 0.3
+  FRAMESECTION  "B30"  I2MOD 1 I3MOD 0.35
+  FRAMESECTION  "PIPE"  MATERIAL "C30"  SHAPE "Pipe"  D 0.3 T 0.01
+$ POINT COORDINATES
+  POINT "1"  0 0
+  POINT "2"  6 0
+  POINT "3"  11 0
+  POINT "4"  0 5
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+  LINE  "C2"  COLUMN  "2"  "2"  1
+  LINE  "C3"  COLUMN  "3"  "3"  1
+  LINE  "C4"  COLUMN  "4"  "4"  1
+  LINE  "B1"  BEAM  "1"  "2"  0
+  LINE  "B2"  BEAM  "2"  "3"  0
+  LINE  "B3"  BEAM  "1"  "4"  0
+$ AREA CONNECTIVITIES
+  AREA "F1"  FLOOR  4  "1"  "2"  "3"  "4"  0  0  0  0
+  AREA "F2"  FLOOR  4  "1"  "2"  "3"  "4"  0  0  0  0
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "ROOF"  SECTION "C 40"  MINNUMSTA 3
+  LINEASSIGN  "C2"  "ROOF"  SECTION "C 40"
+  LINEASSIGN  "C3"  "ROOF"  SECTION "C 40"
+  LINEASSIGN  "B1"  "ROOF"  SECTION "B30"
+  LINEASSIGN  "B2"  "ROOF"  SECTION "B30"
+  LINEASSIGN  "C1"  "FIRST"  SECTION "C 40"
+  LINEASSIGN  "C2"  "FIRST"  SECTION "C50"
+  LINEASSIGN  "C3"  "FIRST"  SECTION "C 40"
+  LINEASSIGN  "B1"  "FIRST"  SECTION "B30"
+  LINEASSIGN  "B2"  "FIRST"  SECTION "B30"
+$ LOAD PATTERNS
+  LOADPATTERN "Dead"  TYPE  "Dead"  SELFWEIGHT  1
+$ END OF MODEL FILE
+  whatever stands behind
+)";
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = small_model;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string errors_of(const std::string& text, const E2kFrame& frame = {.at = 0}) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_e2k(text, "small.e2k", frame, diagnostics));
+  std::string all;
+  for (const Diagnostic& one : diagnostics.errors()) all += one.text() + "\n";
+  return all;
+}
+
+TEST(E2k, IsACaseOnceItIsCompleted) {
+  Diagnostics diagnostics;
+  const auto made = read_e2k(small_model, "small.e2k", {.at = 0}, diagnostics);
+  ASSERT_TRUE(made) << errors_of(small_model);
+  std::string text = made->text;
+  const std::string marked = "# damping = 0.05";
+  text.replace(text.find(marked), marked.size(), "damping = 0.05");
+  text += R"(floor_masses = 60.0
+[[building]]
+name = "Wall"
+rigid = true
+elevations = [3.6]
+[[gap]]
+between = ["Imported", "Wall"]
+width = 0.05
+contact = { law = "linear", stiffness = 1e5 }
+[excitation]
+kind = "harmonic"
+period = 0.4
+displacement_amplitude = 0.05
+[analysis]
+duration = 1
+)";
+  const auto c = read_case_text(text, "case.toml", diagnostics);
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  ASSERT_TRUE(c);
+  const auto& frame = std::get<PlaneFrame>(c->buildings[0].structure);
+  EXPECT_EQ(c->units.length, "m");
+  EXPECT_EQ(c->units.force, "kN");
+  EXPECT_EQ(frame.storey_heights, (std::vector<double>{3.6, 3.0}));
+  EXPECT_EQ(frame.bay_widths, (std::vector<double>{6, 5}));
+  EXPECT_EQ(frame.elastic_modulus, 3e7);
+  const double small = 0.4 * 0.4 * 0.4 * 0.4 / 12, large = 0.5 * 0.5 * 0.5 * 0.5 / 12;
+  EXPECT_NEAR(frame.columns[0].inertia, (2 * small + large) / 3, 1e-12);
+  EXPECT_NEAR(frame.columns[1].inertia, small, 1e-12);
+  EXPECT_NEAR(frame.columns[0].area, (2 * 0.16 + 0.25) / 3, 1e-12);
+  EXPECT_NEAR(frame.beams[1].inertia, 0.35 * 0.3 * 0.6 * 0.6 * 0.6 / 12, 1e-12) << "cracked as the model has it";
+  EXPECT_NE(text.find("unit_weight = 25"), std::string::npos);
+  ASSERT_EQ(made->taken.size(), 1U);
+  EXPECT_NE(made->taken[0].find("columns of storey \"FIRST\" are of sections C 40, C50"), std::string::npos);
+}
+
+TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
+  Diagnostics diagnostics;
+  const auto made = read_e2k(small_model, "small.e2k", {.at = 0}, diagnostics);
+  ASSERT_TRUE(made);
+  std::string all;
+  for (const E2kUnread& one : made->unread)
+    all += std::to_string(one.first) + "-" + std::to_string(one.last) + " " + one.what + "\n";
+  EXPECT_EQ(all,
+            "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 section \"PIPE\" of shape \"Pipe\"\n"
+            "37-38 AREA CONNECTIVITIES\n51-51 LOAD PATTERNS\n");
+}
+
+TEST(E2k, ErrorsNameLineAndWhatThereIs) {
+  EXPECT_EQ(errors_of(small_model, {}), "small.e2k:1:1: error: frames stand at y = 0, 5: say which with --at\n");
+  EXPECT_EQ(errors_of(small_model, {.at = 3}), "small.e2k:1:1: error: no frame stands at y = 3, there are 0, 5\n");
+  EXPECT_EQ(errors_of(small_model, {.at = 5}), "small.e2k:1:1: error: the frame at y = 5 has no bay\n");
+  EXPECT_EQ(errors_of(changed("HEIGHT 3.6", "HEIGHT x")), "small.e2k:9:1: error: HEIGHT = \"x\", must be a number\n");
+  EXPECT_EQ(errors_of(changed("D 0.5 B 0.5", "D -0.5 B 0.5")), "small.e2k:19:1: error: D = -0.5, must be > 0\n");
+  EXPECT_EQ(errors_of(changed("\"FIRST\"  SECTION \"C50\"", "\"FIRST\"  SECTION \"PIPE\"")),
+            "small.e2k:46:1: error: section \"PIPE\" of line \"C2\" was not read\n");
+  EXPECT_NE(errors_of(changed("  LINEASSIGN  \"B2\"  \"ROOF\"  SECTION \"B30\"\n", ""))
+                .find("has 1 beams in storey \"ROOF\""),
+            std::string::npos);
+  EXPECT_NE(errors_of(changed("\"KN\"", "\"DYN\"")).find("UNITS \"DYN\", must be one of"), std::string::npos);
+  EXPECT_NE(errors_of(changed("E 3E7", "U 0.3")).find("has no E"), std::string::npos);
+  EXPECT_NE(errors_of("").find("has no UNITS"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bentur

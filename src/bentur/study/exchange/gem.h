@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "bentur/model/case.h"
+
+namespace bentur {
+
+/// What is known of a building in the words of the GEM Building Taxonomy 2.0, attributes that are not known left out:
+/// the lateral system (LFM, LDUAL, LWAL), its storeys (HEX:n), its place in the block (BPD alone, BP1, BP2 with
+/// neighbours on so many sides), and where it may pound the atom POP of vertical irregularity (IRIR+IRVP:POP).
+/// Source: Brzev et al. (2013), GEM Building Taxonomy version 2.0, GEM Technical Report 2013-02: by memory, check the
+/// text.
+/// @param pounds whether a gap beside it is narrower than what is needed
+[[nodiscard]] std::string gem_taxonomy(const Case& c, const Problem& problem, Eigen::Index building, bool pounds);
+
+}  // namespace bentur

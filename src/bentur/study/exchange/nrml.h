@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bentur/study/fragility/ida_results.h"
+
+namespace bentur {
+
+/// Mean and standard deviation of the intensity itself at which a lognormal fragility has its event:
+///
+///   mean = θ e^{β²/2},   stddev = mean √(e^{β²} − 1)                                                      (1)
+///
+/// θ > 0 the median [any unit], β > 0 the dispersion [-].
+struct LognormalMoments {
+  double mean = 0, stddev = 0;
+};
+/// @throws InvalidParameter unless θ > 0, β > 0, both finite.
+[[nodiscard]] LognormalMoments lognormal_moments(double median, double dispersion);
+
+/// A fragility of one limit state, as OpenQuake takes it.
+struct NrmlCurve {
+  std::string limit_state;
+  double median = 0;      ///< θ [g]
+  double dispersion = 0;  ///< β [-]
+};
+
+struct NrmlFunction {
+  std::string id;  ///< taxonomy of the asset
+  std::vector<NrmlCurve> curves = {};
+};
+
+struct NrmlModel {
+  std::string id = {}, description = {};
+  std::optional<double> period = {};  ///< of spectral acceleration [s]; nothing: peak ground acceleration
+  double lowest = 0, highest = 0;     ///< levels analysed [g]: OpenQuake extrapolates nothing beyond
+  std::vector<NrmlFunction> functions = {};
+};
+
+/// A fragility model in NRML 0.5 (format="continuous", shape="logncdf"), moments by (1), numbers with all their digits.
+/// Source: OpenQuake engine manual, "Fragility models".
+/// @throws InvalidParameter where there is no function, limit states differ between functions, or a number is out of
+/// range.
+[[nodiscard]] std::string nrml_fragility(const NrmlModel& model, std::string_view version);
+
+/// The model of the results of an incremental dynamic analysis, a limit state an event, a function a combination of
+/// whatever else varies. Cases without θ and β for every event are left out.
+struct NrmlResults {
+  NrmlModel model;
+  std::vector<std::string> left_out = {};  ///< ids of the cases without, each with the event at fault
+  double damping = 0.05;                   ///< of the spectral acceleration [-]
+};
+/// @param events as read, one IdaResults each, of one file @param id taxonomy of the asset, told apart by what varies
+/// @return nothing where no case has θ and β; `error` says so.
+[[nodiscard]] std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaResults>>& events,
+                                                 const std::string& id, std::string& error);
+
+}  // namespace bentur

@@ -1,0 +1,172 @@
+#include "bentur/study/fragility/demand_fits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "bentur/core/errors.h"
+#include "bentur/study/fragility/ida_fragility.h"
+#include "bentur/study/plan/distribution.h"
+
+namespace bentur {
+namespace {
+
+TEST(Cloud, ByHand) {  // ln x = 0, 1, 2; ln d = 0, 1.5, 2: b = 1, a = 1/6, residuals −1/6, 1/3, −1/6
+  const double e = std::exp(1.0);
+  const std::vector<RunDemand> demands = {{1, 1, false}, {e, std::exp(1.5), false}, {e * e, std::exp(2.0), false}};
+  const auto cloud = fit_cloud(demands);
+  ASSERT_TRUE(cloud);
+  EXPECT_NEAR(cloud->b, 1, 1e-14);
+  EXPECT_NEAR(cloud->a, 1.0 / 6, 1e-14);
+  EXPECT_NEAR(cloud->sigma, std::sqrt(1.0 / 6), 1e-14);  // Σ ε² = 1/6 over one degree of freedom
+  EXPECT_NEAR(cloud->determination, 1 - (1.0 / 6) / (13.0 / 6), 1e-14);
+  EXPECT_EQ(cloud->runs, 3);
+  const Fragility fit = cloud_fragility(*cloud, 10);
+  EXPECT_EQ(fit.kind, Fragility::Kind::fitted);
+  EXPECT_NEAR(fit.median, 10 * std::exp(-1.0 / 6), 1e-12);
+  EXPECT_NEAR(fit.dispersion, std::sqrt(1.0 / 6), 1e-14);
+  EXPECT_NEAR(fit.probability(fit.median), 0.5, 1e-15);
+}
+
+TEST(Cloud, CollapsesAndDemandsOfNothingAreNoPartOfIt) {
+  std::vector<RunDemand> demands = {{1, 2, false}, {2, 5, false}, {3, 7, false}, {4, 11, false}};
+  const auto plain = fit_cloud(demands);
+  demands.push_back({4, 500, true});
+  demands.push_back({1, 0, false});
+  const auto more = fit_cloud(demands);
+  EXPECT_EQ(plain->a, more->a);
+  EXPECT_EQ(plain->sigma, more->sigma);
+  EXPECT_EQ(more->runs, 4);
+}
+
+TEST(Cloud, WhatCannotBeFittedIsNot) {
+  EXPECT_FALSE(fit_cloud({}));
+  EXPECT_FALSE(fit_cloud({{1, 2, false}, {2, 3, false}}));
+  EXPECT_FALSE(fit_cloud({{1, 2, false}, {1, 3, false}, {1, 4, false}}));
+  EXPECT_THROW((void)fit_cloud({{0, 2, false}}), InvalidParameter);
+  const auto falling = fit_cloud({{1, 4, false}, {2, 3, false}, {3, 2, false}});
+  EXPECT_EQ(cloud_fragility(*falling, 1).kind, Fragility::Kind::falling);
+  EXPECT_THROW((void)cloud_fragility(*falling, 0), InvalidParameter);
+}
+
+TEST(Cloud, UnitsDoNotMatter) {
+  const std::vector<RunDemand> metres = {{1, 0.02, false}, {2, 0.05, false}, {3, 0.04, false}, {4, 0.11, false}};
+  std::vector<RunDemand> millimetres = metres;
+  for (RunDemand& one : millimetres) {
+    one.value *= 1000;
+    one.intensity *= 9.80665;
+  }
+  const Fragility a = cloud_fragility(*fit_cloud(metres), 0.06), b = cloud_fragility(*fit_cloud(millimetres), 60);
+  EXPECT_NEAR(b.median / a.median, 9.80665, 1e-11);
+  EXPECT_NEAR(b.dispersion, a.dispersion, 1e-13);
+}
+
+TEST(Stripes, ByHand) {
+  const double e = std::exp(1.0);
+  // At 1: ln d = −1, 1: η = 1, β_d = √2; at 2 one of four collapses, the others have d = e: η = e, β_d = 0.
+  const auto stripes =
+      stripes_of({{2, e, false}, {1, 1 / e, false}, {2, e, false}, {1, e, false}, {2, 99, true}, {2, e, false}});
+  ASSERT_EQ(stripes.size(), 2U);
+  EXPECT_EQ(stripes[0].intensity, 1);
+  EXPECT_NEAR(stripes[0].median, 1, 1e-15);
+  EXPECT_NEAR(stripes[0].dispersion, std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(stripes[0].probability(1), 0.5, 1e-15);
+  EXPECT_NEAR(stripes[0].probability(e), normal_probability(-1 / std::sqrt(2.0)), 1e-15);
+  EXPECT_EQ(stripes[1].collapsed, 1);
+  EXPECT_NEAR(stripes[1].probability(2), 1, 1e-15);
+  EXPECT_NEAR(stripes[1].probability(3), 0.25, 1e-15);
+}
+
+TEST(Stripes, AllGoneOrNothingAsked) {
+  const auto stripes = stripes_of({{1, 0, false}, {1, 0, false}, {2, 0, true}, {3, 0, false}, {3, 4, false}});
+  EXPECT_EQ(stripes[0].probability(1), 0);
+  EXPECT_EQ(stripes[1].probability(1), 1);
+  EXPECT_EQ(stripes[2].probability(1), 0.5) << "half of the runs have no demand at all";
+}
+
+TEST(Stripes, LognormalProbabilitiesGiveTheirThetaAndBetaBack) {
+  const double theta = 0.4, beta = 0.3, threshold = 2;
+  std::vector<Stripe> stripes;
+  for (const double x : {0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0}) {  // η/d = (x/θ)^(β_d/β)
+    Stripe stripe{.intensity = x, .runs = 20, .dispersion = 0.5};
+    stripe.median = threshold * std::pow(x / theta, stripe.dispersion / beta);
+    stripes.push_back(stripe);
+  }
+  const Fragility fit = stripe_fragility(stripes, threshold);
+  EXPECT_EQ(fit.kind, Fragility::Kind::fitted);
+  EXPECT_NEAR(fit.median / theta, 1, 1e-6);  // probabilities are rounded to parts of 20 million
+  EXPECT_NEAR(fit.dispersion / beta, 1, 1e-5);
+}
+
+TEST(Distance, IsTheLargestOfTheLevels) {
+  Fragility fit;
+  fit.kind = Fragility::Kind::fitted;
+  fit.median = 1;
+  fit.dispersion = 1;
+  // Φ(0) = 0.5 against 0.75; Φ(1) = 0.8413 against 1
+  const std::vector<IntensityCount> counts = {{1, 4, 3}, {std::exp(1.0), 5, 5}, {9, 0, 0}};
+  EXPECT_NEAR(fit_distance(counts, fit).value(), 0.25, 1e-15);
+  EXPECT_FALSE(is_extrapolated(counts, fit));
+  fit.median = 3;  // the largest level with runs is e
+  EXPECT_TRUE(is_extrapolated(counts, fit));
+  fit.median = 0.9;
+  EXPECT_TRUE(is_extrapolated(counts, fit));
+  fit.kind = Fragility::Kind::no_event;
+  EXPECT_FALSE(fit_distance(counts, fit));
+  EXPECT_FALSE(is_extrapolated(counts, fit));
+}
+
+/// One case of four records at two levels.
+OutcomeTable table() {
+  OutcomeTable made{.levels = {1, 2}, .cases = 1, .records = 4, .outcomes = {}};
+  const auto run = [&](double demand, bool collapsed) {
+    made.outcomes.push_back(demand > 3 || collapsed ? Outcome::event : Outcome::no_event);
+    made.demands.push_back(demand);
+    made.collapsed.push_back(collapsed ? 1 : 0);
+  };
+  const std::vector<std::tuple<double, double, bool>> records = {
+      {1.0, 4.0, false}, {2.0, 5.0, true}, {3.5, 6.0, false}, {1.5, 2.0, false}};
+  for (const auto& [low, high, gone] : records) {
+    run(low, false);
+    run(high, gone);
+  }
+  made.threshold = 3;
+  return made;
+}
+
+TEST(CollapseSplitOff, CountsEachByItself) {
+  const CaseFragility found = fit_case(table(), 0, {.resamples = 2});
+  EXPECT_EQ(found.counts[0].events, 1);
+  EXPECT_EQ(found.counts[1].events, 3);
+  ASSERT_TRUE(found.split);
+  EXPECT_EQ(found.split->collapse_counts[0].events, 0);
+  EXPECT_EQ(found.split->collapse_counts[1].events, 1);
+  EXPECT_EQ(found.split->collapse_counts[1].runs, 4);
+  EXPECT_EQ(found.split->standing_counts[1].runs, 3);
+  EXPECT_EQ(found.split->standing_counts[1].events, 2);
+  EXPECT_EQ(found.split->standing.median, fit_fragility(found.split->standing_counts).median);
+  OutcomeTable none = table();
+  none.collapsed.assign(none.collapsed.size(), 0);
+  EXPECT_FALSE(fit_case(none, 0, {.resamples = 2}).split);
+}
+
+TEST(FitCase, ByCloudAndByStripesIsThatOfItsDemands) {
+  std::vector<RunDemand> demands;
+  const OutcomeTable given = table();
+  for (std::size_t i = 0; i < given.demands.size(); ++i) {
+    demands.push_back({given.levels[i % 2], given.demands[i], given.collapsed[i] != 0});
+  }
+  const CaseFragility cloud = fit_case(given, 0, {}, FragilityMethod::cloud);
+  EXPECT_EQ(cloud.fit.median, cloud_fragility(*fit_cloud(demands), 3).median);
+  EXPECT_NEAR(cloud.distance().value(), fit_distance(cloud.split->standing_counts, cloud.fit).value(), 1e-15);
+  const CaseFragility stripes = fit_case(given, 0, {}, FragilityMethod::stripes);
+  EXPECT_EQ(stripes.fit.median, stripe_fragility(stripes_of(demands), 3).median);
+  EXPECT_EQ(stripes.stripes[1].collapsed, 1);
+  OutcomeTable blind = given;
+  blind.threshold.reset();
+  EXPECT_THROW((void)fit_case(blind, 0, {}, FragilityMethod::cloud), InvalidParameter);
+}
+
+}  // namespace
+}  // namespace bentur
