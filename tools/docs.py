@@ -121,6 +121,7 @@ docs/editor
 docs/record-files
 docs/separation-rules
 docs/response-spectrum
+docs/suites
 Commands <reference/commands>
 Python <reference/python>
 C++ <reference/cpp>

@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 
-DOCUMENTS = ("docs/case-file.md", "docs/studies.md")
+DOCUMENTS = ("docs/case-file.md", "docs/studies.md", "docs/suites.md")
 BLOCK = re.compile(r"(<!-- (keys|words) ([^>]*?) -->\n)(.*?)(<!-- /\2 -->\n)", re.DOTALL)
 
 

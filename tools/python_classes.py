@@ -50,7 +50,8 @@ CLASSES = {
     "Link": (("link",), "", [("elements/link_laws.h", "SpringDashpot"), ("elements/link_laws.h", "Cable"),
                              ("elements/kinematic_hardening.h", "KinematicHardening")]),
     "Excitation": (("excitation",), "In place of `file` a record may be given as `values` every `time_step`, in `unit`.\n\n"
-                   "``kind=\"spectrum\"`` is for :func:`bentur.minimum_gap` alone.", []),
+                   "``kind=\"spectrum\"`` is for :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
+                   ":func:`bentur.run_suite` and, record by record, :func:`bentur.run`.", []),
     "Initial": (("initial",), "", []),
     "Analysis": (("analysis",), "", []),
     "Project": (("project",), "", []),
@@ -97,8 +98,9 @@ def type_of(schema, name, way, key, told):
     if first["kind"] == "number" and first["form"] in ("list", "one_or_list"):
         one = "Numbers"
     elif first["form"] == "list":
-        one = f"Sequence[{one}]"
-    also = [words_of(told), "Table" if any("properties" in way for way in schema.get("anyOf", [])) else ""]
+        one = f"Sequence[{one} | Table]" if "table" in first else f"Sequence[{one}]"
+    takes_table = any("properties" in way for way in schema.get("anyOf", []))
+    also = [words_of(told), "Table" if takes_table else ""]
     return " | ".join([one, *filter(None, also)])
 
 

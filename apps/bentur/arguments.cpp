@@ -83,6 +83,11 @@ void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "replace files even where they are not results of the same kind");
 }
 
+void add_record(CLI::App& command, std::optional<int>& record) {
+  command.add_option("--record", record, "of a suite of records: this one in full, counted from 1")
+      ->check(CLI::Range(1, 1000000));
+}
+
 void add_language(CLI::App& command, std::string& language) {
   command.add_option("--lang", language, "language of what is told and of what is wrong with the input: en or id")
       ->check(CLI::IsMember(report_languages()))

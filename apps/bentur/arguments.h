@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 namespace bentur::cli {
@@ -17,6 +18,9 @@ namespace bentur::cli {
 
 /// Adds --force to a command that writes.
 void add_force(CLI::App& command, bool& force);
+
+/// Adds --record to a command that runs a case: of a suite the one record that it is for.
+void add_record(CLI::App& command, std::optional<int>& record);
 
 /// Adds --lang to a command that tells what came out.
 void add_language(CLI::App& command, std::string& language);

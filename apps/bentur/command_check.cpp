@@ -72,6 +72,10 @@ void run(const std::string& file, const Words& say) {
     print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" + unusual));
     return;
   }
+  if (loaded.c.excitation.suite) {
+    print(fitted(text + say("suite.takes_all") + "\n" + unusual));
+    return;
+  }
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
   SolveOptions options;

@@ -16,7 +16,7 @@
 #include "bentur/study/exchange/gem.h"
 #include "bentur/study/exchange/nrml.h"
 #include "commands.h"
-#include "output.h"
+#include "output/output.h"
 #include "session.h"
 
 namespace bentur::cli {

@@ -18,6 +18,7 @@
 #include "bentur/study/gap/gap_study_story.h"
 #include "commands.h"
 #include "session.h"
+#include "suite.h"
 #include "text/table.h"
 
 namespace bentur::cli {
@@ -27,6 +28,7 @@ struct GapArguments {
   std::string file;
   std::optional<double> at;
   bool json = false, rules = false;
+  std::optional<int> record;
   std::string language = "en";
 };
 
@@ -119,31 +121,40 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
 /// The gaps over all records of a study.
 std::string study_text(const GapStudy& study, const Words& say) {
   std::string text = study.title.empty() ? "" : study.title + "\n";
+  if (study.suite) text += suite_line(*study.suite, say) + "\n";
   if (study.at) {
     text += say("cli.scaled_records",
                 {{"value", number(*study.at)}, {"unit", study.intensity_unit}, {"intensity", study.intensity}}) +
             "\n";
   }
   text += "\n" + story_text(study.problem, gap_study_story(study), say, Told::outcome);
-  text += "\n" + wrapped(say("cli.gap_study_note")) + "\n";
+  text += "\n" + wrapped(say(study.suite ? "suite.note" : "cli.gap_study_note")) + "\n";
   if (!study.code.rules.empty()) text += wrapped(say("cli.gap_study_codes")) + "\n";
   return text;
 }
 
+void tell_study(const GapArguments& arguments, const GapStudy& study) {
+  print(arguments.json ? gap_study_json(study, BENTUR_VERSION) : fitted(study_text(study, Words(arguments.language))));
+  if (!study.is_whole()) throw Failure(exit_other, "");
+}
+
 void run_study(const GapArguments& arguments) {
-  const Words say(arguments.language);
   Diagnostics diagnostics;
   std::optional<GapStudy> study;
   try {
+    const StopOnSignal stop;
     Progress progress("of the records");
-    study = gap_study(
-        arguments.file, arguments.at, [&](double fraction) { progress.show(fraction); }, diagnostics);
+    const auto goes_on = [&](double fraction) {
+      progress.show(fraction);
+      return !StopOnSignal::asked();
+    };
+    study = gap_study(arguments.file, arguments.at, goes_on, diagnostics);
   } catch (const std::runtime_error& error) {
     throw Failure(exit_numbers_failed,
                   error_words(std::string("the numbers failed: ") + error.what(), arguments.language));
   }
   if (!study) throw Failure(diagnostics, arguments.language);
-  print(arguments.json ? gap_study_json(*study, BENTUR_VERSION) : fitted(study_text(*study, say)));
+  tell_study(arguments, *study);
 }
 
 /// What rules ask from heights alone.
@@ -169,11 +180,20 @@ void run_rules(const GapArguments& arguments) {
 
 void run(const GapArguments& arguments) {
   if (arguments.rules) return run_rules(arguments);
-  if (is_study(arguments.file)) return run_study(arguments);
+  if (is_study(arguments.file)) {
+    if (arguments.record)
+      throw Failure(exit_bad_input,
+                    error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
+    return run_study(arguments);
+  }
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
   const Words say(arguments.language);
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
+  if (loaded.c.excitation.suite) {
+    return tell_study(arguments, gaps_over_records(loaded, arguments.file, arguments.language));
+  }
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
   const RunResults results = simulate(loaded, 0, true, arguments.language);
   if (arguments.json) {
@@ -196,6 +216,7 @@ void add_gap_command(CLI::App& app) {
   command->add_option("--at", arguments->at, "for a study with [ida]: the intensity; default its highest level")
       ->check(positive());
   command->add_flag("--rules", arguments->rules, "what rules of [code] ask from heights alone; nothing is computed");
+  add_record(*command, arguments->record);
   command->add_flag("--json", arguments->json, "JSON instead of tables");
   add_language(*command, arguments->language);
   command->footer(

@@ -9,7 +9,7 @@
 #include "bentur/io/exchange/e2k.h"
 #include "bentur/io/input_file.h"
 #include "commands.h"
-#include "output.h"
+#include "output/output.h"
 #include "session.h"
 
 namespace bentur::cli {

@@ -14,9 +14,10 @@
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/figure_json.h"
 #include "bentur/report/files/picture.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/studies/file_kinds.h"
 #include "commands.h"
-#include "picture.h"
+#include "output/picture.h"
 #include "session.h"
 
 namespace bentur::cli {
@@ -77,7 +78,25 @@ void draw_own(const PlotArguments& arguments) {
   }
 }
 
+/// Of a case with a suite the spectra of its records.
+void draw_suite(const PlotArguments& arguments) {
+  const Loaded loaded = load(arguments.results, Purpose::no_run, arguments.language);
+  const auto& suite = loaded.c.excitation.suite;
+  if (!suite) {
+    throw Failure(exit_bad_input,
+                  "bentur plot: a case has results to draw once bentur run -o DIR has made them; "
+                  "without a run it has the figure \"suite\" of excitation.kind = \"suite\"");
+  }
+  if (arguments.list)
+    return print(fmt::format("{:<20}{}\n", "suite", "spectra of the records, their mean, the target"));
+  if (arguments.kind != "suite") throw Failure(exit_bad_input, "bentur plot: a suite has the figure \"suite\" alone");
+  write_picture(arguments.output.empty() ? "suite.svg" : arguments.output,
+                suite_figure(*suite, loaded.c.units, options_of(arguments)),
+                {.inputs = loaded.files, .force = arguments.force});
+}
+
 void run(const PlotArguments& arguments) {
+  if (std::filesystem::path(arguments.results).extension() == ".toml") return draw_suite(arguments);
   if (std::filesystem::path(arguments.results).extension() == ".json") return draw_own(arguments);
   std::error_code ignored;
   std::filesystem::path file = arguments.results;
@@ -144,8 +163,10 @@ void add_plot_command(CLI::App& app) {
   auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "Draw a figure from results");
   command
-      ->add_option("RESULTS", arguments->results,
-                   "histories.nc of a run or the folder it is in, the results of a sweep, or a figure in JSON")
+      ->add_option(
+          "RESULTS", arguments->results,
+          "histories.nc of a run or the folder it is in, the results of a sweep, a case with a suite of records, or a "
+          "figure in JSON")
       ->required()
       ->check(not_empty());
   command->add_option("KIND", arguments->kind, "what to draw; --list shows the kinds");

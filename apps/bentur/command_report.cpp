@@ -2,18 +2,22 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "arguments.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/markup/safe_markup.h"
+#include "bentur/report/errors.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
+#include "bentur/report/html/suite_report.h"
 #include "bentur/report/studies/sweep_report.h"
 #include "commands.h"
-#include "output.h"
+#include "output/output.h"
 #include "session.h"
+#include "suite.h"
 
 namespace bentur::cli {
 namespace {
@@ -23,6 +27,7 @@ struct ReportArguments {
   std::string output;
   std::string language = "en";
   std::string head;
+  std::optional<int> record;
   bool force = false;
 };
 
@@ -48,7 +53,13 @@ std::string from_netcdf(const std::filesystem::path& file, const ReportOptions& 
   }
 }
 
-std::string from_case(const Loaded& loaded, const ReportOptions& options) {
+std::string from_case(const Loaded& loaded, const std::string& file, const ReportOptions& options) {
+  if (loaded.c.excitation.suite) {
+    const SuiteRun run = run_records(loaded, true, options.language);
+    const GapStudy gaps = run.is_whole() ? gaps_over_records(loaded, file, options.language) : GapStudy();
+    if (!run.is_whole() || !gaps.is_whole()) throw Failure(exit_other, "Stopped: no report is written");
+    return suite_report_html(run, gaps, options);
+  }
   if (const auto& spectrum = loaded.c.excitation.spectrum) {
     const SpectralGaps gaps = spectral_gaps(loaded.problem, *spectrum, loaded.c.code, loaded.c.units);
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
@@ -81,7 +92,12 @@ void run(const ReportArguments& arguments) {
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
   const bool from_files = is_folder || is_netcdf;
-  const Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
+  if (from_files && arguments.record) {
+    throw Failure(exit_bad_input,
+                  error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
+  }
+  Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
+  if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
   if (!arguments.head.empty()) files.emplace_back(arguments.head);
@@ -89,7 +105,7 @@ void run(const ReportArguments& arguments) {
   const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
-                                       : from_case(loaded, options);
+                                       : from_case(loaded, input.string(), options);
   output.write(page);
   if (!output.is_streamed()) message(fmt::format("Wrote {} ({} kB)", arguments.output, (page.size() + 999) / 1000));
 }
@@ -115,6 +131,7 @@ void add_report_command(CLI::App& app) {
                    "an office's own head of the report, XHTML with {name}, {number}, {logo} and so on of [project]")
       ->check(not_empty())
       ->type_name("FILE");
+  add_record(*command, arguments->record);
   add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");
   command->callback([arguments] { run(*arguments); });

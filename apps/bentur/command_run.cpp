@@ -18,9 +18,10 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "commands.h"
-#include "output.h"
-#include "picture.h"
+#include "output/output.h"
+#include "output/picture.h"
 #include "session.h"
+#include "suite.h"
 #include "text/table.h"
 
 namespace bentur::cli {
@@ -30,6 +31,7 @@ struct RunArguments {
   std::string file;
   std::string directory;
   std::vector<std::string> figures;  // their formats
+  std::optional<int> record;         // of a suite, from 1
   bool json = false;
   bool quiet = false;
   bool force = false;
@@ -285,6 +287,26 @@ class RunOutput {
   AtomicFiles files_;
 };
 
+/// All records of a suite in short. @throws Failure after what is done has been told, where it was stopped.
+void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
+  if (!arguments.directory.empty()) {
+    throw Failure(exit_bad_input,
+                  "bentur run: " + error_words("--output is for one run: of a suite give --record N too; --json prints "
+                                               "all records in short",
+                                               arguments.language));
+  }
+  const SuiteRun run = run_records(loaded, !arguments.quiet, arguments.language);
+  if (arguments.json) {
+    print(suite_run_json(run, BENTUR_VERSION));
+  } else if (!arguments.quiet) {
+    const Words say(arguments.language);
+    std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
+    text += excitation_line(loaded.c, say) + "\n\n" + story_text(run.problem, suite_run_story(run), say, Told::outcome);
+    print(fitted(text + "\n" + wrapped(say("suite.note")) + "\n"));
+  }
+  if (!run.is_whole()) throw Failure(exit_other, "");
+}
+
 void execute(const RunArguments& arguments) {
   const auto refuse = [&](const std::string& why) {
     throw Failure(exit_bad_input, "bentur run: " + error_words(why, arguments.language));
@@ -302,8 +324,10 @@ void execute(const RunArguments& arguments) {
   if (arguments.file.empty() && !arguments.quiet) {
     message(error_words("No case given: running the built-in example m12-el-centro.", arguments.language));
   }
-  Loaded loaded =
-      arguments.file.empty() ? load_example("m12-el-centro") : load(arguments.file, Purpose::run, arguments.language);
+  if (arguments.file.empty() && arguments.record) refuse("--record needs a CASE");
+  Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
+                                         : load_for_run(arguments.file, arguments.record, arguments.language);
+  if (loaded.c.excitation.suite) return execute_suite(arguments, loaded);
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet, arguments.language);
@@ -339,6 +363,7 @@ void add_run_command(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(picture_formats()))
       ->type_name("FORMATS");
+  add_record(*command, arguments->record);
   command->add_flag("--json", arguments->json, "print the summary as JSON instead of tables");
   command->add_flag("-q,--quiet", arguments->quiet, "no tables, no messages but errors");
   add_language(*command, arguments->language);

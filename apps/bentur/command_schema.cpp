@@ -3,7 +3,7 @@
 #include "arguments.h"
 #include "bentur/files/schema_files.h"
 #include "commands.h"
-#include "output.h"
+#include "output/output.h"
 #include "session.h"
 
 namespace bentur::cli {

@@ -14,8 +14,8 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "commands.h"
-#include "output.h"
-#include "picture.h"
+#include "output/output.h"
+#include "output/picture.h"
 #include "session.h"
 #include "text/table.h"
 

@@ -13,7 +13,7 @@
 #include "bentur/report/story_text.h"
 #include "bentur/runner/sweep.h"
 #include "commands.h"
-#include "output.h"
+#include "output/output.h"
 #include "session.h"
 #include "text/table.h"
 

@@ -23,6 +23,7 @@
 #include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/utf8.h"
+#include "suite.h"
 #include "text/effort_text.h"
 #include "text/table.h"
 
@@ -84,9 +85,13 @@ Failure::Failure(const Diagnostics& diagnostics, const std::string& language)
 Loaded load(const std::filesystem::path& file, Purpose purpose, const std::string& language) {
   Diagnostics diagnostics;
   std::vector<Building> buildings;
-  std::optional<Case> c = read_case(file, diagnostics, &buildings);
+  std::optional<Case> c;
+  {
+    Progress display("of the spectra of the records");
+    c = read_case(file, diagnostics, &buildings, [&](double fraction) { display.show(fraction); });
+  }
   if (!c) throw Failure(diagnostics, language);
-  if (purpose == Purpose::run && refuse_spectrum(*c, diagnostics)) throw Failure(diagnostics, language);
+  if (purpose == Purpose::run && refuse_without_motion(*c, diagnostics)) throw Failure(diagnostics, language);
   try {
     Problem problem = make_still_problem(*c, std::move(buildings));
     std::vector<std::filesystem::path> files = files_read(*c);
@@ -187,6 +192,8 @@ std::string excitation_line(const Case& c, const Words& say) {
                              {"length", c.units.length},
                              {"peak", number(peak_acceleration(c.excitation.motion))},
                              {"acceleration", acceleration}});
+  } else if (c.excitation.suite) {
+    line = suite_line(*c.excitation.suite, say);
   } else if (c.excitation.spectrum) {
     const SpectrumSpec& spectrum = *c.excitation.spectrum;
     return say("cli.spectrum", {{"name", spectrum.file.empty() ? spectrum.shape : spectrum.file},

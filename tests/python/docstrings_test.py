@@ -88,7 +88,7 @@ PLACES = {
     "Analysis": ("analysis",), "Project": ("project",),
 }
 # Where what is known depends on a choice.
-KINDS = {"Excitation": [{"kind": kind} for kind in ("record", "harmonic", "none", "spectrum")]}
+KINDS = {"Excitation": [{"kind": kind} for kind in ("record", "harmonic", "none", "spectrum", "suite")]}
 
 
 @pytest.mark.parametrize("name", CLASSES)

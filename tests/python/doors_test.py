@@ -163,6 +163,36 @@ def test_gap_by_a_design_spectrum(root, program, tmp_path):
     assert caught.value.errors[0].line > 0
 
 
+SUITE = """
+[excitation]
+kind = "suite"
+files = [{{ file = "{folder}/*.txt", unit = "m/s2" }}]
+scale = "en-1998-1"
+target = {{ shape = "en-1998-1", ground_acceleration = "0.25 g", spectrum_type = 1, ground_type = "C" }}
+"""
+
+
+def test_suite_of_records(root, program, tmp_path):
+    for n in range(3):
+        times = np.arange(400) * 0.01
+        values = np.sin(np.pi * times / 4) * np.sin((7 + 2 * n) * times)
+        np.savetxt(tmp_path / f"r{n}.txt", np.column_stack([times, values]), fmt="%.6f")
+    text = (root / "examples" / "two-frames-si.toml").read_text()
+    case = tmp_path / "case.toml"
+    suite = SUITE.format(folder=tmp_path)
+    case.write_text(re.sub(r"^\[excitation\]\n(?:[^\[].*\n|\n)*", lambda _: suite, text, flags=re.MULTILINE))
+    assert list(doors.differences(json.loads(output(program, "run", case, "--json")), bentur.run_suite(case))) == []
+    assert list(doors.differences(json.loads(output(program, "gap", case, "--json")), bentur.minimum_gap(case))) == []
+    one = json.loads(output(program, "run", case, "--record", "2", "--json"))
+    found = bentur.run(case, record=2, histories=False).summary
+    assert found["excitation"]["pga"] == one["excitation"]["pga"]
+    assert list(doors.differences(one["gaps"], found["gaps"])) == []
+    with pytest.raises(bentur.CaseError, match='excitation.kind = "suite"'):
+        bentur.run(case)
+    with pytest.raises(ValueError, match="record = 4, must be 1 to 3"):
+        bentur.run(case, record=4)
+
+
 def test_spectrum(root, program):
     record = root / "data" / "el-centro-1940-ns.csv"
     expected = json.loads(output(program, "spectrum", record, "--unit", "g", "--damping", "0.02", "--length", "cm", "--json"))

@@ -50,7 +50,8 @@ BEYOND = {
             isolation-strength-alone matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield
-            spectrum-with-delays spectrum-with-initial spectrum-with-links wave-without-width""",
+            spectrum-with-delays spectrum-with-initial spectrum-with-links suite-period-missing
+            suite-scale-table wave-without-width""",
         "what must be computed": """
             column-near-a-floor contact-floor-without-mass contact-restitution-beyond-relation
             damping-infinite damping-stiffness-negative elastic-modulus-huge frame-massless-floor
@@ -60,7 +61,8 @@ BEYOND = {
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio
-            section-overflow spectrum-table-short weight-beyond-all""",
+            section-overflow spectrum-table-short suite-factor-bounds suite-misfit suite-no-factor
+            suite-table-ends suite-too-few weight-beyond-all""",
     },
     "bad_study": {
         "the case that it varies, and its files": """

@@ -185,10 +185,11 @@ class FragilityFunctions(Exchange):
 class Taxonomy(Exchange):
     def test_pounding_is_an_atom_where_the_gap_is_too_narrow(self):
         case = self.case()
+        case.write_text(case.read_text().replace("width = 3\n", "width = 0.1\n"))
         rows = list(csv.reader(self.bentur("export", "gem", case).stdout.splitlines()))
         self.assertEqual(rows, [["building", "taxonomy"], ["Tower, the tall one", "HEX:2/BP1/IRIR+IRVP:POP"],
                                 ["House", "HEX:1/BP1/IRIR+IRVP:POP"]])
-        case.write_text(case.read_text().replace("width = 3", "width = 300"))
+        case.write_text(case.read_text().replace("width = 0.1\n", "width = 300\n"))
         self.assertNotIn("POP", self.bentur("export", "gem", case).stdout)
 
 

@@ -256,7 +256,7 @@ test("every refused case of tests/bad_input is refused in the same words", () =>
   for (const name of readdirSync(folder).filter((file) => file.endsWith(".toml"))) {
     const text = readFileSync(`${folder}/${name}`);
     // What depends on files beside the case is told of by the record tests.
-    if (/(file|logo)\s*=/.test(text.toString())) continue;
+    if (/(files?|logo)\s*=|"suite"/.test(text.toString())) continue;
     // Below 2.2e-308 a number is no number for the stream that the TOML parser reads with where there is no from_chars:
     // refused as well, in other words.
     if (name === "harmonic-period-tiny.toml") continue;

@@ -18,12 +18,12 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/case/parameter_units.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
+#include "bentur/io/schema/parameter_units.h"
 #include "bentur/model/limits.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
@@ -134,6 +134,24 @@ void Studio::put_file(const std::string& path, const std::string& bytes) {
   identities_.clear();
 }
 
+namespace {
+
+/// Says of a suite, whose files are not there or could be read, that the page does not run it.
+void refuse_suite(const TomlValue& root, const std::string& file, Diagnostics& diagnostics) {
+  const TomlValue* const kind = find_value(root, {"excitation", "kind"});
+  if (kind == nullptr || kind->text != "suite") return;
+  const std::vector<Diagnostic> errors = diagnostics.errors();
+  const bool lacks_files = std::any_of(errors.begin(), errors.end(),
+                                       [](const Diagnostic& one) { return one.key.starts_with("excitation.files"); });
+  if (!lacks_files && !errors.empty()) return;
+  TomlView(*kind, "excitation.kind", file, diagnostics)
+      .error_value(
+          "takes many record files, which this page does not hold: bentur run, gap and report take them, "
+          "and Python");
+}
+
+}  // namespace
+
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
     case_.reset(), problem_.reset(), run_.reset(), spectral_.reset(), free_.reset();
@@ -146,6 +164,7 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     if (std::optional<Json> answer = too_large(*root)) return *answer;
     ReadCase read =
         read_case_parts(TomlView(*root, "", path.string(), diagnostics), path.parent_path(), diagnostics, memo_.get());
+    refuse_suite(*root, path.string(), diagnostics);
     if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     Problem problem = read.c.excitation.spectrum ? make_still_problem(read.c, read.made_buildings()) : read.problem();
     read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};

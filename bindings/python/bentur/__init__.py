@@ -23,6 +23,7 @@ from ._functions import (
     read_record,
     response_spectrum,
     run,
+    run_suite,
 )
 from ._model import *
 from ._result import Result
@@ -49,6 +50,7 @@ __all__ = [
     "read_record",
     "response_spectrum",
     "run",
+    "run_suite",
     "sweep",
     "vary",
 ]

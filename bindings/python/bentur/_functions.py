@@ -42,13 +42,20 @@ def shown(progress: Progress, what: str) -> Iterator[Callable[[float], object] |
 
 
 def run(
-    case: Case | str | PathLike[str], *, histories: bool = True, output_step: float | None = None, progress: Progress = None
+    case: Case | str | PathLike[str],
+    *,
+    record: int | None = None,
+    histories: bool = True,
+    output_step: float | None = None,
+    progress: Progress = None,
 ) -> Result:
     """Simulates a case, as ``bentur run`` does and with the same numbers.
 
     The interpreter's lock is released meanwhile, so that threads run side by side; Ctrl-C stops the run.
 
     :param case: a case, or the name of a case file.
+    :param record: of a case with a suite of records the one that is run, counted from 1; :func:`run_suite` runs them
+        all.
     :param histories: whether samples are kept; they change nothing else.
     :param output_step: [s] of the samples; default ``analysis.output_step``.
     :param progress: ``True``: a bar after one second, where tqdm is installed; or a function of the fraction done.
@@ -60,7 +67,21 @@ def run(
         output_step = _arguments.positive("output_step", output_step)
     step = (output_step or asked._made.output_step) if histories else 0.0
     with shown(progress, asked.title or "run") as told:
-        return Result(_core.solve(asked._made, step, told), asked)
+        made = asked._made if record is None else asked._made.with_record(_arguments.whole("record", record, 1))
+        return Result(_core.solve(made, step, told), asked)
+
+
+def run_suite(case: Case | str | PathLike[str], *, progress: Progress = None) -> dict[str, Any]:
+    """Runs a case with each record of its suite, as ``bentur run CASE --json`` tells them: ``suite`` with the spectra
+    as scaled, ``records`` with a few numbers of each, ``mean`` and ``largest`` of these.
+
+    :param case: a case with ``excitation.kind = "suite"``, or its file. :func:`run` takes one record of it, by
+        ``record=N``; :func:`minimum_gap` gives the gap over all of them with what the code takes.
+    """
+    asked = as_case(case)
+    with shown(progress, asked.title or "suite") as told:
+        found: dict[str, Any] = json.loads(_core.suite_run_json(asked._made, told))
+        return found
 
 
 def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
@@ -89,7 +110,8 @@ def minimum_gap(
     """The gap that keeps the buildings apart, simulated (or by a design spectrum) and by the rules, as
     ``bentur gap --json`` has it.
 
-    :param case: a case or its file; or the file of a study: then over all of its records.
+    :param case: a case or its file; or the file of a study: then over all of its records, as over those of a case's
+        suite.
     :param at: for a study with ``[ida]``: the intensity; default its highest level.
     """
     if at is not None:
@@ -101,7 +123,8 @@ def minimum_gap(
             return found
         if at is not None:
             raise ValueError("at is for a study with [ida]")
-        found = json.loads(_core.gap_json(as_case(case)._made, told))
+        made = as_case(case)._made
+        found = json.loads(_core.suite_gap_json(made, told) if made.records else _core.gap_json(made, told))
         return found
 
 

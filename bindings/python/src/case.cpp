@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -8,6 +9,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/model/suite/suite.h"
 #include "case_run.h"
 #include "toml_python.h"
 
@@ -25,7 +27,7 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
   ReadCase parts = read_case_parts(TomlView(root, "", name, found), folder, found);
   if (found.ok()) {
     try {
-      made->problem = parts.c.excitation.spectrum ? make_still_problem(parts.c) : parts.problem();
+      made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
     } catch (const InvalidParameter& error) {
       found.error({name, 0, 0}, error.what());
     }
@@ -74,6 +76,19 @@ std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values)
   return read(std::move(root), given.name, given.folder, std::nullopt);
 }
 
+/// The case of one record of its suite, from 1. Its values stay those of the whole case.
+std::shared_ptr<PyCase> with_record(const PyCase& given, std::size_t record) {
+  const auto& suite = given.c.excitation.suite;
+  if (!suite) throw py::value_error("record is for a case with excitation.kind = \"suite\"");
+  if (record == 0 || record > suite->records.size()) {
+    throw py::value_error(fmt::format("record = {}, must be 1 to {}", record, suite->records.size()));
+  }
+  auto made = std::make_shared<PyCase>(given);
+  made->c = case_of_record(given.c, record - 1);
+  made->problem = make_problem(made->c, given.problem.buildings);
+  return made;
+}
+
 py::dict excitation_of(const PyCase& given) {
   py::dict found;
   const ExcitationSpec& excitation = given.c.excitation;
@@ -97,6 +112,10 @@ void bind_case(py::module_& module) {
             return read(toml_of(values), name, folder, std::nullopt);
           },
           py::arg("values"), py::arg("name"), py::arg("folder"))
+      .def("with_record", &with_record, py::arg("record"))
+      .def_property_readonly(
+          "records",
+          [](const PyCase& c) { return c.c.excitation.suite ? c.c.excitation.suite->records.size() : std::size_t{0}; })
       .def("with_values", &with_values, py::arg("values"))
       .def("values", [](const PyCase& c) { return python_of(c.root); })
       .def_property_readonly("title", [](const PyCase& c) { return c.c.title; })

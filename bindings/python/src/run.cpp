@@ -60,7 +60,7 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 namespace {
 
 std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const py::object& progress) {
-  if (Diagnostics found; refuse_spectrum(given.c, found)) raise_case_error(found);
+  if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
   Problem problem = given.problem;
   SolveOptions options = solve_options(given.c);
   options.output_step = output_step;

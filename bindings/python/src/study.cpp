@@ -11,6 +11,7 @@
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/study_output.h"
 #include "bentur/study/study_variables.h"
+#include "bentur/study/suite/suite_run.h"
 #include "case_run.h"
 #include "python_law.h"
 #include "toml_python.h"
@@ -172,6 +173,7 @@ std::string gap_study_text(const fs::path& file, const std::optional<double>& at
         file, at,
         [&](double fraction) {
           if (!watcher(fraction)) throw std::runtime_error("stopped");
+          return true;
         },
         found);
   } catch (const std::runtime_error& error) {
@@ -180,6 +182,38 @@ std::string gap_study_text(const fs::path& file, const std::optional<double>& at
   }
   if (!study) raise_case_error(found);
   return gap_study_json(*study, BENTUR_VERSION);
+}
+
+/// The gaps over the records of a case's suite, as `bentur gap CASE --json` tells them.
+std::string suite_gap_text(const PyCase& given, const py::object& progress) {
+  Diagnostics found;
+  Watcher watcher(progress);
+  std::optional<GapStudy> study;
+  try {
+    const py::gil_scoped_release unlocked;
+    study = gap_study(
+        given.c, given.folder / fs::path(given.name).filename(), [&](double fraction) { return watcher(fraction); },
+        found);
+  } catch (const std::runtime_error& error) {
+    watcher.rethrow();
+    raise_error("SolveError", error.what());
+  }
+  watcher.rethrow();
+  if (!study) raise_case_error(found);
+  return gap_study_json(*study, BENTUR_VERSION);
+}
+
+/// The runs of a case's suite in short, as `bentur run CASE --json` tells them.
+std::string suite_run_text(const PyCase& given, const py::object& progress) {
+  if (!given.c.excitation.suite) throw py::value_error("the case has no suite: excitation.kind must be \"suite\"");
+  Watcher watcher(progress);
+  std::optional<SuiteRun> run;
+  {
+    const py::gil_scoped_release unlocked;
+    run = run_suite(given.c, [&](double fraction) { return watcher(fraction); });
+  }
+  watcher.rethrow();
+  return suite_run_json(*run, BENTUR_VERSION);
 }
 
 /// An xarray.Dataset of results, read as a file is. The lock must be held.
@@ -271,6 +305,8 @@ void bind_study(py::module_& module) {
       .def("close", &PyStudy::close)
       .def("solve", &PyStudy::solve, py::arg("first"), py::arg("count"))
       .def("stop", &PyStudy::stop);
+  module.def("suite_gap_json", &suite_gap_text, py::arg("case"), py::arg("progress"));
+  module.def("suite_run_json", &suite_run_text, py::arg("case"), py::arg("progress"));
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
              py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),

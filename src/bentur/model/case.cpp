@@ -9,6 +9,7 @@
 #include "bentur/contact/axial_stiffness.h"
 #include "bentur/contact/laws.h"
 #include "bentur/core/errors.h"
+#include "bentur/model/suite/suite.h"
 #include "bentur/structure/modes.h"
 #include "bentur/structure/sway.h"
 
@@ -418,6 +419,10 @@ const std::string spectrum_is_no_motion =
     "a spectrum has no course in time: bentur gap and report take it, a run needs kind = \"record\" with a ground "
     "motion, such as one matched to the spectrum";
 
+const std::string suite_is_many_motions =
+    "a suite is many ground motions: bentur run, gap and report take them all, --record N (record=N of Python) one "
+    "of them";
+
 std::vector<Building> buildings_of(const Case& c) {
   std::vector<Building> buildings;
   for (const BuildingSpec& spec : c.buildings) buildings.push_back(make_building(spec));
@@ -456,21 +461,26 @@ SolveOptions solve_options(const Case& c) {
   return options;
 }
 
-bool refuse_spectrum(const Case& c, Diagnostics& diagnostics) {
-  const auto& spectrum = c.excitation.spectrum;
-  if (spectrum) {
+bool is_without_motion(const Case& c) { return c.excitation.spectrum || c.excitation.suite != nullptr; }
+
+bool refuse_without_motion(const Case& c, Diagnostics& diagnostics) {
+  if (const auto& spectrum = c.excitation.spectrum) {
     diagnostics.add({.position = spectrum->position,
                      .key = "excitation.kind",
                      .value = "\"spectrum\"",
                      .rule = spectrum_is_no_motion});
+  } else if (const auto& suite = c.excitation.suite) {
+    diagnostics.add(
+        {.position = suite->position, .key = "excitation.kind", .value = "\"suite\"", .rule = suite_is_many_motions});
   }
-  return spectrum.has_value();
+  return is_without_motion(c);
 }
 
 Problem make_problem(const Case& c) { return make_problem(c, buildings_of(c)); }
 
 Problem make_problem(const Case& c, std::vector<Building> buildings) {
   if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion);
+  if (c.excitation.suite) throw InvalidParameter("excitation.kind", "\"suite\"", suite_is_many_motions);
   return problem_of(c, std::move(buildings));
 }
 

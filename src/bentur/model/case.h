@@ -35,6 +35,7 @@
 
 namespace bentur {
 
+struct SuiteSpec;
 struct TomlValue;
 
 /// Matrices from another program. Elevations are above the building's own base.
@@ -127,10 +128,12 @@ struct SpectrumSpec {
 };
 
 struct ExcitationSpec {
-  GroundMotion motion;                        ///< scaled, in the case's units; with a spectrum NoMotion
+  GroundMotion motion;                        ///< scaled, in the case's units; without one NoMotion
   std::optional<RecordEcho> record;           ///< for kind = "record"
   std::optional<SpectrumSpec> spectrum = {};  ///< for kind = "spectrum"
-  std::vector<double> delays;                 ///< [s], one per building (from wave_velocity where that was given)
+  /// For kind = "suite" (suite/suite.h): many motions in place of one, which is NoMotion.
+  std::shared_ptr<const SuiteSpec> suite = {};
+  std::vector<double> delays;  ///< [s], one per building (from wave_velocity where that was given)
   Kinematics kinematics = Kinematics::relative;
 };
 
@@ -208,13 +211,16 @@ struct SpecAndModel {
                                                                  const LevelPair& floors);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent, or has a spectrum, which has
-/// no course in time.
+/// no course in time, or a suite of records, of which case_of_record() takes one.
 [[nodiscard]] Problem make_problem(const Case& c);
 /// The same for what nothing is solved of: modes, gaps by a spectrum. A spectrum's problem has no motion.
 [[nodiscard]] Problem make_still_problem(const Case& c);
 [[nodiscard]] Problem make_still_problem(const Case& c, std::vector<Building> buildings);
-/// Where a run is asked for: whether the case has a spectrum, and says at its place what to do.
-[[nodiscard]] bool refuse_spectrum(const Case& c, Diagnostics& diagnostics);
+/// Where one run is asked for: whether the case has no motion for it, a spectrum or many of a suite; says at its place
+/// what to do.
+[[nodiscard]] bool refuse_without_motion(const Case& c, Diagnostics& diagnostics);
+/// Whether it has one of these two.
+[[nodiscard]] bool is_without_motion(const Case& c);
 /// The same with the case's buildings made already.
 [[nodiscard]] Problem make_problem(const Case& c, std::vector<Building> buildings);
 

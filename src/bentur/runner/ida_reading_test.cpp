@@ -60,7 +60,7 @@ class MadeUp : public testing::Test {
     auto facts = study ? check_study(*study, *memo, diagnostics) : std::nullopt;
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
     const StudyRuns runs(std::move(study.value()), std::move(facts.value()), memo);
-    const JournalOrigin origin{"1", "", "", {}, runs.plan().runs(), row_size(runs.quantities())};
+    const JournalOrigin origin{"1", "", "", "", {}, runs.plan().runs(), row_size(runs.quantities())};
     const fs::path part = folder / "bentur-made-up.part", file = folder / "bentur-made-up.nc";
     fs::remove(part);
     Journal journal = Journal::begin(part, origin);

@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "bentur/io/case/parameter_units.h"
 #include "bentur/io/results/run_variables.h"
+#include "bentur/io/schema/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/study/fragility/ida_results.h"
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <string>
 
 #include "bentur/core/errors.h"
@@ -76,9 +77,16 @@ struct BackboneLaw::Past {
   [[nodiscard]] Side& side(double s) { return s > 0 ? above : below; }
   [[nodiscard]] const Side& side(double s) const { return s > 0 ? above : below; }
 
-  [[nodiscard]] static Past of(const LawState& state) { return std::bit_cast<Past>(state.memory); }
+  [[nodiscard]] static Past of(const LawState& state) {
+    static_assert(sizeof(Past) == sizeof(LawState::memory));
+    Past past;
+    std::memcpy(&past, state.memory.data(), sizeof past);
+    return past;
+  }
   [[nodiscard]] LawState in(int branch, double time) const {
-    return {.branch = branch, .since = time, .memory = std::bit_cast<decltype(LawState::memory)>(*this)};
+    LawState state{.branch = branch, .since = time};
+    std::memcpy(state.memory.data(), this, sizeof *this);
+    return state;
   }
 };
 

@@ -42,8 +42,11 @@ std::optional<std::string> settle_unit(const TableView& view, const StrongMotion
 
 }  // namespace
 
-std::optional<double> read_acceleration(const TomlView& value, const Units& units) {
-  if (!value.is(TomlValue::Kind::text)) return value.as_number(Range::positive);
+std::optional<double> read_acceleration(const TomlView& value, const Units& units, double of_number) {
+  if (!value.is(TomlValue::Kind::text)) {
+    const auto number = value.as_number(Range::positive);
+    return number ? std::optional(*number * of_number) : std::nullopt;
+  }
   const std::string& text = value.value().text;
   const auto not_blank = [&](std::size_t from) { return std::min(text.find_first_not_of(" \t", from), text.size()); };
   const std::size_t begin = not_blank(0);
@@ -218,6 +221,8 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
     }
   } else if (kind == "harmonic") {
     spec.motion = read_harmonic(*view, units);
+  } else if (kind == "suite") {
+    spec.suite = read_suite(*view, units, folder, diagnostics);
   }
   spec.delays = read_delays(*view, buildings, gaps);
   if (view->word("kinematics") == "absolute") {

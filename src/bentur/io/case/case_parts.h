@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -108,20 +109,39 @@ void read_stick(const TomlView& stick, ReadBuilding& building);
 /// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
 void read_damping_stiffness(const TableView& building, ReadBuilding& read);
 
-/// case_excitation.cpp: an acceleration > 0 [length/s²], a number in the case's own unit or a text with its unit,
-/// "0.35 g".
-[[nodiscard]] std::optional<double> read_acceleration(const TomlView& value, const Units& units);
-
 /// case_excitation.cpp. `folder` is the one that record files are relative to.
 [[nodiscard]] ExcitationSpec read_excitation(const TomlView& root, const Units& units,
                                              const std::vector<ReadBuilding>& buildings,
                                              const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                              Diagnostics& diagnostics, CaseMemo* memo = nullptr);
 
+/// case_excitation.cpp: an acceleration > 0 [length/s²]: a number times `of_number`, by default in the case's own unit,
+/// or a text with its unit, "0.35 g".
+[[nodiscard]] std::optional<double> read_acceleration(const TomlView& value, const Units& units, double of_number = 1);
+
+/// case_suite.cpp: excitation.kind = "suite": what is asked for and every record that its files name, none of them
+/// chosen yet.
+[[nodiscard]] std::shared_ptr<const SuiteSpec> read_suite(const TableView& view, const Units& units,
+                                                          const std::filesystem::path& folder,
+                                                          Diagnostics& diagnostics);
+/// Chooses and scales them, once the periods of the buildings are known; what cannot be done is an error at its key.
+/// @param progress of the spectra [0, 1]
+struct ReadCase;
+void settle_suite(const TomlView& root, ReadCase& read, const std::function<void(double)>& progress);
+
+/// case_spectrum.cpp: the ordinates of a spectrum, by its shape and the keys of that; `file` and `path` where a table
+/// comes from a file.
+struct ShapeRead {
+  std::string word;  ///< as the case names it; empty where it is wrong
+  decltype(DesignSpectrum::shape) shape = {};
+  std::string file = {}, path = {};
+};
+[[nodiscard]] ShapeRead read_shape(const TableView& view, const Units& units, const std::filesystem::path& folder,
+                                   Diagnostics& diagnostics);
+
 /// case_spectrum.cpp: excitation.kind = "spectrum", its keys, and what only shows once the whole case is right.
 [[nodiscard]] SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_t buildings,
                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
-struct ReadCase;
 void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read);
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
@@ -145,7 +165,9 @@ struct ReadCase {
 
 /// case_toml.cpp: a whole case; its parts are usable only when `diagnostics` has no error. `memo` is for many readings
 /// of nearly the same case, which then share buildings and records.
+/// @param progress of what may take long, the spectra of a suite of records: the fraction done
 [[nodiscard]] ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder,
-                                       Diagnostics& diagnostics, CaseMemo* memo = nullptr);
+                                       Diagnostics& diagnostics, CaseMemo* memo = nullptr,
+                                       const std::function<void(double)>& progress = {});
 
 }  // namespace bentur

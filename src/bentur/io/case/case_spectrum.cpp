@@ -16,13 +16,19 @@
 namespace bentur {
 namespace {
 
-TwoPeriodSpectrum read_two_periods(const TableView& view, double gravity) {
+/// An ordinate [length/s²]: a number in g, or a text with its unit.
+std::optional<double> read_ordinate(const TableView& view, const char* key, const Units& units) {
+  const auto given = view.get(key);
+  return given ? read_acceleration(*given, units, units.gravity) : std::nullopt;
+}
+
+TwoPeriodSpectrum read_two_periods(const TableView& view, const Units& units) {
   TwoPeriodSpectrum shape;
-  const auto short_period = view.number("short_period");
-  const auto one_second = view.number("one_second");
+  const auto short_period = read_ordinate(view, "short_period", units);
+  const auto one_second = read_ordinate(view, "one_second", units);
   const auto long_period = view.number("long_period");
-  shape.short_period = short_period.value_or(0) * gravity;
-  shape.one_second = one_second.value_or(0) * gravity;
+  shape.short_period = short_period.value_or(0);
+  shape.one_second = one_second.value_or(0);
   shape.long_period = long_period.value_or(0);
   if (short_period && one_second && long_period && !(*long_period > *one_second / *short_period)) {
     view.find("long_period")
@@ -32,8 +38,8 @@ TwoPeriodSpectrum read_two_periods(const TableView& view, double gravity) {
   return shape;
 }
 
-EurocodeSpectrum read_eurocode(const TableView& view, double gravity) {
-  const double ground = view.number("ground_acceleration").value_or(1) * gravity;
+EurocodeSpectrum read_eurocode(const TableView& view, const Units& units) {
+  const double ground = read_ordinate(view, "ground_acceleration", units).value_or(units.gravity);
   const auto type = view.whole("spectrum_type");
   const auto ground_type = view.word("ground_type");
   if (!type || !ground_type) return {};
@@ -48,7 +54,7 @@ void check_ascending(const std::vector<double>& periods, const std::function<voi
 
 /// A table of its own file: periods in the first column.
 TableSpectrum read_table_file(const TableView& view, const std::filesystem::path& folder, Diagnostics& diagnostics,
-                              SpectrumSpec& spec) {
+                              ShapeRead& spec) {
   TableSpectrum shape;
   const TomlView file = *view.find("file");
   const auto name = file.as_text();
@@ -90,7 +96,7 @@ TableSpectrum read_table_file(const TableView& view, const std::filesystem::path
 }
 
 TableSpectrum read_table(const TableView& view, const Units& units, const std::filesystem::path& folder,
-                         Diagnostics& diagnostics, SpectrumSpec& spec) {
+                         Diagnostics& diagnostics, ShapeRead& spec) {
   TableSpectrum shape;
   const auto unit = view.word("unit");
   if (const auto kind = view.exactly_one("table")) {
@@ -113,22 +119,33 @@ TableSpectrum read_table(const TableView& view, const Units& units, const std::f
 
 }  // namespace
 
+ShapeRead read_shape(const TableView& view, const Units& units, const std::filesystem::path& folder,
+                     Diagnostics& diagnostics) {
+  ShapeRead read;
+  const auto shape = view.word("shape");
+  read.word = shape.value_or("");
+  if (shape == "en-1998-1") {
+    read.shape = read_eurocode(view, units);
+  } else if (shape == "table") {
+    read.shape = read_table(view, units, folder, diagnostics, read);
+  } else if (shape) {
+    read.shape = read_two_periods(view, units);
+  }
+  return read;
+}
+
 SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_t buildings,
                            const std::filesystem::path& folder, Diagnostics& diagnostics) {
   SpectrumSpec spec;
   spec.position = view.find("kind")->position();
   view.refuse({"delays", "wave_velocity", "kinematics"},
               "needs a course in time, which a spectrum has not: give a record to account for it");
-  const auto shape = view.word("shape");
-  spec.shape = shape.value_or("");
-  if (shape == "en-1998-1") {
-    spec.spectrum.shape = read_eurocode(view, units.gravity);
-  } else if (shape == "table") {
-    spec.spectrum.shape = read_table(view, units, folder, diagnostics, spec);
-  } else if (shape) {
-    spec.spectrum.shape = read_two_periods(view, units.gravity);
-  }
-  if (shape && shape != "table") {
+  ShapeRead read = read_shape(view, units, folder, diagnostics);
+  spec.shape = read.word;
+  spec.spectrum.shape = std::move(read.shape);
+  spec.file = std::move(read.file);
+  spec.path = std::move(read.path);
+  if (!spec.shape.empty() && spec.shape != "table") {
     view.refuse({"damping_ratio"}, "is for shape = \"table\": spectra of codes are for 0.05");
   } else {
     spec.spectrum.damping_ratio = view.number("damping_ratio").value_or(spec.spectrum.damping_ratio);

@@ -85,7 +85,8 @@ void read_backbone(const TableView& stick_view, Stick& stick) {
   stick_view.refuse(others, "does not go with backbone, which says how storeys yield");
   StoreyBackbones backbone;
   backbone.positive = read_backbone_side(view, stick);
-  if (const auto negative = view.table("negative")) backbone.negative = read_backbone_side(*negative, stick);
+  const auto negative = view.table("negative");
+  if (negative) backbone.negative = read_backbone_side(*negative, stick);
   const auto word = view.word("hysteresis");
   for (const Reloading one : {Reloading::peak_oriented, Reloading::pinching}) {
     if (word == word_of(one)) backbone.reloading = one;
@@ -115,7 +116,6 @@ void read_backbone(const TableView& stick_view, Stick& stick) {
     for (std::size_t j = 0; j < storeys; ++j) {
       agree = agree && elastic(backbone.positive.yield, j) == elastic(backbone.negative->yield, j);
     }
-    const auto negative = view.table("negative");
     if (!agree && negative->has("yield")) {
       negative->get("yield")->error_value("must be inf where the other side is, and there alone");
     }

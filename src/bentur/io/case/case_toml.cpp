@@ -17,6 +17,7 @@
 #include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/story/remarks.h"
+#include "bentur/model/suite/suite.h"
 
 namespace bentur {
 namespace {
@@ -74,7 +75,7 @@ Solver read_solver(const TableView& view) {
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
   if (excitation.record) analysis.duration = excitation.record->duration;
-  if (excitation.spectrum) analysis.duration = 1;  // [s] of nothing: no run is made
+  if (excitation.spectrum || excitation.suite) analysis.duration = 1;  // [s] of nothing: no run is made of it
   // A record that could not be read would have given the duration.
   const auto source = root.find("excitation");
   const auto kind = source && source->is(TomlValue::Kind::table) ? source->find("kind") : std::nullopt;
@@ -214,7 +215,7 @@ std::vector<Building> ReadCase::made_buildings() const {
 }
 
 ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
-                         CaseMemo* memo) {
+                         CaseMemo* memo, const std::function<void(double)>& progress) {
   ReadCase read;
   Case& c = read.c;
   (void)TableView::of(root, case_keys());
@@ -235,7 +236,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   check_values(root, case_keys());
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
   if (!diagnostics.ok()) return read;
-  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !c.excitation.spectrum && !moves) {
+  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !is_without_motion(c) && !moves) {
     root.find("excitation")
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
@@ -247,6 +248,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
     check_overlaps(root, read);
     check_times(root, views, read);
     if (c.excitation.spectrum) check_spectrum(root, views, read);
+    if (c.excitation.suite && diagnostics.ok()) settle_suite(root, read, progress);
   }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
@@ -286,7 +288,7 @@ bool take_record_out(TomlValue& root) {
   TomlValue* const excitation = root.find("excitation");
   if (excitation != nullptr) {
     const TomlValue* const kind = excitation->find("kind");
-    if (kind == nullptr || kind->text != "record") return false;
+    if (kind == nullptr || (kind->text != "record" && kind->text != "suite")) return false;
     std::erase_if(excitation->members, [](const TomlMember& one) {
       return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
     });
@@ -308,9 +310,9 @@ void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder) {
 }
 
 std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
-                                   std::vector<Building>* buildings) {
+                                   std::vector<Building>* buildings, const std::function<void(double)>& progress) {
   return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
-    ReadCase read = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found);
+    ReadCase read = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found, nullptr, progress);
     if (buildings != nullptr && found.ok()) *buildings = read.made_buildings();
     return std::move(read.c);
   });
@@ -341,9 +343,9 @@ std::optional<ProjectSpec> project_of(const std::string& text) {
 }
 
 std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
-                              std::vector<Building>* buildings) {
+                              std::vector<Building>* buildings, const std::function<void(double)>& progress) {
   const auto text = read_input(file, case_input, diagnostics);
-  return text ? read_case_text(*text, file, diagnostics, buildings) : std::nullopt;
+  return text ? read_case_text(*text, file, diagnostics, buildings, progress) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> files_read(const Case& c) {
@@ -353,6 +355,10 @@ std::vector<std::filesystem::path> files_read(const Case& c) {
   };
   if (c.excitation.record) add(c.excitation.record->path);
   if (c.excitation.spectrum) add(c.excitation.spectrum->path);
+  if (c.excitation.suite) {
+    add(c.excitation.suite->target.path);
+    for (const SuiteRecord& record : c.excitation.suite->records) add(record.echo.path);
+  }
   for (const BuildingSpec& building : c.buildings) add(building.shapes_path);
   if (c.project) add(c.project->logo_path);
   return files;

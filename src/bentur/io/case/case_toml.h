@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,13 +14,16 @@ namespace bentur {
 /// Reads and validates a case file and the record it names (docs/case-file.md). Every error found goes to
 /// `diagnostics`, each with file:line:column, key, value, rule and, for an unknown key, the nearest known one.
 /// @param buildings where it is given, the case's buildings: they are made in reading
+/// @param progress of what may take long, the spectra of a suite of records: the fraction done
 /// @return the case, or nothing when there was an error.
 [[nodiscard]] std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
-                                            std::vector<Building>* buildings = nullptr);
+                                            std::vector<Building>* buildings = nullptr,
+                                            const std::function<void(double)>& progress = {});
 
 /// The same for a text that is already in memory. Messages carry `file`; its folder is the one record files are in.
 [[nodiscard]] std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file,
-                                                 Diagnostics& diagnostics, std::vector<Building>* buildings = nullptr);
+                                                 Diagnostics& diagnostics, std::vector<Building>* buildings = nullptr,
+                                                 const std::function<void(double)>& progress = {});
 
 /// A case whose record is not at hand: everything but its ground motion, in place of which there is none.
 [[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,

@@ -70,7 +70,7 @@ std::string changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string errors_of(const std::string& text, const E2kFrame& frame = {.at = 0}) {
+std::string import_errors(const std::string& text, const E2kFrame& frame = {.at = 0}) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_e2k(text, "small.e2k", frame, diagnostics));
   std::string all;
@@ -81,7 +81,7 @@ std::string errors_of(const std::string& text, const E2kFrame& frame = {.at = 0}
 TEST(E2k, IsACaseOnceItIsCompleted) {
   Diagnostics diagnostics;
   const auto made = read_e2k(small_model, "small.e2k", {.at = 0}, diagnostics);
-  ASSERT_TRUE(made) << errors_of(small_model);
+  ASSERT_TRUE(made) << import_errors(small_model);
   std::string text = made->text;
   const std::string marked = "# damping = 0.05";
   text.replace(text.find(marked), marked.size(), "damping = 0.05");
@@ -133,19 +133,20 @@ TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
 }
 
 TEST(E2k, ErrorsNameLineAndWhatThereIs) {
-  EXPECT_EQ(errors_of(small_model, {}), "small.e2k:1:1: error: frames stand at y = 0, 5: say which with --at\n");
-  EXPECT_EQ(errors_of(small_model, {.at = 3}), "small.e2k:1:1: error: no frame stands at y = 3, there are 0, 5\n");
-  EXPECT_EQ(errors_of(small_model, {.at = 5}), "small.e2k:1:1: error: the frame at y = 5 has no bay\n");
-  EXPECT_EQ(errors_of(changed("HEIGHT 3.6", "HEIGHT x")), "small.e2k:9:1: error: HEIGHT = \"x\", must be a number\n");
-  EXPECT_EQ(errors_of(changed("D 0.5 B 0.5", "D -0.5 B 0.5")), "small.e2k:19:1: error: D = -0.5, must be > 0\n");
-  EXPECT_EQ(errors_of(changed("\"FIRST\"  SECTION \"C50\"", "\"FIRST\"  SECTION \"PIPE\"")),
+  EXPECT_EQ(import_errors(small_model, {}), "small.e2k:1:1: error: frames stand at y = 0, 5: say which with --at\n");
+  EXPECT_EQ(import_errors(small_model, {.at = 3}), "small.e2k:1:1: error: no frame stands at y = 3, there are 0, 5\n");
+  EXPECT_EQ(import_errors(small_model, {.at = 5}), "small.e2k:1:1: error: the frame at y = 5 has no bay\n");
+  EXPECT_EQ(import_errors(changed("HEIGHT 3.6", "HEIGHT x")),
+            "small.e2k:9:1: error: HEIGHT = \"x\", must be a number\n");
+  EXPECT_EQ(import_errors(changed("D 0.5 B 0.5", "D -0.5 B 0.5")), "small.e2k:19:1: error: D = -0.5, must be > 0\n");
+  EXPECT_EQ(import_errors(changed("\"FIRST\"  SECTION \"C50\"", "\"FIRST\"  SECTION \"PIPE\"")),
             "small.e2k:46:1: error: section \"PIPE\" of line \"C2\" was not read\n");
-  EXPECT_NE(errors_of(changed("  LINEASSIGN  \"B2\"  \"ROOF\"  SECTION \"B30\"\n", ""))
+  EXPECT_NE(import_errors(changed("  LINEASSIGN  \"B2\"  \"ROOF\"  SECTION \"B30\"\n", ""))
                 .find("has 1 beams in storey \"ROOF\""),
             std::string::npos);
-  EXPECT_NE(errors_of(changed("\"KN\"", "\"DYN\"")).find("UNITS \"DYN\", must be one of"), std::string::npos);
-  EXPECT_NE(errors_of(changed("E 3E7", "U 0.3")).find("has no E"), std::string::npos);
-  EXPECT_NE(errors_of("").find("has no UNITS"), std::string::npos);
+  EXPECT_NE(import_errors(changed("\"KN\"", "\"DYN\"")).find("UNITS \"DYN\", must be one of"), std::string::npos);
+  EXPECT_NE(import_errors(changed("E 3E7", "U 0.3")).find("has no E"), std::string::npos);
+  EXPECT_NE(import_errors("").find("has no UNITS"), std::string::npos);
 }
 
 }  // namespace

@@ -58,6 +58,45 @@ std::string not_text(std::string_view text) {
   return text.substr(0, end + 1).find('\0') != std::string_view::npos ? "is a binary file, but records are text" : "";
 }
 
+/// The place of a date such as 10/28/83 or 5/19/1940 in a text, and its length; nothing where there is none.
+std::optional<std::pair<std::size_t, std::size_t>> date_in(const std::string& text) {
+  const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  for (std::size_t from = 0; from < text.size(); ++from) {
+    if (!is_digit(from) || (from > 0 && is_digit(from - 1))) continue;
+    std::size_t at = from;
+    std::size_t parts = 0;
+    while (parts < 3 && is_digit(at)) {
+      while (is_digit(at)) ++at;
+      ++parts;
+      if (parts < 3 && at < text.size() && text[at] == '/') ++at;
+    }
+    if (parts == 3 && at - from >= 6 && text.find('/', from) < at) return std::pair(from, at - from);
+  }
+  return std::nullopt;
+}
+
+/// The earthquake: of a PEER file the name before the date of its second line, and the date; of one of ./dev records
+/// name and year in its first. Two that say the same in the same words are one.
+std::string event_of(const std::vector<Line>& lines, const std::string& format) {
+  const auto trimmed = [](std::string text) {
+    text.erase(0, std::min(text.find_first_not_of(" \t#,"), text.size()));
+    text.erase(text.find_last_not_of(" \t,") + 1);
+    return text;
+  };
+  if (format == "peer-at2" && lines.size() > 1) {
+    const std::string text = upper(lines[1].text);
+    const auto date = date_in(text);
+    if (!date) return "";
+    std::string name = trimmed(text.substr(0, date->first));
+    if (name.ends_with(" EQ")) name = trimmed(name.substr(0, name.size() - 3));
+    return name.empty() ? "" : name + " " + text.substr(date->first, date->second);
+  }
+  if (format == "peer-at2" || !lines.front().text.starts_with('#')) return "";
+  const std::string text = upper(lines.front().text);
+  const std::size_t end = text.find(", M ");
+  return end == std::string::npos ? "" : trimmed(text.substr(0, end));
+}
+
 }  // namespace
 }  // namespace bentur::records
 
@@ -114,6 +153,7 @@ std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
   if (record && record->values.size() < 2) errors.error("holds one value only, a record needs two or more");
   if (!record || !errors.ok()) return std::nullopt;
   record->header_lines += static_cast<int>(skipped);
+  record->event = event_of(lines, record->format);
   return record;
 }
 

@@ -19,6 +19,7 @@ struct StrongMotionRecord {
   int header_lines = 0;        ///< of the channel, before its first value; of plain columns without comments and blanks
   std::string channel;         ///< which one of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
   double mean_removed = 0;     ///< [unit] taken off all values; 0 but for K-NET
+  std::string event = {};      ///< the earthquake, in capitals, where a PEER file or one of ./dev records says it
 };
 
 struct RecordOptions {

@@ -41,6 +41,9 @@ namespace bentur {
 
 // keys_of_motion.cpp
 [[nodiscard]] const KeyTable& excitation_keys();
+[[nodiscard]] const KeyTable& suite_file_keys();
+[[nodiscard]] const KeyTable& suite_factor_keys();
+[[nodiscard]] const KeyTable& target_keys();
 [[nodiscard]] const KeyTable& initial_keys();
 [[nodiscard]] const KeyTable& analysis_keys();
 [[nodiscard]] const KeyTable& limit_keys();

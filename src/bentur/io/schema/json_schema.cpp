@@ -160,7 +160,8 @@ Schema schema_of_value(const Key& key) {
     if (key.kind != Key::Kind::choice && key.kind != Key::Kind::any && !key.words.empty()) {
       ways.push_back({{"enum", key.words}});
     }
-    if (key.kind == Key::Kind::number && key.table != nullptr) ways.push_back(schema_of_table(*key.table));
+    const bool takes_table = key.kind == Key::Kind::number || key.kind == Key::Kind::choice;
+    if (takes_table && key.table != nullptr) ways.push_back(schema_of_table(*key.table));
   }
   if (ways.size() == 1) return ways.front();
   return {{"anyOf", ways}};
@@ -366,7 +367,7 @@ std::string value_text(const Key& key) {
   if (key.kind != Key::Kind::choice && key.kind != Key::Kind::any && !key.words.empty()) {
     text += "; or " + quoted_words(key.words);
   }
-  if (key.kind == Key::Kind::number && key.table != nullptr) {
+  if ((key.kind == Key::Kind::number || key.kind == Key::Kind::choice) && key.table != nullptr) {
     text += fmt::format(", or `{{ {} }}`", fmt::join(key.table->names(), ", "));
   }
   return text;

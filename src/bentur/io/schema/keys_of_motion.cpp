@@ -19,7 +19,7 @@ std::vector<Key> of_kind(const Words& kinds, std::vector<Key> keys) {
 
 /// Keys of spectra of some shapes.
 std::vector<Key> of_shape(const Words& shapes, std::vector<Key> keys) {
-  for (Key& key : keys) key.when("kind", {"spectrum"}).when("shape", shapes);
+  for (Key& key : keys) key.when("shape", shapes);
   return keys;
 }
 
@@ -27,42 +27,49 @@ Key unit_of_file(std::string_view doc) {
   return Key::choice("unit", views(acceleration_units()), {"Unit of the file", "Satuan berkas"}, doc);
 }
 
+/// A file of a record, and how it is read.
+std::vector<Key> file_keys() {
+  return {
+      Key::of("file", Key::Kind::file, {"Record", "Rekaman"}, "relative to the case file"),
+      Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional().goes_with("file"),
+      Key::number("time_step", dimension::time, Range::positive, {"Time step", "Langkah waktu"},
+                  "needed where the file does not say it")
+          .optional("the file's")
+          .goes_with("file"),
+      unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity")
+          .optional("the file's")
+          .goes_with("file"),
+      Key::whole("column", 1, last_place, {"Column", "Kolom"},
+                 "the accelerations' column; needed where a file of columns has more than two")
+          .by_default(2)
+          .goes_with("file"),
+      Key::whole("channel", 1, last_place, {"Channel", "Kanal"},
+                 "which block of accelerations; needed where a `cosmos` or `csmip` file has several")
+          .by_default(1)
+          .goes_with("file"),
+      Key::whole("skip_lines", 0, last_place, {"Lines to skip", "Baris dilewati"},
+                 "how many lines at the beginning are skipped")
+          .optional("0; headings are found")
+          .goes_with("file")};
+}
+
 std::vector<Key> record_keys() {
-  return of_kind(
-      {"record"},
-      {Key::of("file", Key::Kind::file, {"Record", "Rekaman"}, "relative to the case file"),
-       Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional().goes_with("file"),
-       Key::number("time_step", dimension::time, Range::positive, {"Time step", "Langkah waktu"},
-                   "needed where the file does not say it")
-           .optional("the file's")
-           .goes_with("file"),
-       unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity")
-           .optional("the file's")
-           .goes_with("file"),
-       Key::whole("column", 1, last_place, {"Column", "Kolom"},
-                  "the accelerations' column; needed where a file of columns has more than two")
-           .by_default(2)
-           .goes_with("file"),
-       Key::whole("channel", 1, last_place, {"Channel", "Kanal"},
-                  "which block of accelerations; needed where a `cosmos` or `csmip` file has several")
-           .by_default(1)
-           .goes_with("file"),
-       Key::whole("skip_lines", 0, last_place, {"Lines to skip", "Baris dilewati"},
-                  "how many lines at the beginning are skipped")
-           .optional("0; headings are found")
-           .goes_with("file"),
-       Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
-                   "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
-           .called({{"as recorded", "seperti direkam"},
-                    {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
-           .optional(),
-       Key::quantity("pga", dimension::acceleration, {"Peak ground acceleration", "Percepatan tanah puncak"},
-                     "scale to this peak")
-           .one_of("scale", Need::optional),
-       Key::number("scale", dimension::none, Range::not_zero, {"Scale", "Skala"},
-                   "multiply by this; not together with `pga`")
-           .one_of("scale", Need::optional)
-           .by_default(1)});
+  std::vector<Key> keys = file_keys();
+  for (Key key : {Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
+                              "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
+                      .called({{"as recorded", "seperti direkam"},
+                               {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
+                      .optional(),
+                  Key::quantity("pga", dimension::acceleration, {"Peak ground acceleration", "Percepatan tanah puncak"},
+                                "scale to this peak")
+                      .one_of("scale", Need::optional),
+                  Key::number("scale", dimension::none, Range::not_zero, {"Scale", "Skala"},
+                              "multiply by this; not together with `pga`")
+                      .one_of("scale", Need::optional)
+                      .by_default(1)}) {
+    keys.push_back(std::move(key));
+  }
+  return of_kind({"record"}, std::move(keys));
 }
 
 std::vector<Key> harmonic_keys() {
@@ -80,35 +87,18 @@ std::vector<Key> harmonic_keys() {
                       .optional()});
 }
 
-std::vector<Key> spectrum_keys() {
-  std::vector<Key> keys = of_kind(
-      {"spectrum"},
-      {Key::choice("shape", {"asce-7-22", "sni-1726-2019", "en-1998-1", "table"}, {"Shape", "Bentuk"},
-                   "of the spectrum"),
-       Key::number("damping_ratio", dimension::none, Range::ratio, {"Damping ratio", "Rasio redaman"},
-                   "that the ordinates of a `\"table\"` are for; spectra of codes are for 0.05")
-           .by_default(0.05),
-       Key::choice("damping_correction", {"en-1998-1", "none"}, {"Correction for damping", "Koreksi redaman"},
-                   "`\"en-1998-1\"`: ordinates for other ratios by η = √(0.10/(0.05 + ζ)) ≥ 0.55; `\"none\"`: the same "
-                   "for all")
-           .optional(),
-       Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi ragam"},
-                   "whose peaks the rules combine; both are printed")
-           .optional(),
-       Key::number("reduction", dimension::none, Range::positive,
-                   {"What codes amplify is divided by", "Yang diperbesar peraturan dibagi"},
-                   "such as R/I_e: the rules of codes take peaks divided by it")
-           .for_each("one per building")
-           .by_default(1)});
+/// What gives a spectrum its ordinates, by its shape.
+std::vector<Key> shape_keys() {
+  std::vector<Key> keys;
   const auto add = [&](std::vector<Key> more) { keys.insert(keys.end(), more.begin(), more.end()); };
   add(of_shape(
       {"asce-7-22", "sni-1726-2019"},
-      {Key::number("short_period", dimension::none, Range::positive, {"S_DS", "S_DS"}, "S_DS").counted_in("g"),
-       Key::number("one_second", dimension::none, Range::positive, {"S_D1", "S_D1"}, "S_D1").counted_in("g"),
+      {Key::quantity("short_period", dimension::none, {"S_DS", "S_DS"}, "S_DS").counted_in("g"),
+       Key::quantity("one_second", dimension::none, {"S_D1", "S_D1"}, "S_D1").counted_in("g"),
        Key::number("long_period", dimension::time, Range::positive, {"T_L", "T_L"}, "T_L, beyond S_D1/S_DS")}));
   add(of_shape({"en-1998-1"},
-               {Key::number("ground_acceleration", dimension::none, Range::positive,
-                            {"Ground acceleration", "Percepatan tanah"}, "a_g, the importance factor in it")
+               {Key::quantity("ground_acceleration", dimension::none, {"Ground acceleration", "Percepatan tanah"},
+                              "a_g, the importance factor in it")
                     .counted_in("g"),
                 Key::whole("spectrum_type", 1, 2, {"Type of spectrum", "Tipe spektrum"}),
                 Key::choice("ground_type", {"A", "B", "C", "D", "E"}, {"Type of ground", "Tipe tanah"},
@@ -134,7 +124,104 @@ std::vector<Key> spectrum_keys() {
   return keys;
 }
 
+Key shape_key() {
+  return Key::choice("shape", {"asce-7-22", "sni-1726-2019", "en-1998-1", "table"}, {"Shape", "Bentuk"},
+                     "of the spectrum");
+}
+
+std::vector<Key> spectrum_keys() {
+  std::vector<Key> keys = of_kind(
+      {"spectrum"},
+      {shape_key(),
+       Key::number("damping_ratio", dimension::none, Range::ratio, {"Damping ratio", "Rasio redaman"},
+                   "that the ordinates of a `\"table\"` are for; spectra of codes are for 0.05")
+           .by_default(0.05),
+       Key::choice("damping_correction", {"en-1998-1", "none"}, {"Correction for damping", "Koreksi redaman"},
+                   "`\"en-1998-1\"`: ordinates for other ratios by η = √(0.10/(0.05 + ζ)) ≥ 0.55; `\"none\"`: the same "
+                   "for all")
+           .optional(),
+       Key::choice("modal_combination", {"cqc", "srss"}, {"Combination of modes", "Kombinasi ragam"},
+                   "whose peaks the rules combine; both are printed")
+           .optional(),
+       Key::number("reduction", dimension::none, Range::positive,
+                   {"What codes amplify is divided by", "Yang diperbesar peraturan dibagi"},
+                   "such as R/I_e: the rules of codes take peaks divided by it")
+           .for_each("one per building")
+           .by_default(1)});
+  std::vector<Key> shapes = shape_keys();
+  for (Key& key : shapes) key.conditions.insert(key.conditions.begin(), Condition{"kind", {"spectrum"}});
+  keys.insert(keys.end(), shapes.begin(), shapes.end());
+  return keys;
+}
+
+std::vector<Key> suite_keys() {
+  return of_kind(
+      {"suite"},
+      {Key::of("files", Key::Kind::file, {"Records", "Rekaman"},
+               "patterns such as `\"records/*.AT2\"` (files sorted by name) and names, relative to the case file. An "
+               "entry may be a table with `file` and keys of its own: `{ file = \"sct.txt\", unit = \"g\", column = 3 "
+               "}`; `event` says which earthquake it is of")
+           .list()
+           .or_table(suite_file_keys()),
+       Key::sub_table(
+           "target", target_keys(), {"Target spectrum", "Spektrum target"},
+           "what the records are chosen and scaled for, at 5 % damping: a design spectrum by its `shape` and "
+           "the keys of that"),
+       Key::choice("scale", {"en-1998-1", "asce-7-16", "period"}, {"Scaling", "Penskalaan"},
+                   "a code's: each record fits the target in the least squares of ln S_a, and one common factor lifts "
+                   "their mean to the clause; `\"period\"`: S_a is the target's at `period`; or factors as given")
+           .called({{"EN 1998-1:2004, 3.2.3.1.2", "EN 1998-1:2004, 3.2.3.1.2"},
+                    {"ASCE 7-16, 16.2.3.2", "ASCE 7-16, 16.2.3.2"},
+                    {"to one period", "pada satu periode"}})
+           .or_table(suite_factor_keys()),
+       Key::number("period", dimension::time, Range::positive, {"Period", "Periode"}, "of `scale = \"period\"`")
+           .optional("needed for that"),
+       Key::whole("select", 1, last_place, {"How many", "Banyaknya"},
+                  "of all records: those whose shape fits the target best")
+           .optional("all"),
+       Key::number("factor_bounds", dimension::none, Range::positive, {"Bounds of factors", "Batas faktor"},
+                   "what a record may be multiplied by: no other is chosen, and without `select` one beyond them is an "
+                   "error")
+           .list("least and most", 2)
+           .optional("none"),
+       Key::whole("per_event", 1, last_place, {"Records of one event", "Rekaman per gempa"},
+                  "at most so many of one earthquake, where files or `event` say which it is")
+           .optional("any number"),
+       Key::number("largest_misfit", dimension::none, Range::positive, {"Largest misfit", "Selisih terbesar"},
+                   "σ of ln(S_a/target) over the band: records that fit worse are not taken")
+           .optional("none")});
+}
+
 }  // namespace
+
+const KeyTable& suite_file_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {"excitation.files", "a record with keys of its own", file_keys()};
+    for (Key& key : made.keys) key.with = {};
+    made.keys.push_back(Key::of("event", Key::Kind::line, {"Earthquake", "Gempa"}, "which one it is of")
+                            .optional("what a PEER file or one of `./dev records` says"));
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& suite_factor_keys() {
+  static const KeyTable table = {
+      "excitation.scale",
+      "factors of records",
+      {Key::number("factors", dimension::none, Range::positive, {"Factors", "Faktor"}, "").list("one per file")}};
+  return table;
+}
+
+const KeyTable& target_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {"excitation.target", "the spectrum that records are chosen and scaled for", {shape_key()}};
+    const std::vector<Key> shapes = shape_keys();
+    made.keys.insert(made.keys.end(), shapes.begin(), shapes.end());
+    return made;
+  }();
+  return table;
+}
 
 const KeyTable& case_keys() {
   static const KeyTable table = {
@@ -178,13 +265,14 @@ const KeyTable& excitation_keys() {
     KeyTable made = {
         "excitation",
         "what shakes the buildings",
-        {Key::choice("kind", {"record", "harmonic", "none", "spectrum"}, {"Kind", "Jenis"},
+        {Key::choice("kind", {"record", "harmonic", "none", "spectrum", "suite"}, {"Kind", "Jenis"},
                      "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
-                     "alone")
+                     "alone; `\"suite\"`: [records for a target](suites.md)")
              .called({{"record", "rekaman"},
                       {"harmonic", "harmonik"},
                       {"none: free vibration", "tidak ada: getaran bebas"},
-                      {"design spectrum", "spektrum desain"}}),
+                      {"design spectrum", "spektrum desain"},
+                      {"suite of records", "kumpulan rekaman"}}),
          Key::number("delays", dimension::time, Range::not_negative, {"Delays", "Keterlambatan"},
                      "how much later the ground motion reaches it")
              .list("one per building")
@@ -199,7 +287,7 @@ const KeyTable& excitation_keys() {
              .called({{"relative to the bases", "relatif terhadap dasar"},
                       {"ground displacement included", "perpindahan tanah disertakan"}})
              .optional()}};
-    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), spectrum_keys()}) {
+    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), spectrum_keys(), suite_keys()}) {
       made.keys.insert(made.keys.end(), keys.begin(), keys.end());
     }
     return made;

@@ -217,7 +217,7 @@ Rows of_motion(const Report& report) {
 Derived of_analysis(const Report& report, const TomlValue& given) {
   const Words& say = report.say;
   Derived derived{label_text(case_keys().at("analysis").label, say)};
-  if (report.c.excitation.spectrum) return derived;  // nothing happens in time
+  if (is_without_motion(report.c)) return derived;  // no run is told of
   const Key& duration = analysis_keys().at("duration");
   if (given.find("duration") == nullptr) {
     derived.rows.emplace_back(label_text(duration.label, say), quantity(report.problem.duration, "s"));
@@ -305,7 +305,7 @@ PageSection input_section(const Report& report) {
     const TomlValue nothing;
     const TomlValue* const found = report.c.given->find(std::string(key.name));
     const TomlValue& given = found != nullptr ? *found : nothing;
-    const bool always = key.name == "units" || (key.name == "analysis" && !report.c.excitation.spectrum);
+    const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(report.c));
     if (key.table == nullptr || (found == nullptr && !always)) continue;
     const bool is_list = given.kind == TomlValue::Kind::list;
     for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {

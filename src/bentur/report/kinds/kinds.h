@@ -8,6 +8,7 @@
 
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
+#include "bentur/model/suite/suite.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/study/fragility/ida_results.h"
 
@@ -78,6 +79,9 @@ struct SpectrumCurves {
 /// The spectrum of a case by which its gaps are found, with what the first modes of the buildings take from it.
 [[nodiscard]] Figure design_spectrum_figure(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                                             const FigureOptions& options = {});
+
+/// Of a suite the spectra of its records as they are scaled and their mean, against the target, over the band.
+[[nodiscard]] Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOptions& options = {});
 
 /// What happens at other widths of a gap.
 struct GapCurve {

@@ -30,7 +30,7 @@ TEST(SweepNetcdf, MessagesAreReadWhereverRunsFail) {
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
   const StudyRuns runs(std::move(study.value()), std::move(facts.value()), memo);
   const std::vector<double> row(row_size(runs.quantities()), 1.0);
-  Journal journal = Journal::begin(folder.path() / "part", {"1", "", "", {}, count, row.size()});
+  Journal journal = Journal::begin(folder.path() / "part", {"1", "", "", "", {}, count, row.size()});
   for (std::size_t run = 0; run < count; ++run) {
     journal.write(run == failed ? RunResult{run, RunStatus::failed, "made up", {}}
                                 : RunResult{run, RunStatus::done, {}, row});

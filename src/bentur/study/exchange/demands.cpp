@@ -145,7 +145,7 @@ class DemandReader {
         if (file_.find(fmt::format("peak_drift_ratio_{}", b + 1)) != nullptr) continue;  // a wall has none
         break;
       }
-      const std::string mark = " of building \"";
+      const std::string mark = ", building \"";  // quantity_row.cpp
       const std::size_t at = variable->long_name.rfind(mark);
       const std::string name =
           at == std::string::npos

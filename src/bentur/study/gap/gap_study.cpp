@@ -45,6 +45,18 @@ GapNeed quantile_of_needs(const RecordNeeds& needs, Eigen::Index gap, double p) 
   return result;
 }
 
+/// Each number by itself.
+GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
+  const auto count = static_cast<double>(needs.records.size());
+  GapNeed result;
+  result.codes.assign(needs.records.front().gaps[gap].codes.size(), 0.0);
+  for (const RecordNeed& record : needs.records) {
+    for (const auto number : single_numbers) result.*number += record.gaps[gap].*number / count;
+    for (std::size_t i = 0; i < result.codes.size(); ++i) result.codes[i] += record.gaps[gap].codes[i] / count;
+  }
+  return result;
+}
+
 using Named = std::vector<std::pair<std::string, std::string>>;
 
 class Work {
@@ -52,7 +64,7 @@ class Work {
   Work(const Study& study, const StudyFacts& facts, CaseMemo& memo, GapStudy& result)
       : study_(study), facts_(facts), memo_(memo), result_(result) {}
 
-  void run(const std::function<void(double)>& progress) {
+  void run(const std::function<bool(double)>& progress) {
     const std::vector<SweepAxis> axes = plan_axes(study_);
     const AxisSubset records = record_axes(study_);
     const AxisSubset widths = subset(axes, [&](std::size_t axis) { return axes[axis].inner && sets_widths(axis); });
@@ -61,21 +73,25 @@ class Work {
       return !records.has(axis) && !is_level && !axes[axis].inner;
     });
     const std::size_t blocks = others.combinations(), each = records.combinations();
-    for (std::size_t block = 0; block < blocks; ++block) {
+    result_.asked = static_cast<long>(blocks * each);
+    bool goes_on = true;
+    for (std::size_t block = 0; block < blocks && goes_on; ++block) {
       std::vector<Choice> choices(axes.size());
       others.choose(block, choices);
       RecordNeeds needs;
       needs.others = values_along(others, choices);
-      for (std::size_t record = 0; record < each; ++record) {
+      for (std::size_t record = 0; record < each && goes_on; ++record) {
         records.choose(record, choices);
         needs.records.push_back(need(choices, records));
-        progress(static_cast<double>(block * each + record + 1) / static_cast<double>(blocks * each));
+        goes_on =
+            progress(static_cast<double>(++result_.done) / static_cast<double>(result_.asked)) || result_.is_whole();
       }
       tell_quantiles(needs);
       compare_with_given(widths, choices, needs);
+      if (study_.suite && !study_.ida && needs.records.size() == study_.suite->records.size()) tell_demand(needs);
       result_.needs.push_back(std::move(needs));
     }
-    if (blocks > 1) put_together();
+    if (result_.needs.size() > 1) put_together();
   }
 
  private:
@@ -108,7 +124,11 @@ class Work {
 
   void tell_quantiles(RecordNeeds& needs) const {
     for (Eigen::Index gap = 0; gap + 1 < std::ssize(facts_.problem.buildings); ++gap) {
-      GapOverRecords over{quantile_of_needs(needs, gap, 1), quantile_of_needs(needs, gap, 0.5), {}, {}};
+      GapOverRecords over{.largest = quantile_of_needs(needs, gap, 1),
+                          .median = quantile_of_needs(needs, gap, 0.5),
+                          .mean = mean_of_needs(needs, gap),
+                          .quantiles = {},
+                          .given = {}};
       for (const double p : told_quantiles) over.quantiles.push_back({p, quantile_of_needs(needs, gap, p)});
       needs.gaps.push_back(std::move(over));
     }
@@ -157,6 +177,43 @@ class Work {
     }
   }
 
+  /// What the code that scales the suite takes of its records.
+  void tell_demand(RecordNeeds& needs) const {
+    const SuiteMeasure measure = suite_measure(*study_.suite);
+    if (measure.code.empty()) return;
+    const auto count = static_cast<double>(needs.records.size());
+    for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
+      if (needs.gaps[gap].given.size() != 1) continue;
+      SuiteDemand demand{.measure = measure};
+      const bool is_mean = measure.kind == SuiteMeasure::Kind::mean;
+      const std::vector<FacingLevel> given = facing_levels(facts_.problem, gap);
+      for (std::size_t level = 0; level < given.size(); ++level) {
+        double mean = 0, largest = 0;
+        for (const RecordNeed& record : needs.records) {
+          const double need = of_gap(record.separations, gap).at(level).gap_needed;
+          mean += need / count;
+          largest = std::max(largest, need);
+        }
+        const double taken = is_mean ? mean : largest;
+        if (level == 0 || taken > demand.taken()) demand.elevation = given[level].elevation;
+        demand.mean = std::max(demand.mean, mean);
+        demand.largest = std::max(demand.largest, largest);
+        demand.is_short = demand.is_short || falls_short(given[level].width, taken, largest);
+      }
+      for (std::size_t rule = 0; rule < needs.records.front().gaps[gap].codes.size(); ++rule) {
+        double mean = 0, largest = 0;
+        for (const RecordNeed& record : needs.records) {
+          mean += record.gaps[gap].codes[rule] / count;  // NaN where one is not known
+          largest = std::max(largest, record.gaps[gap].codes[rule]);
+        }
+        demand.codes.push_back(is_mean || std::isnan(mean) ? mean : largest);
+      }
+      demand.collapsed = std::count_if(needs.records.begin(), needs.records.end(),
+                                       [](const RecordNeed& record) { return record.collapsed; });
+      needs.gaps[gap].demand = std::move(demand);
+    }
+  }
+
   static bool needs_more(const RecordNeed& record, const Problem& given, Eigen::Index gap) {
     const std::vector<LevelSeparation> levels = of_gap(record.separations, gap);
     const std::vector<FacingLevel> now = facing_levels(given, gap);
@@ -199,7 +256,9 @@ class Work {
     const Response& response = free.response();
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
-    RecordNeed result{record, separations(problem, response, read.c.code, read.c.units), {}};
+    RecordNeed result{
+        record, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
+    if (takes_both_ways_ && read.c.analysis.both_ways) take_other_way(read, problem, result);
     for (const Gap& gap : gaps_of(problem)) result.gaps.push_back(need_of(result.separations, gap));
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = read.c.title;
@@ -208,11 +267,65 @@ class Work {
     return result;
   }
 
+  /// Makes each number of a record the larger one of both ways round.
+  static void take_other_way(const ReadCase& read, const Problem& problem, RecordNeed& need) {
+    std::vector<LevelSeparation>& levels = need.separations;
+    const bool is_known = std::all_of(levels.begin(), levels.end(),
+                                      [](const LevelSeparation& one) { return one.gap_needed_reversed.has_value(); });
+    std::vector<LevelSeparation> reversed = levels;
+    if (!is_known && !levels.empty()) {
+      Problem mirrored = problem;
+      for (double& value : std::get<SampledMotion>(mirrored.motion).acceleration) value = -value;
+      const FreeResponse free(mirrored, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps),
+                              true);
+      const Response& response = free.response();
+      if (response.status != Status::done && response.status != Status::collapsed)
+        throw std::runtime_error(need.record + ", reversed: " + response.message);
+      need.collapsed = need.collapsed || response.status == Status::collapsed;
+      reversed = separations(mirrored, response, read.c.code, read.c.units);
+      for (LevelSeparation& one : reversed) one.gap_needed_reversed = one.gap_needed;
+    }
+    const auto raise = [](double& value, double other) { value = std::isnan(other) ? other : std::max(value, other); };
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      levels[i].gap_needed_reversed = reversed[i].gap_needed_reversed;
+      raise(levels[i].gap_needed, *reversed[i].gap_needed_reversed);
+      raise(levels[i].abs, reversed[i].abs);
+      raise(levels[i].srss, reversed[i].srss);
+      raise(levels[i].ddc, reversed[i].ddc);
+      for (std::size_t rule = 0; rule < levels[i].codes.size(); ++rule) {
+        raise(levels[i].codes[rule].gap, reversed[i].codes[rule].gap);
+      }
+    }
+  }
+
   const Study& study_;
   const StudyFacts& facts_;
   CaseMemo& memo_;
   GapStudy& result_;
+  /// Of the records of a suite, unless the study says which way they are applied.
+  const bool takes_both_ways_ =
+      study_.suite != nullptr && std::none_of(study_.varies.begin(), study_.varies.end(), [](const Vary& vary) {
+        return vary.path == ParameterPath{"excitation", "polarity"};
+      });
 };
+
+std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> at,
+                                     const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
+  CaseMemo memo;
+  const auto facts = check_study(study, memo, diagnostics);
+  if (!facts) return std::nullopt;
+  GapStudy result;
+  result.units = facts->units;
+  result.problem = facts->problem;
+  result.suite = study.suite;
+  if (study.ida) {
+    result.at = at.value_or(study.ida->levels.back());
+    result.intensity = intensity_name(*study.ida);
+    result.intensity_unit = study.ida->unit.empty() ? facts->units.length + "/s2" : study.ida->unit;
+  }
+  Work(study, *facts, memo, result).run(progress);
+  return result;
+}
 
 }  // namespace
 
@@ -224,7 +337,7 @@ bool is_study(const std::filesystem::path& file) {
 }
 
 std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
-                                  const std::function<void(double)>& progress, Diagnostics& diagnostics) {
+                                  const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
   const auto study = read_study(file, diagnostics);
   if (!study) return std::nullopt;
   const auto refuse = [&](const std::string& why) {
@@ -235,19 +348,17 @@ std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::option
     return refuse("[sampling] draws single runs: bentur gap needs a study whose runs are a grid");
   }
   if (at && !study->ida) return refuse("--at needs [ida], which says how intensity is measured");
-  CaseMemo memo;
-  const auto facts = check_study(*study, memo, diagnostics);
-  if (!facts) return std::nullopt;
-  GapStudy result;
-  result.units = facts->units;
-  result.problem = facts->problem;
-  if (study->ida) {
-    result.at = at.value_or(study->ida->levels.back());
-    result.intensity = intensity_name(*study->ida);
-    result.intensity_unit = study->ida->unit.empty() ? facts->units.length + "/s2" : study->ida->unit;
-  }
-  Work(*study, *facts, memo, result).run(progress);
-  return result;
+  return gap_study_of(*study, at, progress, diagnostics);
+}
+
+std::optional<GapStudy> gap_study(const Case& c, const std::filesystem::path& file,
+                                  const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
+  Study plain;
+  plain.file = plain.case_file = file;
+  plain.case_root = *c.given;
+  plain.suite = c.excitation.suite;
+  const auto study = read_study(TomlValue(), std::move(plain), diagnostics);
+  return study ? gap_study_of(*study, std::nullopt, progress, diagnostics) : std::nullopt;
 }
 
 }  // namespace bentur

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/suite/suite.h"
 
 namespace bentur {
 
@@ -24,6 +26,7 @@ struct GapNeed {
 
 struct RecordNeed {
   std::string record;                        ///< what the study calls it
+  bool collapsed = false;                    ///< the response without contact ends before its time
   std::vector<LevelSeparation> separations;  ///< per facing level
   std::vector<GapNeed> gaps;                 ///< per gap
 };
@@ -41,11 +44,29 @@ struct GivenGap {
   std::size_t beyond = 0;      ///< records that need more somewhere
 };
 
+/// What a code takes of the records of a suite.
+struct SuiteDemand {
+  SuiteMeasure measure;
+  long collapsed = 0;  ///< records under which a building collapses: then neither mean nor largest is known
+  double mean = 0,
+         largest = 0;    ///< over the records, the larger of both ways of each; the largest of all levels [length]
+  double elevation = 0;  ///< of the level where what is taken is the largest [length]
+  std::vector<double> codes = {};  ///< per rule of [code]: its mean or largest [length]
+  bool is_short = false;           ///< what is taken is more than what is given at some level
+
+  [[nodiscard]] bool is_known() const { return measure.kind != SuiteMeasure::Kind::too_few && collapsed == 0; }
+  /// What the code takes [length].
+  [[nodiscard]] double taken() const { return measure.kind == SuiteMeasure::Kind::mean ? mean : largest; }
+};
+
 /// One gap over all records.
 struct GapOverRecords {
   GapNeed largest, median;
+  GapNeed mean;                        ///< each number by itself; NaN where one is not known
   std::vector<GapQuantile> quantiles;  ///< ascending
   std::vector<GivenGap> given;         ///< one per choice of widths
+  /// Of a suite that a code scales, where records are applied as it scales them and one width is given.
+  std::optional<SuiteDemand> demand = {};
 };
 
 /// All records of a study with one choice of whatever else varies.
@@ -66,6 +87,13 @@ struct GapStudy {
   /// All of them together, each record with each choice of whatever else varies as likely as any other: what is not
   /// known of a building adds to what is not known of the earthquake. Nothing where nothing else varies.
   std::optional<RecordNeeds> together = {};
+  /// Of a case with a suite of records. Each number of a record is then the larger one of both ways round, unless
+  /// analysis.both_ways is off or the study varies the polarity.
+  std::shared_ptr<const SuiteSpec> suite = {};
+  long asked = 0;  ///< records, with every choice of what else varies; fewer are done where it was stopped
+  long done = 0;
+
+  [[nodiscard]] bool is_whole() const { return done == asked; }
 };
 
 /// Whether a file is a study, which names a case, rather than a case.
@@ -73,11 +101,15 @@ struct GapStudy {
 
 /// The gaps that keep the buildings apart under every record of a study, simulated and by the rules. Widths and
 /// contacts that vary do not matter. `at` is for a study with [ida]; by default its highest level. `progress` is called
-/// with the fraction done.
+/// with the fraction done; where it answers false the rest of the records is left out.
 /// @return nothing when there is an error, all of which are in `diagnostics`.
 /// @throws std::runtime_error with record and reason when the numbers fail.
 [[nodiscard]] std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
-                                                const std::function<void(double)>& progress, Diagnostics& diagnostics);
+                                                const std::function<bool(double)>& progress, Diagnostics& diagnostics);
+
+/// The same over the suite of a case, as it has been read from `file`.
+[[nodiscard]] std::optional<GapStudy> gap_study(const Case& c, const std::filesystem::path& file,
+                                                const std::function<bool(double)>& progress, Diagnostics& diagnostics);
 
 /// docs/result-files.md
 [[nodiscard]] std::string gap_study_json(const GapStudy& study, std::string_view version);

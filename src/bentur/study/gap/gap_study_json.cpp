@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bentur/io/results/story_json.h"
+#include "bentur/io/results/suite_json.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
 
@@ -36,6 +37,25 @@ Json need_json(const GapNeed& need, const CodeSpec& code) {
   return json;
 }
 
+/// What the code takes of a suite's records; numbers only where it takes any.
+Json demand_json(const SuiteDemand& demand, const CodeSpec& code) {
+  const SuiteMeasure& measure = demand.measure;
+  const bool is_mean = measure.kind == SuiteMeasure::Kind::mean;
+  const bool is_known = demand.is_known();
+  Json codes = Json::array();
+  for (std::size_t i = 0; i < demand.codes.size() && is_known; ++i) {
+    codes.push_back({{"rule", code.rules[i].rule}, {"gap", or_null(demand.codes[i])}});
+  }
+  return {{"code", measure.code},
+          {"clause", measure.clause},
+          {"takes", is_known ? Json(is_mean ? "mean" : "largest") : Json(nullptr)},
+          {"gap_needed", is_known ? Json(demand.taken()) : Json(nullptr)},
+          {"elevation", is_known ? Json(demand.elevation) : Json(nullptr)},
+          {"too_narrow", is_known ? Json(demand.is_short) : Json(nullptr)},
+          {"collapsed", demand.collapsed},
+          {"codes", codes}};
+}
+
 /// Over the records, without them.
 Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
   const GapOverRecords& over = needs.gaps[gap];
@@ -50,11 +70,14 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
                      {"records_beyond", one.beyond},
                      {"share_beyond", static_cast<double>(one.beyond) / static_cast<double>(needs.records.size())}});
   }
-  return {{"between", {study.problem.buildings[gap].name, study.problem.buildings[gap + 1].name}},
-          {"largest", need_json(over.largest, study.code)},
-          {"median", need_json(over.median, study.code)},
-          {"quantiles", quantiles},
-          {"given", given}};
+  Json json = {{"between", {study.problem.buildings[gap].name, study.problem.buildings[gap + 1].name}},
+               {"largest", need_json(over.largest, study.code)},
+               {"median", need_json(over.median, study.code)},
+               {"mean", need_json(over.mean, study.code)},
+               {"quantiles", quantiles},
+               {"given", given}};
+  if (over.demand) json["code"] = demand_json(*over.demand, study.code);
+  return json;
 }
 
 Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
@@ -103,6 +126,8 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
                {"statements", Json::parse(statements_json(study.problem, gap_study_story(study).statements))},
                {"code_rules", rules},
                {"studied", all}};
+  if (study.suite) json["suite"] = Json::parse(suite_json(*study.suite));
+  if (!study.is_whole()) json["stopped"] = {{"done", study.done}, {"asked", study.asked}};
   if (study.together) {
     Json gaps = Json::array();
     for (std::size_t gap = 0; gap < study.together->gaps.size(); ++gap) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "bentur/model/suite/suite_story.h"
+
 namespace bentur {
 namespace {
 
@@ -52,6 +54,33 @@ Statement statement_of(const Told& told, Eigen::Index gap, std::string kind) {
   return {.kind = std::move(kind), .gap = gap, .buildings = {gap, gap + 1}, .subject = told.others};
 }
 
+/// What the code takes of the records of a suite that it scales.
+void tell_demand(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::string& length = told.study.units.length;
+  const GapOverRecords& over = told.needs.gaps[gap];
+  const SuiteDemand& demand = *over.demand;
+  const SuiteMeasure& measure = demand.measure;
+  const bool is_mean = measure.kind == SuiteMeasure::Kind::mean;
+  std::string kind = is_mean ? "suite_takes_mean" : "suite_takes_largest";
+  if (!demand.is_known()) kind = demand.collapsed > 0 ? "suite_gap_collapsed" : "suite_too_few";
+  if (demand.is_known()) kind += demand.is_short ? "_short" : "_enough";
+  Statement statement = statement_of(told, gap, std::move(kind));
+  if (!demand.is_known() || demand.is_short) statement.severity = Severity::warning;
+  statement.values = {{"code", std::string(measure.code)},
+                      {"clause", std::string(measure.clause)},
+                      {"fewest", static_cast<long>(measure.fewest)},
+                      count_value(told)};
+  if (demand.is_known()) {
+    statement.values.push_back({"taken", demand.taken(), length});
+    statement.values.push_back({"level", demand.elevation, length});
+    statement.values.push_back({"width", width_of(over.given.front()), length});
+    statement.level = demand.elevation;
+  } else if (demand.collapsed > 0) {
+    statement.values.push_back({"collapsed", demand.collapsed});
+  }
+  statements.push_back(std::move(statement));
+}
+
 void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::string& length = told.study.units.length;
   const GapOverRecords& over = told.needs.gaps[gap];
@@ -69,6 +98,7 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
                         {"width", width_of(given), length}};
     statements.push_back(std::move(statement));
   }
+  if (over.demand) tell_demand(told, gap, statements);
   // Quantiles of a few say nothing.
   const bool few = told.count() < fewest;
   Statement statement = statement_of(told, gap,
@@ -104,6 +134,10 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
   if (told.count() > 1) {
     name.texts.emplace_back("story.largest_of_records");
     rows.push_back(&over.largest);
+    if (told.study.suite) {
+      name.texts.emplace_back("story.mean_of_records");
+      rows.push_back(&over.mean);
+    }
     for (auto one = over.quantiles.rbegin(); one != over.quantiles.rend(); ++one) {
       name.texts.push_back(one->probability == 0.5 ? "story.median_of_records"
                                                    : fmt::format("◄ {:.4g} %", 100 * one->probability));
@@ -182,6 +216,16 @@ Story gap_study_story(const GapStudy& study) {
       story.tables.push_back(choice_table(study, gap));
     }
     tell({study, *study.together, true}, true, story);
+  }
+  if (study.suite) {
+    Story suite = suite_story(*study.suite, study.units);
+    for (Statement& one : suite.statements) story.statements.push_back(std::move(one));
+    for (StoryTable& one : suite.tables) story.tables.push_back(std::move(one));
+  }
+  if (!study.is_whole()) {
+    story.statements.push_back({.kind = "suite_stopped",
+                                .severity = Severity::warning,
+                                .values = {{"done", study.done}, {"records", study.asked}}});
   }
   sort_by_severity(story.statements);
   return story;

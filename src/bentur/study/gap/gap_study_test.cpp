@@ -25,7 +25,7 @@ std::optional<GapStudy> needs_of(const std::string& text, std::optional<double> 
   std::ofstream(file) << "case = '" << gap_tests << "/bad_study/plain-case.toml'\n" << text;
   Diagnostics diagnostics;
   auto result = gap_study(
-      file, at, [](double) {}, diagnostics);
+      file, at, [](double) { return true; }, diagnostics);
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "bentur/study/plan/sampling.h"
 
 namespace bentur {
+
+struct SuiteSpec;
 
 /// A key that goes with a file that is varied, such as its unit: a value per file, or nothing where the case decides.
 struct FileKey {
@@ -61,6 +64,8 @@ struct Study {
   std::vector<std::string> axes;  ///< their names: the dimensions of a grid
   Sampling sampling;
   std::optional<IdaSpec> ida;
+  /// Of a case with a suite of records: `case_root` then has one record, and the others vary (suite/suite_study.h).
+  std::shared_ptr<const SuiteSpec> suite = {};
 
   /// The first of what varies along an axis, which is not that of [ida].
   [[nodiscard]] const Vary& first_along(std::size_t axis) const;

@@ -43,7 +43,7 @@ class Trial {
       }
     }
     if (!found.ok()) return false;
-    if (refuse_spectrum(read.c, diagnostics_)) return false;
+    if (refuse_without_motion(read.c, diagnostics_)) return false;
     try {
       facts_.problem = read.problem();
     } catch (const InvalidParameter& error) {

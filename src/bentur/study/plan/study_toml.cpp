@@ -10,6 +10,7 @@
 #include "bentur/study/plan/study.h"
 #include "bentur/study/plan/study_keys.h"
 #include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/suite/suite_study.h"
 
 namespace bentur {
 namespace {
@@ -160,7 +161,7 @@ void settle_axes(const std::vector<TomlView>& views, const std::vector<std::stri
 
 void read_varies(const TomlView& root, Study& study) {
   const auto list = root.find("vary");
-  if (!list && study.ida) return;
+  if (!list && (study.ida || study.suite)) return;
   if (!list) {
     root.error_missing("vary", "one [[vary]] table for each thing that varies");
     return;
@@ -234,14 +235,16 @@ void add_polarity(const TomlView& root, Study& study) {
 }
 
 /// All of a study but its case.
-void read_tables(const TomlView& root, bool has_case, Study& study, const Diagnostics& found) {
+void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics& found) {
   (void)TableView::of(root, study_keys());
+  std::optional<Vary> records = has_case ? take_suite(study, found) : std::nullopt;
   read_sampling(root, study);
   study.ida = read_ida(root);
   if (has_case) {
     read_varies(root, study);
     if (study.ida) add_polarity(root, study);
     if (found.ok()) settle_normalisation(root, study);
+    if (records) vary_records_of_suite(std::move(*records), study, found);
   }
   check_values(root, study_keys());
   if (study.ida) {

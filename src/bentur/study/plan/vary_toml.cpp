@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
-#include <system_error>
 
+#include "bentur/io/toml/named_files.h"
 #include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/plan/study_keys.h"
 
@@ -144,33 +143,6 @@ void read_distribution(const TomlView& view, const VaryContext& context, Vary& v
   vary.distribution = d;
 }
 
-/// The files that a pattern names, sorted, with the pattern's own folder before them.
-std::vector<std::string> matches(const std::string& pattern, const fs::path& folder) {
-  std::string whole;
-  for (const char c : folder.string()) {
-    if (c == '*' || c == '?' || c == '[' || c == '\\') whole += '\\';
-    whole += c;
-  }
-  whole = (fs::path(whole) / pattern).string();
-  glob_t found{};
-  std::vector<std::string> names;
-  if (::glob(whole.c_str(), 0, nullptr, &found) == 0) {
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) names.emplace_back(found.gl_pathv[i]);
-  }
-  ::globfree(&found);
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// The way from a folder to a file; its own name in the file system where there is none.
-std::string from_folder(const fs::path& file, const fs::path& folder) {
-  std::error_code failed;
-  const fs::path absolute = fs::absolute(file, failed).lexically_normal();
-  const fs::path base = fs::absolute(folder.empty() ? fs::path(".") : folder, failed).lexically_normal();
-  const fs::path way = absolute.lexically_relative(base);
-  return (way.empty() ? absolute : way).string();
-}
-
 /// Keys that say how a file is read.
 std::vector<std::string> names_of_file_keys() {
   std::vector<std::string> names = file_entry_keys().names();
@@ -211,22 +183,7 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
     const auto named = entry.is(Kind::table) ? entry.get("file") : entry;
     const auto text = named ? named->as_text() : std::nullopt;
     if (!text) return;
-    const TomlView& one = *named;
-    const bool pattern = text->find_first_of("*?[") != std::string::npos;
-    std::error_code ignored;
-    if (!pattern && !fs::exists(context.folder / *text, ignored)) {
-      one.error_value("there is no such file (names are relative to the study)");
-      return;
-    }
-    const std::vector<std::string> found =
-        pattern ? matches(*text, context.folder) : std::vector<std::string>{(context.folder / *text).string()};
-    if (found.empty()) {
-      const fs::path folder = fs::path(*text).parent_path();
-      const bool there = folder.empty() || fs::is_directory(context.folder / folder, ignored) ||
-                         folder.string().find_first_of("*?[") != std::string::npos;
-      one.error_value(fmt::format("no file matches{} (names are relative to the study)",
-                                  there ? "" : fmt::format(": there is no folder {}", folder.string())));
-    }
+    const std::vector<fs::path> found = named_files(*named, *text, context.folder, "the study");
     paths.insert(paths.end(), found.begin(), found.end());
     places.resize(paths.size(), &entry.value());
   };
@@ -241,12 +198,11 @@ void read_files(const TomlView& view, const TomlView& files, const VaryContext& 
   std::set<std::string> seen;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path& path = paths[i];
-    vary.values.push_back(toml_text(from_folder(path, context.case_folder)));
+    vary.values.push_back(toml_text(way_from(context.case_folder, path)));
     vary.values.back().line = places[i]->line;
     vary.values.back().column = places[i]->column;
     // Their names, or where two are alike their ways from the study.
-    const std::string label =
-        names.size() == paths.size() ? path.filename().string() : from_folder(path, context.folder);
+    const std::string label = names.size() == paths.size() ? path.filename().string() : way_from(context.folder, path);
     vary.labels.push_back(label);
     if (!seen.insert(label).second) files.error(fmt::format("name {} twice", in_quotes(label)));
   }

@@ -47,8 +47,6 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 
-/// What a rule without a result is silent for, a word of the catalogue.
-[[nodiscard]] const char* silence_word(RuleFinding::Silence silence);
 /// Of a run, which must outlive them.
 [[nodiscard]] GapFacts facts_of(const RunResults& run);
 /// What the model leaves out.

@@ -1,4 +1,4 @@
-#include "bentur/io/case/parameter_units.h"
+#include "bentur/io/schema/parameter_units.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,56 @@
+#include "bentur/model/suite/suite_story.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+
+Story suite_story(const SuiteSpec& suite, const Units& units) {
+  using story::count_of;
+  using story::text_of;
+  using story::value_in;
+  const auto [first, last] = suite.target.band();
+  double least_ratio = INFINITY, least_factor = INFINITY, most_factor = 0, most_misfit = 0;
+  for (std::size_t i = 0; i < suite.mean.size(); ++i) {
+    least_ratio = std::min(least_ratio, suite.mean[i] / suite.target.ordinates[i]);
+  }
+  StoryColumn name{.label = "column.record"}, event{.label = "column.event"}, factor{"column.factor"};
+  StoryColumn pga{"column.pga", "g"}, misfit{"column.misfit"};
+  for (const SuiteRecord& record : suite.records) {
+    least_factor = std::min(least_factor, record.factor);
+    most_factor = std::max(most_factor, record.factor);
+    most_misfit = std::max(most_misfit, record.misfit);
+    name.texts.push_back(record.echo.file);
+    event.texts.push_back(record.event.empty() ? "–" : record.event);
+    factor.numbers.push_back(record.factor);
+    pga.numbers.push_back(record.echo.pga / units.gravity);
+    misfit.numbers.push_back(record.misfit);
+  }
+  StoryColumn building{.label = "column.building"}, period_1{"column.first_period", "s"};
+  StoryColumn period_2{"column.second_period", "s"};
+  for (const SuitePeriods& one : suite.buildings) {
+    building.texts.push_back(one.name);
+    period_1.numbers.push_back(one.first);
+    period_2.numbers.push_back(one.second.value_or(NAN));
+  }
+  Story told;
+  told.statements.push_back(
+      {.kind = "suite",
+       .values = {count_of("records", std::ssize(suite.records)), count_of("files", static_cast<long>(suite.files)),
+                  value_in("least", least_factor), value_in("most", most_factor), value_in("misfit", most_misfit)}});
+  Statement mean{.kind = suite.request.is_of_code() ? "suite_mean_of_code" : "suite_mean",
+                 .values = {value_in("ratio", least_ratio), value_in("from", first, "s"), value_in("to", last, "s")}};
+  if (suite.request.is_of_code()) {
+    const bool is_en = suite.request.scale == "en-1998-1";
+    mean.values.push_back(text_of("clause", is_en ? "EN 1998-1:2004, 3.2.3.1.2" : "ASCE 7-16, 16.2.3.2"));
+    mean.values.push_back(value_in("common", suite.common_factor));
+  }
+  told.statements.push_back(std::move(mean));
+  told.tables.push_back({.kind = "suite", .columns = {name, event, factor, pga, misfit}});
+  told.tables.push_back({.kind = "suite_buildings", .columns = {building, period_1, period_2}});
+  return told;
+}
+
+}  // namespace bentur

@@ -1,0 +1,68 @@
+#include "bentur/report/html/suite_report.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bentur/model/suite/suite_story.h"
+#include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/page_figures.h"
+#include "bentur/report/html/internal/sections.h"
+#include "bentur/study/gap/gap_study_story.h"
+
+namespace bentur {
+namespace {
+
+using html::element;
+using html::Html;
+
+/// What is told of runs and gaps, each sentence once.
+Story suite_page_story(const SuiteRun& run, const GapStudy& gaps) {
+  Story story = suite_run_story(run);
+  Story of_gaps = gap_study_story(gaps);
+  std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
+  std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
+  for (Statement& one : of_gaps.statements) story.statements.push_back(std::move(one));
+  for (StoryTable& one : of_gaps.tables) story.tables.push_back(std::move(one));
+  sort_by_severity(story.statements);
+  return story;
+}
+
+Html suite_tables(const html::Report& report, const char* first, const char* second) {
+  Html content;
+  for (const StoryTable& table : report.story.tables) {
+    if (table.kind != first && table.kind != second) continue;
+    const SaidTable shown = said(table, report.say);
+    content += element("h3", shown.heading) + html::table_of(shown);
+  }
+  return content;
+}
+
+}  // namespace
+
+std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options) {
+  const Words say(options.language);
+  const Response none;
+  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
+                            suite_page_story(run, gaps),      {},    {}};
+  std::vector<StoryTable> of_gaps = report.story.tables;
+  std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
+  const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
+  const std::vector<html::PageFigure> figures = html::page_figures(
+      {{"suite", "the spectra"}},
+      [&](const std::string&, const FigureOptions& drawn) {
+        return suite_figure(*run.c.excitation.suite, run.c.units, drawn);
+      },
+      "figure.", options.language);
+  const html::PageBody body{
+      .header = element("h1", title) + element("p", say("suite.by", {{"version", options.version}}), "class=\"note\""),
+      .sections = {html::verdict_section(report),
+                   {"records", say("suite.records"), suite_tables(report, "suite", "suite_buildings")},
+                   html::figures_section(say, figures),
+                   {"runs", say("heading.peaks"), suite_tables(report, "suite_runs", "")},
+                   {"gaps", say("heading.gaps"),
+                    html::gap_tables(report, of_gaps) + element("p", say("suite.note"), "class=\"note\"")},
+                   html::input_section(report)}};
+  return html::page(say, title, body, false);
+}
+
+}  // namespace bentur

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "bentur/report/html/report.h"
+#include "bentur/study/gap/gap_study.h"
+#include "bentur/study/suite/suite_run.h"
+
+namespace bentur {
+
+/// One HTML page on a case with a suite of records: verdict, spectra against the target, records and what each of them
+/// does, the gap by record with what the code takes, the case as it was given. Nothing moves in it: `--record N` gives
+/// the page of one record.
+[[nodiscard]] std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options);
+
+}  // namespace bentur

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/story/story.h"
+#include "bentur/model/suite/suite.h"
+#include "bentur/pounding/response.h"
+
+namespace bentur {
+
+/// A number that is told of each record: the largest of all places, or of counts their sum.
+struct SuiteQuantity {
+  std::string name;              ///< as studies have it: "peak_force", "peak_drift_ratio_1"
+  std::string units, long_name;  ///< as UDUNITS reads them; in words
+};
+
+/// The run of one record.
+struct SuiteRecordRun {
+  Status status = Status::done;
+  std::string message = {};    ///< why it failed
+  std::vector<double> values;  ///< one per quantity; NaN: there is none
+};
+
+/// The runs of a case's suite, in short; case_of_record() gives one of them in full.
+struct SuiteRun {
+  Case c;
+  Problem problem;  ///< without a motion
+  std::vector<SuiteQuantity> quantities;
+  std::vector<SuiteRecordRun> records;  ///< in the suite's order; fewer where it was stopped
+
+  [[nodiscard]] bool is_whole() const { return records.size() == c.excitation.suite->records.size(); }
+  /// Of a quantity over all records; NaN unless each of them has it and ended in its time.
+  [[nodiscard]] double mean(std::size_t quantity) const;
+  /// Over those that have it; NaN where none has.
+  [[nodiscard]] double largest(std::size_t quantity) const;
+};
+
+/// Runs a case with each record of its suite. @param progress told the fraction done; where it answers false the rest
+/// is left out. @throws InvalidParameter unless the case has a suite.
+[[nodiscard]] SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress);
+
+/// How many of the records pound, what failed, the suite as it is scaled; a table with a row a record, their mean and
+/// their largest.
+[[nodiscard]] Story suite_run_story(const SuiteRun& run);
+
+/// docs/suites.md
+[[nodiscard]] std::string suite_run_json(const SuiteRun& run, std::string_view version);
+
+}  // namespace bentur

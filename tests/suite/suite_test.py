@@ -1,0 +1,296 @@
+"""The spectra of a suite, recomputed by the recurrence of Nigam and Jennings (1969) in numpy, which shares nothing with the
+library: each record's factor, the mean of the spectra, and the clause at every period of the band."""
+
+import json
+import math
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
+SHARED = SOURCE / ".." / "shared" / "records"
+FAR_FIELD = SOURCE / "records" / "far-field"
+GRAVITY = 9.80665
+# Steps are cut until ω h ≤ 2π/40: a peak that lies between two of them is then missed by less than (π/40)²/2 of it.
+STEPS_A_PERIOD = 40
+MISSED = (math.pi / STEPS_A_PERIOD) ** 2 / 2
+
+BUILDINGS = """
+title = "Two frames of sticks"
+[units]
+length = "m"
+force = "kN"
+[[building]]
+name = "West"
+damping = 0.05
+stick = { storey_heights = [3.5, 3.0, 3.0, 3.0], masses = [60, 55, 55, 50], stiffnesses = [16e3, 15e3, 14e3, 12e3] }
+[[building]]
+name = "East"
+damping = 0.05
+stick = { storey_heights = [3.5, 3.0, 3.0, 3.0], masses = [80, 75, 75, 60], stiffnesses = [40e3, 38e3, 35e3, 30e3] }
+[[gap]]
+between = ["West", "East"]
+width = 0.05
+contact = { law = "linear", stiffness = 3e5 }
+"""
+TARGET = 'target = { shape = "en-1998-1", ground_acceleration = "0.35 g", ground_type = "D", spectrum_type = 1 }\n'
+
+
+def spectra(values, step, periods, damping=0.05):
+    """S_a of a record [its unit] at periods [s]: peaks of ω²|x|, the free vibration of half a period after it included."""
+    cuts = max(1, math.ceil(step * STEPS_A_PERIOD / periods.min()))
+    h = step / cuts
+    times = numpy.arange(len(values) * cuts) * h
+    samples = numpy.interp(times, numpy.arange(len(values)) * step, values)
+    samples = samples[:(len(values) - 1) * cuts + 1]
+    # The record ends at once.
+    rest = int(math.ceil(periods.max() / h))
+    w, z = 2 * math.pi / periods, damping
+    wd, root = w * math.sqrt(1 - z * z), math.sqrt(1 - z * z)
+    e, s, c = numpy.exp(-z * w * h), numpy.sin(wd * h), numpy.cos(wd * h)
+    a11, a12 = e * (z / root * s + c), e / wd * s
+    a21, a22 = -w / root * e * s, e * (c - z / root * s)
+    t1, t2 = (2 * z * z - 1) / (w * w * h), 2 * z / (w ** 3 * h)
+    b11 = e * (s / wd * (t1 + z / w) + c * (t2 + 1 / w ** 2)) - t2
+    b12 = -e * (s / wd * t1 + c * t2) - 1 / w ** 2 + t2
+    b21 = e * ((c - z / root * s) * (t1 + z / w) - (wd * s + z * w * c) * (t2 + 1 / w ** 2)) + 1 / (w * w * h)
+    b22 = -e * ((c - z / root * s) * t1 - (wd * s + z * w * c) * t2) - 1 / (w * w * h)
+    x, v, peak = numpy.zeros_like(w), numpy.zeros_like(w), numpy.zeros_like(w)
+    for now, then in zip(samples[:-1], samples[1:], strict=True):
+        x, v = a11 * x + a12 * v + b11 * now + b12 * then, a21 * x + a22 * v + b21 * now + b22 * then
+        numpy.maximum(peak, numpy.abs(x), out=peak)
+    for _ in range(rest):
+        x, v = a11 * x + a12 * v, a21 * x + a22 * v
+        numpy.maximum(peak, numpy.abs(x), out=peak)
+    return w * w * peak
+
+
+def at2(file):
+    lines = file.read_text(errors="replace").splitlines()
+    step = float(re.search(r"DT\s*=\s*([0-9.]+)", lines[3].upper())[1])
+    return step, GRAVITY * numpy.array([float(x) for line in lines[4:] for x in line.split()])
+
+
+def columns(file, factor):
+    rows = [re.split(r"[,\s]+", line.strip()) for line in file.read_text().splitlines() if not line.startswith("#")]
+    times = [float(row[0]) for row in rows if row[0]]
+    return times[1] - times[0], factor * numpy.array([float(row[1]) for row in rows if row[0]])
+
+
+def eurocode(periods, ground=0.35 * GRAVITY, soil=1.35, b=0.2, c=0.8, d=2.0):
+    """Type 1, ground D, (3.2) to (3.5)."""
+    plateau = 2.5 * ground * soil
+    return numpy.where(periods < b, ground * soil * (1 + 1.5 * periods / b),
+                       numpy.where(periods <= c, plateau,
+                                   plateau * c / numpy.maximum(periods, c) * numpy.minimum(1, d / numpy.maximum(periods, d))))
+
+
+class Suites(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def case(self, excitation, more=""):
+        file = self.folder / "case.toml"
+        file.write_text(BUILDINGS + '[excitation]\nkind = "suite"\n' + excitation + TARGET + more)
+        return file
+
+    def told(self, *arguments, status=0):
+        done = subprocess.run([BENTUR, *map(str, arguments)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done.stdout if status == 0 else done.stderr
+
+    def gap(self, file):
+        return json.loads(self.told("gap", file, "--json"))
+
+    def check_clause(self, suite, read, scale, every=1):
+        """`read`: step and values [m/s²] of a file."""
+        periods = numpy.array(suite["periods"])[::every]
+        self.assertLess(max(numpy.diff(numpy.log(suite["periods"]))), 0.01)
+        low, high = suite["band"]
+        self.assertAlmostEqual(periods[0] / low, 1, places=12)
+        target = eurocode(periods)
+        numpy.testing.assert_allclose(numpy.array(suite["target"])[::every], target, rtol=1e-12)
+        all_spectra, peaks = [], []
+        for record in suite["records"]:
+            step, values = read(record["file"])
+            own = spectra(values, step, periods)
+            ratio = numpy.log(target / own)
+            if every == 1:
+                # (1) and (2) of model/suite/suite.h
+                self.assertAlmostEqual(record["factor"] / math.exp(ratio.mean()) / suite["common_factor"], 1, delta=2 * MISSED)
+                self.assertAlmostEqual(record["misfit"], ratio.std(), delta=2 * MISSED)
+            all_spectra.append(record["factor"] * own)
+            peaks.append(record["factor"] * numpy.abs(values).max())
+        mean = numpy.mean(all_spectra, axis=0)
+        # What the recurrence misses is all that it may differ by.
+        numpy.testing.assert_allclose(numpy.array(suite["mean"])[::every], mean, rtol=1.05 * MISSED)
+        self.assertGreaterEqual((mean / target).min(), 0.9 * (1 - MISSED))
+        if scale == "en-1998-1":
+            self.assertGreaterEqual(numpy.mean(peaks), eurocode(numpy.array([0.0]))[0] * (1 - 1e-12))
+        if suite["common_factor"] > 1:  # no more than is needed
+            spare = min((numpy.array(suite["mean"]) / (0.9 * numpy.array(suite["target"]))).min(),
+                        suite["zero_period"]["mean"] / suite["zero_period"]["target"] if scale == "en-1998-1" else math.inf)
+            self.assertAlmostEqual(spare, 1, places=12)
+
+    @unittest.skipUnless(numpy and SHARED.exists(), "no numpy, or no ../shared/records")
+    def test_shared_records(self):
+        shared = SHARED.resolve()
+        texts = sorted(f.name for f in shared.glob("*.txt") if not f.name.startswith(("mexico", "el-centro")))
+        files = ", ".join([f'"{shared}/*.AT2"', f'{{ file = "{shared}/el-centro*.txt", unit = "g" }}',
+                           *(f'{{ file = "{shared}/{name}", unit = "m/s2" }}' for name in texts)])
+        for scale, select in (("en-1998-1", ""), ("asce-7-16", "select = 3\n")):
+            with self.subTest(scale):
+                told = self.gap(self.case(f'files = [{files}]\nscale = "{scale}"\n{select}'))
+                suite = told["suite"]
+                self.assertEqual(len(suite["records"]), 3 if select else len(texts) + 1 + len(list(shared.glob("*.AT2"))))
+
+                def read(name):
+                    file = self.folder / name
+                    if file.suffix == ".AT2":
+                        return at2(file)
+                    return columns(file, GRAVITY if "el-centro" in name else 1)
+
+                self.check_clause(suite, read, scale, every=8 if SANITIZED else 1)
+
+    @unittest.skipUnless(SHARED.exists(), "no ../shared/records")
+    def test_one_of_each_event(self):
+        # Four of the PEER files are of Cape Mendocino, two of Borah Peak, spelled in two ways.
+        shared = SHARED.resolve()
+        suite = self.gap(self.case(f'files = ["{shared}/*.AT2"]\nscale = "asce-7-16"\nper_event = 1\n'))["suite"]
+        events = [one["event"] for one in suite["records"] if one["event"]]
+        self.assertEqual(len(set(events)), len(events))
+        self.assertEqual(sum(event.startswith("CAPE MENDOCINO") for event in events), 1)
+        self.assertEqual(sum(event.startswith("BORAH PEAK") for event in events), 1)
+
+    @unittest.skipUnless(numpy and FAR_FIELD.exists(), "no numpy, or no records/far-field: ./dev records")
+    def test_far_field_records(self):
+        told = self.gap(self.case(f'files = [{{ file = "{FAR_FIELD.resolve()}/*.csv", unit = "g" }}]\nscale = "en-1998-1"\n'))
+        self.assertEqual(len(told["suite"]["records"]), 44)
+        self.check_clause(told["suite"], lambda name: columns(self.folder / name, GRAVITY), "en-1998-1")
+
+    def synthetic(self, count, events=()):
+        """Records of sines that swell and fade, no two alike."""
+        for n in range(count):
+            step, lines = 0.01, []
+            for i in range(600):
+                t = i * step
+                swell = math.sin(math.pi * t / 6) ** 2
+                lines.append(f"{t:.2f} {swell * sum(math.sin(2 * math.pi * t * f * (1 + 0.03 * n) + n * f) for f in (0.6, 1.1, 2.3, 4.1)):.6f}")
+            (self.folder / f"r{n:02}.txt").write_text("\n".join(lines) + "\n")
+        return '{ file = "r*.txt", unit = "m/s2" }'
+
+    def test_runs_and_gap_of_every_record(self):
+        files = self.synthetic(7)
+        file = self.case(f'files = [{files}]\nscale = "en-1998-1"\n')
+        runs = json.loads(self.told("run", file, "--json"))
+        self.assertEqual([one["record"] for one in runs["records"]], list(range(1, 8)))
+        for name in ("impacts", "gap_needed", "peak_drift_ratio_1"):
+            values = [one["values"][name] for one in runs["records"]]
+            self.assertAlmostEqual(runs["mean"][name], sum(values) / 7, places=9)
+            self.assertEqual(runs["largest"][name], max(values))
+        # One of them in full is the run of that record by itself, times its factor.
+        one = json.loads(self.told("run", file, "--record", 3, "--json"))
+        record = runs["suite"]["records"][2]
+        alone = file.with_name("alone.toml")
+        alone.write_text(BUILDINGS + f'[excitation]\nkind = "record"\nfile = "{record["file"]}"\nunit = "m/s2"\nscale = {record["factor"]!r}\n')
+        same = json.loads(self.told("run", alone, "--json"))
+        self.assertEqual(one["excitation"]["pga"], same["excitation"]["pga"])
+        self.assertEqual(one["gaps"], same["gaps"])
+        # The gap is the mean of the larger of both ways of each record, as bentur gap has them one by one.
+        told = self.gap(file)
+        code = told["studied"][0]["gaps"][0]["code"]
+        needs = []
+        for n in range(1, 8):
+            single = json.loads(self.told("gap", file, "--record", n, "--json"))["gaps"][0]
+            needs.append([max(level["gap_needed"], level["gap_needed_reversed"]) for level in single["points"]])
+        means = [sum(column) / 7 for column in zip(*needs, strict=True)]
+        self.assertEqual((code["code"], code["takes"]), ("EN 1998-1", "mean"))
+        self.assertAlmostEqual(code["gap_needed"], max(means), places=12)
+        self.assertEqual(code["too_narrow"], max(means) > 0.05)
+        self.assertIn("4.3.3.4.3(3)", self.told("gap", file))
+        self.assertIn("rata-rata", self.told("gap", file, "--lang", "id"))
+
+    def test_what_codes_take(self):
+        files = self.synthetic(12)
+        for scale, select, takes in (("en-1998-1", 6, "largest"), ("en-1998-1", 2, None), ("asce-7-16", 11, "mean"),
+                                     ("asce-7-16", 10, None)):
+            with self.subTest(scale=scale, select=select):
+                file = self.case(f'files = [{files}]\nscale = "{scale}"\nselect = {select}\n')
+                gap = self.gap(file)["studied"][0]["gaps"][0]
+                self.assertEqual(gap["code"]["takes"], takes)
+                if takes == "largest":
+                    self.assertAlmostEqual(gap["code"]["gap_needed"], max(one["gap_needed"] for one in gap["records"]), places=12)
+                if takes is None:
+                    self.assertIn("records or more", self.told("gap", file))
+
+    def test_a_study_varies_the_records(self):
+        files = self.synthetic(3)
+        case = self.case(f'files = [{files}]\nscale = {{ factors = [1.0, 2.0, 0.5] }}\n')
+        study = self.folder / "study.toml"
+        study.write_text('case = "case.toml"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.01, 0.05]\n')
+        self.told("sweep", study, "-o", self.folder / "out.nc")
+        told = self.gap(study)
+        alone = self.gap(case)
+        self.assertEqual([one["gap_needed"] for one in told["studied"][0]["gaps"][0]["records"]],
+                         [one["gap_needed"] for one in alone["studied"][0]["gaps"][0]["records"]])
+        self.assertEqual(len(told["studied"][0]["gaps"][0]["given"]), 2)
+
+    def test_report_and_figure(self):
+        file = self.case(f"files = [{self.synthetic(3)}]\nscale = \"en-1998-1\"\n")
+        for language, words in (("en", "counts"), ("id", "dipakai")):
+            report = self.folder / f"{language}.html"
+            self.told("report", file, "-o", report, "--lang", language)
+            text = report.read_text()
+            self.assertIn(words, text)
+            self.assertIn("r02.txt", text)
+            self.assertIn("<svg", text)
+        self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
+        self.assertIn("target", (self.folder / "suite.svg").read_text())
+
+    @unittest.skipIf(SANITIZED, "how long it takes is another matter there")
+    def test_stopped(self):
+        files = self.synthetic(12)
+        file = self.case(f'files = [{files}]\nscale = "en-1998-1"\n', '[analysis]\nduration = 60.0\nsolver = "runge-kutta"\nstep = 0.002\n')
+        written = self.folder / "told.json"  # a pipe that nobody reads would hold the program up
+        with written.open("w") as told, (self.folder / "errors").open("w") as errors:
+            started = subprocess.Popen([BENTUR, "run", str(file), "--json"], stdout=told, stderr=errors)
+        caught = 0
+        while started.poll() is None and not caught:  # once the records are read it catches Ctrl-C
+            mask = re.search(r"SigCgt:\s*(\w+)", pathlib.Path(f"/proc/{started.pid}/status").read_text())[1]
+            caught = int(mask, 16) >> (signal.SIGINT - 1) & 1
+            time.sleep(0.01)
+        used = 0  # processor time, which does not depend on what else this machine does [s]
+        while started.poll() is None and used < 1.2:
+            fields = pathlib.Path(f"/proc/{started.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            used = int(fields[11]) / os.sysconf("SC_CLK_TCK")
+            time.sleep(0.02)
+        started.send_signal(signal.SIGINT)
+        started.wait(timeout=60)
+        out = written.read_text()
+        if started.returncode == 0:
+            self.skipTest("this machine was faster")
+        self.assertEqual(started.returncode, 1)
+        if not out:
+            self.skipTest("stopped before the first record")
+        told = json.loads(out)
+        self.assertLess(len(told["records"]), 12)
+        self.assertIsNone(told["mean"]["gap_needed"])
+        self.assertIsNotNone(told["largest"]["gap_needed"])
+
+
+if __name__ == "__main__":
+    unittest.main()
