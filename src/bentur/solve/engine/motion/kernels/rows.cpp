@@ -210,7 +210,7 @@ BENTUR_FOR_ALL_PROCESSORS
 Index count_above(Index n, const double* x, const double* y) {
   Bits count{};
   for (Index r = 0; r < n; r += four) count -= ~(load(x + r) <= load(y + r));  // true is −1
-  return (count[0] + count[1]) + (count[2] + count[3]);
+  return static_cast<Index>((count[0] + count[1]) + (count[2] + count[3]));
 }
 
 BENTUR_FOR_ALL_PROCESSORS
