@@ -358,7 +358,8 @@ Branch BackboneLaw::branch(const LawState& state) const noexcept {
   }
   if (either_of(state.branch, unloading_above)) {
     const double rest = past.from - past.force / past.slope;
-    const double least = std::max(s * rest, of_.one_sided ? -unbounded : -backbone(-s).ultimate);
+    double least = s * rest;
+    if (!of_.one_sided) least = std::max(least, -backbone(-s).ultimate);
     return line.guarded_by({{.constant = end, .deformation = -s}, {.constant = -least, .deformation = s}});
   }
   const Guard outward = {.speed = s};

@@ -116,7 +116,7 @@ class DemandReader {
       texts = file_.texts(name);
       for (std::size_t k = 0; k < texts.size(); ++k) {
         const bool is = texts[k] == value;
-        allowed[k] = allowed[k] && is;
+        if (!is) allowed[k] = 0;
         any = any || is;
       }
     } else {
@@ -127,7 +127,7 @@ class DemandReader {
       const std::vector<double> numbers = file_.numbers(name);
       for (std::size_t k = 0; k < numbers.size(); ++k) {
         const bool is = is_number && std::abs(numbers[k] - wanted) <= 1e-9 * std::abs(wanted);
-        allowed[k] = allowed[k] && is;
+        if (!is) allowed[k] = 0;
         any = any || is;
         texts.push_back(fmt::format("{}", numbers[k]));
       }
