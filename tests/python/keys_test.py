@@ -47,6 +47,7 @@ BEYOND = {
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
             contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width
+            generic-hardening-alone
             isolation-strength-alone matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield

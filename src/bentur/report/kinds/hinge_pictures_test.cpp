@@ -100,7 +100,8 @@ TEST(HingePictures, OfAStillAreThoseThatHaveFormedByThen) {
   }
   for (const char* kind : {"scene", "overview"}) {
     drawn = 0;
-    for (const Curve& curve : make_figure(run, kind).panels.front().curves) {
+    const Figure figure = make_figure(run, kind);
+    for (const Curve& curve : figure.panels.front().curves) {
       if (curve.label == "yields" || curve.label.starts_with("beyond ")) drawn += curve.x.size();
     }
     EXPECT_EQ(drawn, formed) << kind;
