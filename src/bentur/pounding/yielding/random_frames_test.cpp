@@ -119,14 +119,16 @@ class Generator {
         section.mass *= m;
         section.line_load *= f / l;
         by(section.moment_capacity, f * l);
-        if (told_.mirrored && sections == &frame.columns) std::ranges::reverse(section.moment_capacity);
+        if (told_.mirrored && sections == &frame.columns) {
+          std::reverse(section.moment_capacity.begin(), section.moment_capacity.end());
+        }
       }
     }
     for (ColumnNode& node : frame.nodes) {
       node.elevation *= l;
       node.left = node.left != told_.mirrored;
     }
-    if (told_.mirrored) std::ranges::reverse(frame.bay_widths);
+    if (told_.mirrored) std::reverse(frame.bay_widths.begin(), frame.bay_widths.end());
     if (support.gravity) by(support.gravity->loads, f);
     if (support.soil) {
       Soil& soil = *support.soil;
