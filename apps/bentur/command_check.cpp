@@ -28,8 +28,9 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
     ++yielding;
     law = element.law->name();
   }
-  const std::string bearings =
-      building.model.has_slab && building.storey_law(0) != nullptr ? building.name + ": its bearings yield\n" : "";
+  const std::string bearings = building.model.slab && building.storey_law(*building.model.slab) != nullptr
+                                   ? building.name + ": its bearings yield\n"
+                                   : "";
   if (yielding == 0) return bearings;
   return bearings + fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
                                 count(static_cast<std::size_t>(building.model.floors() - first), "storey", "storeys"),

@@ -46,7 +46,7 @@ Building told_whole(Building building) {
   model.node_elevations.clear();
   model.node_masses.clear();
   model.column_forces.resize(0, 0);
-  model.has_soil = false;
+  model.foundation.reset();
   return building;
 }
 

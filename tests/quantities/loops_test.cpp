@@ -46,7 +46,7 @@ TEST(Loops, TheSoilUnderAFoundation) {
   const StructuralModel& model = run.problem.buildings[2].model;
   const HalfSpace half_space{.shear_wave_velocity = 200, .density = 1.9, .poisson = 0.33, .radius = 6};
   const Soil soil = soil_of(half_space, 100, 900);
-  EXPECT_EQ(model.soil_sway.stiffness, soil.sway.stiffness);
+  EXPECT_EQ(model.foundation->under_sway.stiffness, soil.sway.stiffness);
   expect_spring_and_dashpot(soil.sway, foundation.row(0), foundation.row(2), step_of(run));
   expect_spring_and_dashpot(soil.rocking, foundation.row(1), foundation.row(3), step_of(run));
 }

@@ -104,8 +104,9 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
     test::expect_same_values(two.residual_drift_ratio, one.residual_drift_ratio);
     test::expect_same_values(two.hysteretic_energy, one.hysteretic_energy);
     EXPECT_EQ(results.response.buildings[b].foundation, response.buildings[b].foundation);
-    EXPECT_EQ(results.problem.buildings[b].model.has_slab, problem.buildings[b].model.has_slab);
-    EXPECT_EQ(results.problem.buildings[b].model.has_soil, problem.buildings[b].model.has_soil);
+    EXPECT_EQ(results.problem.buildings[b].model.slab, problem.buildings[b].model.slab);
+    EXPECT_EQ(results.problem.buildings[b].model.foundation.has_value(),
+              problem.buildings[b].model.foundation.has_value());
     EXPECT_EQ(results.problem.buildings[b].is_rigid(), problem.buildings[b].is_rigid());
     const Eigen::MatrixXd &shear = response.histories.storey_shear[b],
                           &read = results.response.histories.storey_shear[b];

@@ -174,7 +174,7 @@ void watch_gap(const GapSpec& spec, int gap, const std::vector<Building>& buildi
 /// soil is where it was.
 Eigen::VectorXd from_floors(const StructuralModel& model, const std::vector<double>& values) {
   const Eigen::Index floors = model.floors();
-  const Eigen::Index rotations = model.dofs() - floors - (model.has_soil ? 2 : 0);
+  const Eigen::Index rotations = model.dofs() - floors - (model.foundation ? 2 : 0);
   if (static_cast<Eigen::Index>(values.size()) != floors) {
     throw InvalidParameter("initial", std::to_string(values.size()) + " values", "must be one per floor");
   }

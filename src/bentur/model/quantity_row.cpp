@@ -35,7 +35,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
     for (const Owner owner : {Owner::floor, Owner::building, Owner::hinge}) {
       for (const Quantity* quantity : quantities_of(owner)) {
         if (is_of_yielding(*quantity) && !is_of_yielding(*quantity, building)) continue;
-        if (is_of_foundation(*quantity) && !building.model.has_soil) continue;
+        if (is_of_foundation(*quantity) && !building.model.foundation) continue;
         if (is_of_hinges(*quantity) && hinges == 0) continue;
         RowPart& part = add(*quantity, owner == Owner::floor   ? building.model.floors()
                                        : owner == Owner::hinge ? hinges
@@ -66,7 +66,8 @@ std::size_t row_size(const std::vector<RowPart>& parts) {
 bool same_places(const Problem& a, const Problem& b) {
   const auto floors = [](const Building& x, const Building& y) {
     return x.model.floors() == y.model.floors() && x.storeys_yield() == y.storeys_yield() &&
-           x.model.has_soil == y.model.has_soil && x.model.hinges.places.size() == y.model.hinges.places.size();
+           x.model.foundation.has_value() == y.model.foundation.has_value() &&
+           x.model.hinges.places.size() == y.model.hinges.places.size();
   };
   const auto left = [&](const ContactPoint& x, const ContactPoint& y) {
     return x.left == y.left && struck_column(a, x).has_value() == struck_column(b, y).has_value();

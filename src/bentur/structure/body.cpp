@@ -36,14 +36,22 @@ Body body_of(const Building& building) {
   for (const CoupledElement& element : building.coupled) forces += element.rows.rows();
 
   const MatrixXd unit = MatrixXd::Identity(model.dofs(), model.dofs());
-  const MatrixXd soil = unit.bottomRows(model.has_soil ? 2 : 0);
   MatrixXd drifts = drift_rows(model);
   for (Index f = 0; f < floors; ++f) {
     if (model.storey_heights[f] > 0.0) drifts.row(f) /= model.storey_heights[f];
   }
   const Course of_storeys = building.storeys_yield() ? Course::along : Course::none;
-  const Eigen::Vector2d stiffness(model.soil_sway.stiffness, model.soil_rocking.stiffness);
-  const Eigen::Vector2d damping(model.soil_sway.damping, model.soil_rocking.damping);
+  MatrixXd foundation(0, model.dofs()), springs = foundation, dashpots = foundation;
+  if (const auto& on_soil = model.foundation) {
+    const auto rows = [&](double sway, double rocking) -> MatrixXd {
+      MatrixXd both(2, model.dofs());
+      both << sway * unit.row(on_soil->sway), rocking * unit.row(on_soil->rocking);
+      return both;
+    };
+    foundation = rows(1, 1);
+    springs = rows(on_soil->under_sway.stiffness, on_soil->under_rocking.stiffness);
+    dashpots = rows(on_soil->under_sway.damping, on_soil->under_rocking.damping);
+  }
 
   Body body{.name = building.name,
             .modes = building.modes,
@@ -75,7 +83,11 @@ Body body_of(const Building& building) {
        .at_rest = hinges.at_rest,
        .has_peak = true,
        .course = Course::along},
-      {.kind = OutputKind::foundation, .count = soil.rows(), .rows = soil, .has_peak = true, .course = Course::along},
+      {.kind = OutputKind::foundation,
+       .count = foundation.rows(),
+       .rows = foundation,
+       .has_peak = true,
+       .course = Course::along},
       {.kind = OutputKind::velocity, .count = floors, .rates = unit.topRows(floors)},
       {.kind = OutputKind::acceleration, .count = floors, .absolute = unit.topRows(floors), .has_peak = true},
       {.kind = OutputKind::node,
@@ -87,9 +99,9 @@ Body body_of(const Building& building) {
        .forces = of_hinges(-MatrixXd::Identity(hinge_count, hinge_count), forces),
        .course = Course::along},
       {.kind = OutputKind::foundation_force,
-       .count = soil.rows(),
-       .rows = stiffness.head(soil.rows()).asDiagonal() * soil,
-       .rates = damping.head(soil.rows()).asDiagonal() * soil,
+       .count = foundation.rows(),
+       .rows = springs,
+       .rates = dashpots,
        .course = Course::along},
   };
   if (hinge_count > 0 && columns > 0) {

@@ -19,6 +19,13 @@ struct Impedance {
   double damping = 0;    ///< [force·s/length], [force·length·s]; ≥ 0
 };
 
+/// A foundation that moves: the degrees of freedom of its sway [length] and its rocking [rad], clockwise, and what is
+/// under it.
+struct Foundation {
+  Eigen::Index sway = 0, rocking = 0;
+  Impedance under_sway = {}, under_rocking = {};
+};
+
 /// A plastic hinge of a frame, for people; all numbers from 1.
 struct HingePlace {
   enum class End { bottom, node, top, left, right };
@@ -78,10 +85,9 @@ struct StructuralModel {
     Eigen::VectorXd rocking;  ///< M h, dofs [mass·length]
     double foot_mass = 0;     ///< lower halves of the lowest columns [mass]
   };
-  RigidBody rigid_body = {};  ///< `rocking` empty: M r and M h of the floors are all there is
-  bool has_slab = false;      ///< the first floor is a slab on bearings: it has no storey height, its drift is a length
-  bool has_soil = false;      ///< the last two dofs are sway and rocking of the foundation
-  Impedance soil_sway = {}, soil_rocking = {};  ///< what is under it then
+  RigidBody rigid_body = {};                  ///< `rocking` empty: M r and M h of the floors are all there is
+  std::optional<Eigen::Index> slab = {};      ///< the floor on bearings: no height, its drift is a length
+  std::optional<Foundation> foundation = {};  ///< on soil
   /// The forces at the ends of both pieces of a column that has a node between floors, as rows over the dofs, six a
   /// node: shears below and above [force/length], moments at the bottom, at the node from below and from above, at the
   /// top [force]. Nodes sway as the dofs after the floors'.
@@ -102,7 +108,7 @@ struct StructuralModel {
     return floor;
   }
   /// The lowest storey, and floor above it, that is no isolation system: 1 above a slab, else 0.
-  [[nodiscard]] Eigen::Index first_storey() const { return has_slab ? 1 : 0; }
+  [[nodiscard]] Eigen::Index first_storey() const { return slab ? *slab + 1 : 0; }
   /// Of storey `storey`, 0 the lowest, as people count: from 1, without the bearings below a slab, which are 0.
   [[nodiscard]] Eigen::Index storey_number(Eigen::Index storey) const { return storey + 1 - first_storey(); }
   [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }

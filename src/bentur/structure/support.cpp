@@ -143,7 +143,7 @@ void put_on_bearings(const Isolation& isolation, Structure& structure) {
   model.elevations.insert(model.elevations.begin(), base);
   model.storey_heights.insert(model.storey_heights.begin(), 0.0);
   model.floor_masses.insert(model.floor_masses.begin(), isolation.mass + body.foot_mass);
-  model.has_slab = true;
+  model.slab = 0;
 }
 
 void check(const Soil& soil) {
@@ -191,9 +191,7 @@ void put_on_soil(const Soil& soil, Structure& structure) {
   model.mass = to.transpose() * mass * to;
   model.load = to.transpose() * load;
   carry_rows(above, model);
-  model.has_soil = true;
-  model.soil_sway = soil.sway;
-  model.soil_rocking = soil.rocking;
+  model.foundation = Foundation{n, n + 1, soil.sway, soil.rocking};
 }
 
 }  // namespace
@@ -260,7 +258,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
       drifts(j, first + j) = 1;
       const Index below = first + j - 1;
       if (below >= 0) drifts(j, below) = -1;
-      if (j == 0 && whole.has_soil) drifts(j, whole.dofs() - 2) = -1;
+      if (j == 0 && whole.foundation) drifts(j, whole.foundation->sway) = -1;
     }
     const MatrixXd geometric = geometric_stiffness(structure.softening, drifts);
     const MatrixXd softened = whole.stiffness - geometric;

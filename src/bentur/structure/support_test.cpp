@@ -71,7 +71,7 @@ TEST(Support, OnVeryStiffSoilItIsAsOnAFixedBase) {
     const Building building = on({.soil = soil}, model);
     const Index n = fixed.modes.omega.size();
     ASSERT_EQ(building.modes.omega.size(), n + 2);
-    EXPECT_TRUE(building.model.has_soil);
+    EXPECT_TRUE(building.model.foundation);
     for (Index mode = 0; mode < n; ++mode) {
       EXPECT_NEAR(building.modes.omega(mode) / fixed.modes.omega(mode), 1, 1e-8) << mode;
       const double ratio = building.modal_damping(mode, mode) / (2 * building.modes.omega(mode));
@@ -154,7 +154,7 @@ TEST(Support, SlabIsTheFirstFloor) {
   const StructuralModel model = stick_model(three_storeys(), 1.5);
   const Isolation isolation = {.mass = 35, .bearings = bilinear_bearings(400, 0, 0), .damping = 6};
   const Building building = on({.isolation = isolation}, model);
-  EXPECT_TRUE(building.model.has_slab);
+  EXPECT_EQ(building.model.slab, 0);
   EXPECT_EQ(building.model.elevations, (std::vector<double>{1.5, 5.0, 8.0, 11.0}));
   EXPECT_EQ(building.model.storey_heights, (std::vector<double>{0, 3.5, 3.0, 3.0}));
   EXPECT_EQ(building.model.floor_masses, (std::vector<double>{35, 30, 28, 25}));

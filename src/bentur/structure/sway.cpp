@@ -21,12 +21,11 @@ Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face fac
   const double length = model.storey_heights[upper];
   const double s = length > 0 ? std::clamp(1 - (*above - elevation) / length, 0.0, 1.0) : 1.0;  // a slab has none
   Eigen::VectorXd row = Eigen::VectorXd::Zero(model.dofs());
-  const Eigen::Index sway = model.dofs() - 2;  // of the foundation, rocking after it
   const Eigen::MatrixXd& joints = face == Face::left ? model.left_joints : model.right_joints;
   if (joints.size() == 0) {
     row(upper) += s;
     if (upper > 0) row(upper - 1) += 1 - s;
-    if (upper == 0 && model.has_soil) row(sway) += 1 - s;
+    if (upper == 0 && model.foundation) row(model.foundation->sway) += 1 - s;
     return row;
   }
   // y = N₁ y₁ + N₂ L θ₁ + N₃ y₂ + N₄ L θ₂, from the bottom up with y to the right: θ = dy/dx is clockwise.
@@ -36,9 +35,9 @@ Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face fac
     row(upper - 1) += 1 - s * s * (3 - 2 * s);
     row += s * (1 - s) * (1 - s) * length * joints.row(upper - 1).transpose();
   }
-  if (model.has_soil) {  // joints turn relative to the foundation
-    if (upper == 0) row(sway) += 1 - s * s * (3 - 2 * s);
-    row(sway + 1) += s * (1 - s) * (1 - 2 * s) * length;
+  if (model.foundation) {  // joints turn relative to it
+    if (upper == 0) row(model.foundation->sway) += 1 - s * s * (3 - 2 * s);
+    row(model.foundation->rocking) += s * (1 - s) * (1 - 2 * s) * length;
   }
   return row;
 }

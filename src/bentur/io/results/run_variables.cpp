@@ -250,8 +250,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       building.modes.shapes = shapes;
       if (modes.size == 0) return;
       building.modes.omega = 2 * std::numbers::pi * periods.col(0).cwiseInverse();
-      building.model.has_slab = building.model.storey_heights.front() == 0;
-      building.model.has_soil = file_.has("peak_sway" + number, false);
+      if (building.model.storey_heights.front() == 0) building.model.slab = 0;
+      if (file_.has("peak_sway" + number, false)) building.model.foundation.emplace();
     }
   }
 

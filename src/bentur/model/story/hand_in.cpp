@@ -239,7 +239,7 @@ std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
 void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& statements) {
   const auto no_gravity = [&](Index b) { return !problem.buildings[b].has_gravity_loads; };
   const auto no_soil = [&](Index b) {
-    return !problem.buildings[b].model.has_soil && !problem.buildings[b].model.has_slab;
+    return !problem.buildings[b].model.foundation && !problem.buildings[b].model.slab;
   };
   tell("unchecked.members", statements);
   tell("unchecked.drift", statements);

@@ -135,7 +135,7 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
     const Building& building = problem.buildings[b];
     const double omega = building.first_omega();
     if (building.is_rigid()) continue;
-    if (omega > 0 && !building.model.has_slab) {  // bearings are there to change both
+    if (omega > 0 && !building.model.slab) {  // bearings are there to change both
       list.check("period_per_storey", building.name, proportions(building, c.units, nullptr).period_per_storey, "s",
                  period_range);
       list.check("damping", building.name, building.modal_damping(0, 0) / (2 * omega), "", damping_range);

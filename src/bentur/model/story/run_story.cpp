@@ -13,7 +13,7 @@ Statement model_statement(const RunResults& run) {
     if (building.is_rigid()) continue;
     ++counted;
     loaded += building.has_gravity_loads ? 1 : 0;
-    moved += building.model.has_soil || building.model.has_slab ? 1 : 0;
+    moved += building.model.foundation || building.model.slab ? 1 : 0;
   }
   Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
                       .severity = Severity::remark};

@@ -96,14 +96,14 @@ void Checks::numbers() {
   for (std::size_t b = 0; b < response_.buildings.size(); ++b) {
     const BuildingPeaks& peaks = response_.buildings[b];
     const Building& building = problem_.buildings[b];
-    const bool slab = building.model.has_slab;
+    const std::optional<Eigen::Index> slab = building.model.slab;
     const bool rigid = building.is_rigid();
     const auto of_rigid = [rigid](Eigen::Index) { return rigid; };
     finite(peaks.displacement, "displacement", b, never);
     finite(peaks.displacement_no_contact, "displacement without contact", b, never);
     finite(peaks.acceleration, "acceleration", b, never);
     finite(peaks.acceleration_no_contact, "acceleration without contact", b, never);
-    finite(peaks.drift_ratio, "drift ratio", b, [&](Eigen::Index i) { return rigid || (slab && i == 0); });
+    finite(peaks.drift_ratio, "drift ratio", b, [&](Eigen::Index i) { return rigid || slab == i; });
     finite(peaks.storey_shear, "storey shear", b, of_rigid);
     finite(peaks.storey_shear_no_contact, "storey shear without contact", b, of_rigid);
     finite(peaks.column_forces, "column force", b, never);
@@ -111,7 +111,7 @@ void Checks::numbers() {
     finite(peaks.foundation, "movement of the foundation", b, never);
     for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
       finite(yielding->ductility, "ductility", b, [&](Eigen::Index i) { return building.storey_law(i) == nullptr; });
-      finite(yielding->residual_drift_ratio, "residual drift", b, [&](Eigen::Index i) { return slab && i == 0; });
+      finite(yielding->residual_drift_ratio, "residual drift", b, [&](Eigen::Index i) { return slab == i; });
       finite(yielding->hysteretic_energy, "hysteretic energy", b, never);
     }
   }

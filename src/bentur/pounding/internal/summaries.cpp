@@ -27,7 +27,8 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
   const Eigen::Index floors = building.model.floors();
   yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
   yielding.residual_drift_ratio.setZero(floors);
-  if (building.model.has_slab) yielding.residual_drift_ratio(0) = std::numeric_limits<double>::quiet_NaN();
+  if (building.model.slab)
+    yielding.residual_drift_ratio(*building.model.slab) = std::numeric_limits<double>::quiet_NaN();
   yielding.hysteretic_energy.setZero(floors);
   for (std::size_t i = 0; i < members.size(); ++i) {
     const BuildingElement& element = building.elements[i];
@@ -105,7 +106,7 @@ void leave_out_what_is_not_there(const Problem& problem, std::vector<BuildingPea
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    if (building.model.has_slab) buildings[b].drift_ratio(0) = nothing;
+    if (building.model.slab) buildings[b].drift_ratio(*building.model.slab) = nothing;
     if (!building.is_rigid()) continue;
     buildings[b].drift_ratio.setConstant(nothing);
     buildings[b].storey_shear.setConstant(nothing);

@@ -16,7 +16,7 @@ bool yields(const Report& report, Eigen::Index b) { return report.response.build
 
 /// Of a slab: its bearings are there to yield, which is no damage.
 bool is_slab(const Report& report, Eigen::Index b, Eigen::Index storey) {
-  return storey == 0 && report.problem.buildings[b].model.has_slab;
+  return report.problem.buildings[b].model.slab == storey;
 }
 
 /// "2"; the bearings below a slab have no number.

@@ -73,7 +73,7 @@ Figure bearing_loop_figure(const RunResults& run, const FigureOptions& options) 
   Figure figure{.title = "Force of the bearings over their displacement, without dashpots", .width = options.width};
   for (const Eigen::Index b : shown_buildings(run, options)) {
     const Building& building = run.problem.buildings[b];
-    if (!building.model.has_slab) continue;
+    if (!building.model.slab) continue;
     const BuildingPeaks& peaks = run.response.buildings[b];
     Panel panel = loop(run, b, 0, &Histories::displacement, 1, peaks.displacement(0), options);
     panel.title = building.name + ", " + word(options, "bearings");

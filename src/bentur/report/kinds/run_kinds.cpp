@@ -77,7 +77,8 @@ bool has_formed_hinges(const RunResults& run) {
 bool has_bearings(const RunResults& run) {
   const std::vector<Building>& buildings = run.problem.buildings;
   return !run.response.histories.time.empty() &&
-         std::any_of(buildings.begin(), buildings.end(), [](const Building& one) { return one.model.has_slab; });
+         std::any_of(buildings.begin(), buildings.end(),
+                     [](const Building& one) { return one.model.slab.has_value(); });
 }
 bool has_soil(const RunResults& run) {
   const std::vector<Eigen::MatrixXd>& all = run.response.histories.foundation;

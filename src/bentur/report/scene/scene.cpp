@@ -116,7 +116,7 @@ class SceneBuilder {
 
   [[nodiscard]] bool has_pit(Index b) const {
     const StructuralModel& model = buildings_[b].model;
-    return model.has_slab || model.has_soil;
+    return model.slab || model.foundation;
   }
 
   [[nodiscard]] static ScenePoint at(Index b, std::optional<Index> row, double offset, double height,
@@ -161,8 +161,8 @@ class SceneBuilder {
   }
 
   void add_support(Index b) {
-    if (buildings_[b].model.has_slab) add_bearings(b);
-    if (buildings_[b].model.has_soil) add_soil(b);
+    if (buildings_[b].model.slab) add_bearings(b);
+    if (buildings_[b].model.foundation) add_soil(b);
   }
 
   /// Below each column a block of layers, which leans with the slab.
@@ -280,7 +280,7 @@ class SceneBuilder {
     const StructuralModel& model = buildings_[b].model;
     const double offset = offset_of(b, line);
     scene::SceneLine points;
-    if (!model.has_slab) points.push_back(at(b, foundation_row(b), offset, base_level(buildings_[b])));
+    if (!model.slab) points.push_back(at(b, foundation_row(b), offset, base_level(buildings_[b])));
     for (Index floor = 0; floor < model.floors(); ++floor) {
       points.push_back(at(b, floor, offset, model.elevations[floor]));
     }

@@ -85,8 +85,8 @@ TEST(Scene, HasEverythingOfEveryExample) {
       const auto count = [&](SceneRole role) { return shapes_of(scene, role, b).size(); };
       EXPECT_EQ(count(SceneRole::wall), building.is_rigid() ? 1U : 0U);
       EXPECT_EQ(count(SceneRole::column), building.is_rigid() ? 0U : 1U);
-      EXPECT_EQ(count(SceneRole::bearing), building.model.has_slab ? 1U : 0U);
-      EXPECT_EQ(count(SceneRole::soil), building.model.has_soil ? 1U : 0U);
+      EXPECT_EQ(count(SceneRole::bearing), building.model.slab ? 1U : 0U);
+      EXPECT_EQ(count(SceneRole::soil), building.model.foundation ? 1U : 0U);
       walls += count(SceneRole::wall);
       bearings += count(SceneRole::bearing);
       soils += count(SceneRole::soil);
