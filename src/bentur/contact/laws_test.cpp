@@ -123,6 +123,24 @@ TEST_P(EveryLaw, ApartThereIsNoForce) {
   }
 }
 
+/// A law that is homogeneous by its numbers alone, such as one without the damping that it could have, may say no.
+TEST_P(EveryLaw, IsHomogeneousWhereNoLengthOrForceIsItsOwn) {
+  constexpr double depth = 1e-3, speed = 0.2, factor = 3;
+  const LawState apart;
+  const LawState one = law_->next(apart, 0, 0, 0, speed), other = law_->next(apart, 0, 0, 0, factor * speed);
+  bool scales = true;
+  for (const double closing : {speed, 0.5 * speed, -0.1 * speed}) {
+    const double force = law_->force(one, depth, closing);
+    scales = scales &&
+             std::abs(law_->force(other, factor * depth, factor * closing) - factor * force) <= 1e-12 * std::abs(force);
+  }
+  const Branch branch = law_->branch(one);
+  for (std::size_t g = 0; g < branch.guard_count; ++g) scales = scales && branch.guards[g].constant == 0.0;
+  EXPECT_TRUE(scales || !law_->is_homogeneous());
+  const std::string name(law_->name());
+  EXPECT_EQ(law_->is_homogeneous(), name == "linear" || name == "restitution" || name.starts_with("kelvin-voigt"));
+}
+
 TEST_P(EveryLaw, AContactBeginsWithItsClosingSpeed) {
   const LawState begun = law_->next({}, 0, 2.5, 0, 0.3);
   EXPECT_EQ(begun.branch, 1);

@@ -103,6 +103,9 @@ class Law {
   /// Whether the opposite course of δ from rest gives the opposite force: F of −δ(t) is −F of δ(t).
   [[nodiscard]] virtual bool is_odd() const noexcept { return false; }
 
+  /// Whether s times the course of δ gives s times the force, for any s > 0: no length or force is its own.
+  [[nodiscard]] virtual bool is_homogeneous() const noexcept { return false; }
+
   /// Whether nothing can go on once branch 0 has ended.
   [[nodiscard]] virtual bool is_limit() const noexcept { return false; }
 };

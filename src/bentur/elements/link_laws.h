@@ -20,6 +20,7 @@ class SpringDashpot final : public Law {
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
   [[nodiscard]] bool is_odd() const noexcept override { return true; }
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
 
  private:
   double stiffness_{};  // k [force/length]
@@ -40,6 +41,7 @@ class Cable final : public Law {
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return slack_ == 0.0; }
 
  private:
   double stiffness_{};  // k [force/length]

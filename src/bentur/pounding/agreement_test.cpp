@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
+#include "bentur/core/errors.h"
+#include "bentur/elements/link_laws.h"
 #include "bentur/pounding/pounding.h"
 #include "tests/support/example_laws.h"
 #include "tests/support/free_masses.h"
@@ -209,6 +212,69 @@ TEST(ExactAndAdaptive, AgreeOnPairsByChance) {
     }
   }
   EXPECT_GT(impacts, 500);
+}
+
+/// The same with every acceleration so many times larger.
+Problem scaled(Problem problem, double factor) {
+  for (double& value : std::get<SampledMotion>(problem.motion).acceleration) value *= factor;
+  return problem;
+}
+
+TEST(ScaledFreeResponse, IsThatOfTheScaledMotion) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> logarithm(-2.0, 2.0);
+  std::size_t impacts = 0;
+  for (const std::string label : {"linear", "kelvin_voigt_overdamped", "kelvin_voigt_separation", "kelvin_voigt_creep",
+                                  "kelvin_voigt_approach", "restitution"}) {
+    for (int n = 0; n < 20; ++n) {
+      SCOPED_TRACE(label + ' ' + std::to_string(n));
+      Problem base = random_pair(random, label);
+      if (n % 2 == 0) base.kinematics = Kinematics::absolute;
+      if (n % 3 == 0) base.links = {{.law = std::make_shared<SpringDashpot>(1e7, 2e5)}};
+      const Problem problem = scaled(base, std::exp(logarithm(random)));
+      const SolveOptions options{.output_step = 0.05, .energy_audit = true};
+      const std::optional<FreeResponse> free = FreeResponse(base).scaled(problem);
+      ASSERT_TRUE(free);
+      const Response one = free->solve(problem, options), other = solve(problem, ExactSolver{}, options);
+      ASSERT_EQ(one.impacts.size(), other.impacts.size());
+      EXPECT_LE(difference(one, other), 1e-9);
+      for (std::size_t b = 0; b < 2; ++b) {
+        const BuildingPeaks &peaks = one.buildings[b], &long_way = other.buildings[b];
+        EXPECT_LE((peaks.displacement_no_contact - long_way.displacement_no_contact).norm(),
+                  1e-13 * long_way.displacement_no_contact.norm());
+        EXPECT_LE((one.histories.displacement[b] - other.histories.displacement[b]).norm(),
+                  1e-9 * other.histories.displacement[b].norm());
+      }
+      for (std::size_t i = 0; i < one.impacts.size(); ++i) {
+        EXPECT_NEAR(one.impacts[i].impulse, other.impacts[i].impulse, 1e-8 * mass) << i;
+        EXPECT_NEAR(one.impacts[i].energy_lost, other.impacts[i].energy_lost, 1e-8 * mass) << i;
+      }
+      EXPECT_NEAR(one.energy->peak_input, other.energy->peak_input, 1e-9 * other.energy->peak_input);
+      impacts += one.impacts.size();
+    }
+  }
+  EXPECT_GT(impacts, 500U);
+}
+
+TEST(ScaledFreeResponse, IsNothingWhereItIsNoMultiple) {
+  std::mt19937 random(8);
+  const Problem base = random_pair(random, "linear");
+  const FreeResponse free(base);
+  Problem other = scaled(base, 2);
+  std::get<SampledMotion>(other.motion).acceleration[40] *= 1.001;
+  EXPECT_FALSE(free.scaled(other)) << "another motion";
+  EXPECT_FALSE(free.scaled(scaled(base, -2))) << "what is to the left is not what is to the right";
+  Problem moving = scaled(base, 2);
+  moving.initial_velocity = {Eigen::VectorXd::Ones(base.buildings[0].model.dofs()),
+                             Eigen::VectorXd::Zero(base.buildings[1].model.dofs())};
+  EXPECT_FALSE(free.scaled(moving)) << "not from rest";
+  EXPECT_FALSE(FreeResponse(base, AdaptiveSolver{}).scaled(scaled(base, 2)));
+  Problem cable = scaled(base, 2);
+  cable.links = {{.law = std::make_shared<Cable>(1e7, 0.01)}};
+  EXPECT_FALSE(free.scaled(cable)) << "slack is a length";
+  Problem hertz = scaled(base, 2);
+  for (ContactPoint& at : hertz.points) at.law = point(0, 0, 0.0, "hertz").law;
+  EXPECT_THROW((void)free.scaled(hertz)->solve(hertz), InvalidParameter);
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 #include "bentur/pounding/pounding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
+#include "bentur/core/errors.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/checks/self_checks.h"
 #include "bentur/pounding/internal/levels.h"
@@ -47,12 +51,33 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
   take_reversed(free.response().watched, response.watched);
 }
 
+/// How many times one motion is another, > 0; nothing where it is not.
+std::optional<double> times(const GroundMotion& motion, const GroundMotion& other) {
+  constexpr double round_off = 1e-14;  // of the largest acceleration
+  const auto* sampled = std::get_if<SampledMotion>(&motion);
+  const auto* from = std::get_if<SampledMotion>(&other);
+  if (sampled == nullptr || from == nullptr || sampled->time_step != from->time_step) return std::nullopt;
+  const std::vector<double>&a = sampled->acceleration, &b = from->acceleration;
+  const double peak = peak_acceleration(motion), factor = peak / peak_acceleration(other);
+  if (a.size() != b.size() || !(factor > 0.0) || !std::isfinite(factor)) return std::nullopt;
+  const bool alike = std::equal(a.begin(), a.end(), b.begin(),
+                                [&](double x, double y) { return std::abs(x - factor * y) <= round_off * peak; });
+  return alike ? std::optional(factor) : std::nullopt;
+}
+
 RunOptions run_options(const SolveOptions& options) {
   return {.output_step = options.output_step,
           .course = options.course,
           .most_steps = options.most_steps,
           .energy_audit = options.energy_audit,
           .progress = options.progress};
+}
+
+bool starts_from_rest(const Problem& problem) {
+  const auto rests = [](const std::vector<Eigen::VectorXd>& initial) {
+    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
+  };
+  return rests(problem.initial_displacement) && rests(problem.initial_velocity);
 }
 
 Problem valid(Problem problem) {
@@ -63,13 +88,9 @@ Problem valid(Problem problem) {
 }  // namespace
 
 bool is_mirrored(const Problem& problem) {
-  const auto rests = [](const std::vector<Eigen::VectorXd>& initial) {
-    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
-  };
   const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
   const auto& buildings = problem.buildings;
-  return !std::holds_alternative<NoMotion>(problem.motion) && rests(problem.initial_displacement) &&
-         rests(problem.initial_velocity) &&
+  return !std::holds_alternative<NoMotion>(problem.motion) && starts_from_rest(problem) &&
          std::all_of(problem.links.begin(), problem.links.end(), [&](const Link& link) { return odd(link.law); }) &&
          std::all_of(buildings.begin(), buildings.end(), [&](const Building& building) {
            return std::all_of(building.elements.begin(), building.elements.end(),
@@ -79,11 +100,20 @@ bool is_mirrored(const Problem& problem) {
          });
 }
 
+bool is_homogeneous(const Problem& problem) {
+  return starts_from_rest(problem) &&
+         std::all_of(problem.links.begin(), problem.links.end(),
+                     [](const Link& link) { return link.law != nullptr && link.law->is_homogeneous(); }) &&
+         std::none_of(problem.buildings.begin(), problem.buildings.end(),
+                      [](const Building& building) { return building.can_yield() || building.has_gravity_loads; });
+}
+
 /// A free response, of a problem that is valid.
 struct CheckedFree {
   Problem problem;
   Solver solver;
   FreeSolution free;
+  double factor;      ///< the problem's motion is so many times that of `free`
   Response response;  ///< as far as it goes without contact
 
   /// With the contacts of a problem that is valid, and this one but for gaps and laws.
@@ -101,7 +131,7 @@ CheckedFree free_of(Problem problem, const Solver& solver, const std::function<b
     const bool mirrored = response.status == Status::done && is_mirrored(given);
     report_levels(given, free.solution().watched_free, mirrored, response);
   }
-  return {std::move(given), solver, std::move(free), std::move(response)};
+  return {std::move(given), solver, std::move(free), 1.0, std::move(response)};
 }
 
 }  // namespace
@@ -110,7 +140,16 @@ Response CheckedFree::solve(const Problem& other, const SolveOptions& options) c
   const auto began = std::chrono::steady_clock::now();
   Response with = response;
   if (with.status != Status::done && with.status != Status::collapsed) return with;
-  Solution solution = free.solve(contacts_of(other), run_options(options));
+  std::vector<Contact> contacts = contacts_of(other);
+  for (std::size_t i = 0; factor != 1.0 && i < contacts.size(); ++i) {
+    if (!contacts[i].law->is_homogeneous()) {
+      throw InvalidParameter(fmt::format("points[{}].law", i), std::string(contacts[i].law->name()),
+                             "must be homogeneous where a free response is scaled");
+    }
+    contacts[i].width /= factor;
+  }
+  Solution solution = free.solve(contacts, run_options(options));
+  if (factor != 1.0) solution = scaled(std::move(solution), factor);
   const SelfMeasures measures = solution.checks;
   take_solution(other, std::move(solution), with);
   check_itself(other, solver, measures, with);
@@ -123,6 +162,24 @@ struct FreeResponse::Parts : CheckedFree {};
 FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
                            long most_steps, bool levels)
     : parts_(std::make_shared<Parts>(Parts{free_of(std::move(problem), solver, progress, most_steps, levels)})) {}
+
+std::optional<FreeResponse> FreeResponse::scaled(Problem problem) const {
+  Problem given = valid(std::move(problem));
+  const std::optional<double> factor = times(given.motion, parts_->problem.motion);
+  if (!factor || !std::holds_alternative<ExactSolver>(parts_->solver) || !is_homogeneous(given) ||
+      parts_->response.status != Status::done) {
+    return std::nullopt;
+  }
+  GroundMotion motion = std::exchange(given.motion, parts_->problem.motion);
+  require_same_but_gaps(parts_->problem, given);
+  given.motion = std::move(motion);
+  const double of_free = *factor * parts_->factor;
+  Response response = free_response(given, bentur::scaled(parts_->free.solution(), of_free));
+  FreeResponse free;
+  free.parts_ =
+      std::make_shared<Parts>(Parts{{std::move(given), parts_->solver, parts_->free, of_free, std::move(response)}});
+  return free;
+}
 
 const Response& FreeResponse::response() const { return parts_->response; }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
@@ -33,6 +34,11 @@ struct SolveOptions {
 /// one.
 [[nodiscard]] bool is_mirrored(const Problem& problem);
 
+/// Whether `factor` times the ground motion and all gap widths give `factor` times the response, whatever widths and
+/// laws the contact points have: the buildings are elastic, start from rest and bear no gravity loads, and links have
+/// no length or force of their own.
+[[nodiscard]] bool is_homogeneous(const Problem& problem);
+
 /// Runs the free response (contact off) first, then the response with contact.
 /// Numerical trouble is a status with time and reason, never an exception.
 /// @throws InvalidParameter when the problem or the solver's parameter is not valid.
@@ -54,8 +60,14 @@ class FreeResponse {
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
-  /// @throws InvalidParameter when anything else differs.
+  /// @throws InvalidParameter when anything else differs, or of a scaled() one a law is not homogeneous.
   [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
+
+  /// The free response of `problem`, whose ground motion is a number of times (> 0) this one's, and that differs in
+  /// nothing else but widths and laws of contact: nothing is solved anew. What it gives agrees to round-off with what
+  /// is solved. Nothing where the motions are not such, the solver is not exact, or is_homogeneous() says no.
+  /// @throws InvalidParameter as the constructor, and when anything else differs.
+  [[nodiscard]] std::optional<FreeResponse> scaled(Problem problem) const;
 
   /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
   /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
@@ -64,6 +76,7 @@ class FreeResponse {
 
  private:
   struct Parts;
+  FreeResponse() = default;
   std::shared_ptr<const Parts> parts_;
 };
 

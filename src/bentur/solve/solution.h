@@ -118,4 +118,9 @@ struct Solution {
   SelfMeasures checks = {};
 };
 
+/// What a solution becomes where the ground motion and all widths are `factor` > 0 times those it was found with, in a
+/// system that starts from rest and in which nothing has a size of its own: no element yields, no limit ends a run,
+/// and laws of contacts and joints are homogeneous (Law::is_homogeneous).
+[[nodiscard]] Solution scaled(Solution solution, double factor);
+
 }  // namespace bentur

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -76,7 +77,7 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
     EXPECT_NEAR(intensities[record], peaks[record], 1e-15);
     const double level = std::vector<double>{0.1, 0.5, 2}[choices[2].level];
     EXPECT_NEAR(value_of(runs, result, "peak_ground_acceleration"), level * 9.80665, 1e-14 * level * 9.80665);
-    // By hand, and bit for bit.
+    // By hand: bit for bit at the first level, which the others are made from.
     const ReadCase read = case_of(runs, result.run, level / intensities[record]);
     const Problem problem = make_problem(read.c);
     Problem closed = problem;
@@ -84,7 +85,13 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
     std::vector<double> row(row_size(runs.quantities()));
     fill_row(runs.quantities(), {problem, FreeResponse(closed, read.c.analysis.solver).solve(problem), read.c.units},
              row);
-    EXPECT_EQ(std::memcmp(result.values.data(), row.data(), row.size() * sizeof(double)), 0) << result.run;
+    if (choices[2].level == 0) {
+      EXPECT_EQ(std::memcmp(result.values.data(), row.data(), row.size() * sizeof(double)), 0) << result.run;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (std::isnan(row[i])) continue;
+      EXPECT_NEAR(result.values[i], row[i], 1e-9 * std::abs(row[i])) << result.run << ' ' << i;
+    }
     impacts += value_of(runs, result, "impacts");
   }
   EXPECT_GT(impacts, 0);

@@ -71,7 +71,6 @@ struct StudyRuns::Workspace {
   Problem problem;
   TomlValue root;
   Case c;
-  std::vector<ReadBuilding> buildings;
 };
 
 StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo)
@@ -109,13 +108,33 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) c
   if (!found.ok()) throw NotACase(first_message(found));
   Problem problem = read.problem();
   if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors, contact points or links");
-  FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps));
+  std::optional<FreeResponse> free = scaled_response(run, problem);
+  if (!free) free.emplace(problem, read.c.analysis.solver, nullptr, static_cast<long>(read.c.analysis.limits.steps));
   return std::make_shared<const Group>(
-      Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(free)});
+      Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(*free)});
+}
+
+/// That of a run whose record is scaled to another level, of the one at the first level, which all have in common;
+/// nothing where there is no such thing.
+std::optional<FreeResponse> StudyRuns::scaled_response(std::size_t run, const Problem& problem) const {
+  const std::optional<std::size_t> first = at_first_level(run);
+  if (!first || *first == run || !widths_only_ || !is_homogeneous(problem)) return std::nullopt;
+  const auto homogeneous = [](const ContactPoint& point) { return point.law->is_homogeneous(); };
+  if (!std::all_of(problem.points.begin(), problem.points.end(), homogeneous)) return std::nullopt;
+  return shared_group(*first)->free.scaled(problem);
+}
+
+std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
+  if (!study_.ida || !plan_.is_grid()) return std::nullopt;
+  return plan_.at_level(run, study_.ida->axis, 0);
 }
 
 std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run) const {
-  if (!plan_.has_groups()) return made_group(run);
+  const bool is_shared = plan_.has_groups() || at_first_level(run) == run;
+  return is_shared ? shared_group(run) : made_group(run);
+}
+
+std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run) const {
   const std::uint64_t number = plan_.group(run);
   std::shared_ptr<Place> place;
   {
@@ -144,7 +163,6 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
     if (!widths_only_) {
       workspace.root = workspace.group->root;
       workspace.c = workspace.group->read.c;
-      workspace.buildings = workspace.group->read.buildings;
     }
   }
   const std::vector<Choice> chosen = choices(run);
@@ -159,7 +177,7 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
   put_choices(study_, chosen, workspace.root);
   Diagnostics found;
   const std::string name = study_.case_file.string();
-  workspace.c.gaps = read_gaps(TomlView(workspace.root, "", name, found), workspace.buildings);
+  workspace.c.gaps = read_gaps(TomlView(workspace.root, "", name, found), workspace.group->read.buildings);
   if (!found.ok()) throw NotACase(first_message(found));
   workspace.problem.points = contact_points(workspace.c, workspace.problem.buildings);
   workspace.problem.watched = watched_floors(workspace.c, workspace.problem.buildings, workspace.problem.points);

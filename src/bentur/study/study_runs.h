@@ -5,11 +5,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "bentur/model/quantity_row.h"
+#include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/plan/sweep_plan.h"
 
@@ -26,7 +28,8 @@ struct RunResult {
 };
 
 /// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
-/// different groups what is alike in them. What a run gives does not depend on which others are run, or where.
+/// different groups what is alike in them; runs of one record at several intensities share that response too where it
+/// only scales with them. What a run gives does not depend on which others are run, or where.
 /// May serve many threads.
 class StudyRuns {
  public:
@@ -53,7 +56,11 @@ class StudyRuns {
   struct Workspace;  // what one call of solve() works with
 
   [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run) const;
+  /// Of an [ida] in a grid, the run that differs from `run` by its intensity alone and has the first one.
+  [[nodiscard]] std::optional<std::size_t> at_first_level(std::size_t run) const;
+  [[nodiscard]] std::optional<FreeResponse> scaled_response(std::size_t run, const Problem& problem) const;
   [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run) const;
+  [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run) const;
   void set_problem(Workspace& workspace, std::size_t run) const;
 
   Study study_;

@@ -42,6 +42,7 @@ class KelvinVoigt final : public ContactLaw {
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double penetration,
                               double closing_speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
 
  private:
   enum : int { in_contact = 1, released, nearing };  // branches after `apart`

@@ -27,6 +27,7 @@ class KelvinVoigtApproach final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override;
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
 
  private:
   enum : int { closing = 1, rebound };  // branches after `apart`

@@ -22,6 +22,7 @@ class Linear final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override { return {{"stiffness", stiffness_}}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
 
  private:
   double stiffness_{};  // k [force/length]

@@ -23,6 +23,7 @@ class Restitution final : public ContactLaw {
   [[nodiscard]] LawParameters parameters() const override { return {{"restitution", restitution_}}; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double penetration) const noexcept override;
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
   [[nodiscard]] std::optional<double> restitution() const noexcept override { return restitution_; }
 
  private:

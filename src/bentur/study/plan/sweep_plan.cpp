@@ -54,6 +54,12 @@ std::size_t SweepPlan::level(std::size_t run, std::size_t axis) const {
   return run % levels;
 }
 
+std::size_t SweepPlan::at_level(std::size_t run, std::size_t axis, std::size_t level) const {
+  std::size_t stride = 1;
+  for (std::size_t later = axes_.size() - 1; later > axis; --later) stride *= axes_[later].levels;
+  return run + (level - this->level(run, axis)) * stride;
+}
+
 double SweepPlan::unit(std::size_t run, std::size_t axis) const { return points_->at(run, axis); }
 
 std::size_t SweepPlan::run_at(std::size_t position) const {

@@ -29,6 +29,8 @@ class SweepPlan {
 
   /// Which value of an axis with levels `run` has.
   [[nodiscard]] std::size_t level(std::size_t run, std::size_t axis) const;
+  /// In a grid, the run that differs from `run` by having that level of an axis.
+  [[nodiscard]] std::size_t at_level(std::size_t run, std::size_t axis, std::size_t level) const;
   /// Where on a continuous axis `run` lies: u in (0, 1).
   [[nodiscard]] double unit(std::size_t run, std::size_t axis) const;
 

@@ -144,9 +144,9 @@ struct ModalSystem {
   [[nodiscard]] double speed(const Eigen::VectorXd& v) const { return v.cwiseProduct(of_mode).norm(); }
 
   /// Growth bound of the power series under the linear and resting forces, r = ½B + √(¼B² + A), A ≥ ‖Ω² + stiffness of
-  /// elements‖, B ≥ ‖D + their damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν. What makes
-  /// softer, with a negative stiffness, makes no matrix larger than it was: of a symmetric one with X ≥ 0, Y ≤ 0 added,
-  /// the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) at most.
+  /// elements‖, B ≥ ‖D + their damping‖: as r² ≥ A + B r, no coefficient exceeds that of e^{rt}. At least ν. Nothing
+  /// more is assumed: no matrix has to be symmetric or positive. What makes softer makes none larger than it was: with
+  /// X ≥ 0 and Y ≤ 0, symmetric, and any Z added, the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) + ‖Z‖ at most.              (T-7)
   [[nodiscard]] double rate(const ElementForces& forces) const;
 
   /// q̈ by (T-1) at the given state, ground input and force of each element [force] (empty: none).

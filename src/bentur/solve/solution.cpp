@@ -1,0 +1,63 @@
+#include "bentur/solve/solution.h"
+
+namespace bentur {
+namespace {
+
+void scale(Sampled& sampled, double by) {
+  for (double& value : sampled.ground_acceleration) value *= by;
+  for (Eigen::MatrixXd* of : {&sampled.opening, &sampled.force, &sampled.joint_deformation, &sampled.joint_force}) {
+    *of *= by;
+  }
+}
+
+/// Energies are products of two lengths, speeds or forces.
+void scale(EnergyAudit& energy, double by) {
+  const double squared = by * by;
+  energy.peak_input *= squared;
+  energy.residual *= squared;
+  EnergyHistories& of = energy.histories;
+  for (Eigen::VectorXd* history :
+       {&of.input, &of.kinetic, &of.strain, &of.damping, &of.hysteretic, &of.contact_stored, &of.contact_lost}) {
+    *history *= squared;
+  }
+}
+
+void scale(Impact& impact, double by) {
+  for (double* of : {&impact.closing_speed, &impact.separation_speed, &impact.peak_force, &impact.peak_penetration,
+                     &impact.impulse, &impact.peak_tension}) {
+    *of *= by;
+  }
+  impact.energy_lost *= by * by;
+}
+
+}  // namespace
+
+Solution scaled(Solution solution, double factor) {
+  for (std::vector<OutputsFound>& body : solution.outputs) {
+    for (OutputsFound& found : body) {
+      found.peak *= factor;
+      found.history *= factor;
+      found.course *= factor;
+    }
+  }
+  for (Impact& impact : solution.impacts) scale(impact, factor);
+  for (ElementFound& joint : solution.joints) {
+    joint.peak_force *= factor;
+    joint.peak_tension *= factor;
+    joint.closing.reach *= factor;
+    joint.opening.reach *= factor;
+    joint.energy_lost *= factor * factor;
+  }
+  for (std::vector<double>* lengths : {&solution.needed, &solution.scales}) {
+    for (double& length : *lengths) length *= factor;
+  }
+  for (std::vector<Reach>* reaches : {&solution.watched, &solution.watched_free}) {
+    for (Reach& reach : *reaches) reach.reach *= factor;
+  }
+  scale(solution.samples, factor);
+  scale(solution.course, factor);
+  if (solution.energy) scale(*solution.energy, factor);
+  return solution;
+}
+
+}  // namespace bentur
