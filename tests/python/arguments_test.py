@@ -1,5 +1,7 @@
 """What is wrong with an argument is said by the name that the caller knows, never by what lies behind it."""
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,11 @@ import bentur
 
 def record():
     return np.sin(np.arange(400) / 20.0)
+
+
+@functools.cache
+def result():
+    return bentur.run(bentur.example())
 
 
 CALLS = {
@@ -35,6 +42,24 @@ CALLS = {
     "threads = 0": lambda: bentur.sweep("study.toml", threads=0),
     "results is a dict": lambda: bentur.fragility({}),
     "probabilities is a float": lambda: bentur.fragility({}, probabilities=0.1),
+    'method = "guess"': lambda: bentur.fragility({}, method="guess"),
+    "method is a None": lambda: bentur.modes(bentur.example(), method=None),
+    "values is a int": lambda: bentur.example().replace(5),
+    "values is a None": lambda: bentur.vary(bentur.example(), None),
+    r'values\["gap\[0\].width"\] is a float': lambda: bentur.vary(bentur.example(), {"gap[0].width": 0.1}),
+    'building = "C", must be one of: Model 1, Model 2': lambda: bentur.example().matrices("C"),
+    "building = 2, must be from 0 to 1": lambda: bentur.example().matrices(2),
+    "building is a None": lambda: bentur.example().matrices(None),
+    "folder is a None": lambda: result().save(None),
+    'folder = ""': lambda: result().save(""),
+    "kind is a int": lambda: result().plot(5),
+    "width = -1": lambda: result().plot(width=-1),
+    "start is a str": lambda: result().plot("force", start="1 s"),
+    "gap = -1": lambda: result().plot("force", gap=-1),
+    "elevation is a str": lambda: result().plot("force", elevation="3 m"),
+    "language is a None": lambda: result().report(None),
+    "template is a int": lambda: result().report(template=3),
+    'file = "a.png", must end in': lambda: result().plot().save("a.png"),
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numbers
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 
@@ -54,6 +54,18 @@ def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name} is a {_kind(value)}, must be a text")
     return value
+
+
+def mapping(name: str, value: Any, of: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name} is a {_kind(value)}, must be {of}")
+    return value
+
+
+def one_of(name: str, value: Any, allowed: Sequence[str]) -> str:
+    if text(name, value) not in allowed:
+        raise ValueError(f'{name} = "{value}", must be one of: {", ".join(allowed)}')
+    return str(value)
 
 
 def _kind(value: Any) -> str:

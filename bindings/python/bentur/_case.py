@@ -88,10 +88,8 @@ class Case:
     @classmethod
     def from_dict(cls, values: Mapping[str, Any], *, folder: str | PathLike[str] = ".") -> Case:
         """A case from the tables of a case file, as dictionaries or classes or both."""
-        if not isinstance(values, Mapping):
-            raise TypeError(f"values is a {type(values).__name__}, must be the tables of a case")
         folder = _arguments.path("folder", folder)
-        tables = table_of(values)
+        tables = table_of(_arguments.mapping("values", values, "the tables of a case"))
         files: list[tempfile.TemporaryDirectory[str]] = []
         _write_values(tables, files)
         with _naming_no_file(files):
@@ -105,8 +103,9 @@ class Case:
 
         :raises CaseError: where that makes no case.
         """
+        tables = table_of(_arguments.mapping("values", values, "values by their keys"))
         with _naming_no_file(self._files):
-            return Case._of(self._made.with_values(table_of(values)), self._files)
+            return Case._of(self._made.with_values(tables), self._files)
 
     def to_dict(self) -> dict[str, Any]:
         """The tables of the case as they were given."""
@@ -153,7 +152,10 @@ class Case:
     def matrices(self, building: str | int) -> dict[str, NDArray[np.float64]]:
         """``mass`` [mass] and ``stiffness`` [force/length] of a building as the solver has them, condensed and
         calibrated, and ``elevations`` [length] of its floors."""
-        number = self.buildings.index(building) if isinstance(building, str) else building
+        if isinstance(building, str):
+            number = self.buildings.index(_arguments.one_of("building", building, self.buildings))
+        else:
+            number = _arguments.whole("building", building, 0, len(self.buildings) - 1)
         return self._made.matrices(number)
 
     @property

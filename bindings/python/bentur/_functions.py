@@ -90,8 +90,7 @@ def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[
     :param method: ``"library"``, or ``"jacobi"`` as in the monograph.
     :returns: by names of buildings; lists became arrays, ``shapes`` is modes × degrees of freedom.
     """
-    if method not in ("library", "jacobi"):
-        raise ValueError(f'method = "{method}", must be "library" or "jacobi"')
+    method = _arguments.one_of("method", method, ("library", "jacobi"))
     told = json.loads(_core.modes_json(as_case(case)._made, method == "jacobi"))
     return {one["name"]: {k: np.array(v) if isinstance(v, list) else v for k, v in one.items()} for one in told["buildings"]}
 

@@ -39,7 +39,7 @@ class Picture:
 
         :raises ValueError: where the name does not end in ``.svg``.
         """
-        path = Path(file)
+        path = Path(_arguments.path("file", file))
         if path.suffix != ".svg":
             raise ValueError(f'file = "{file}", must end in .svg')
         path.write_text(self.svg, encoding="utf-8")
@@ -196,9 +196,7 @@ class Result:
         :returns: the files written.
         :raises RefusedOutput: naming the file that would be harmed; nothing was written.
         """
-        if not str(folder):
-            raise ValueError('folder = "", must be the name of a folder')
-        into = Path(folder)
+        into = Path(_arguments.path("folder", folder))
         histories = netcdf(*self._file) if len(self._values("time")) else None
         return [into / name for name in self._run.save(self.case._made, into, histories, is_histories, force)]
 
@@ -229,7 +227,18 @@ class Result:
         :param elevation: of the contact point [length]; else the one that is hit hardest.
         :raises ValueError: where the run cannot give it, naming what it can.
         """
-        return Picture(self._drawn_from.figure_svg(kind, language, width, start, end, gap, elevation))
+        number = _arguments.number
+        return Picture(
+            self._drawn_from.figure_svg(
+                _arguments.text("kind", kind),
+                _arguments.text("language", language),
+                _arguments.positive("width", width),
+                None if start is None else number("start", start),
+                None if end is None else number("end", end),
+                None if gap is None else _arguments.whole("gap", gap, 0),
+                None if elevation is None else number("elevation", elevation),
+            )
+        )
 
     @property
     def _drawn_from(self) -> _core.Run:
@@ -244,7 +253,7 @@ class Result:
         :raises CaseError: with all that cannot stand in the template.
         """
         head = None if template is None else _arguments.path("template", template)
-        return self._drawn_from.report_html(language, head)
+        return self._drawn_from.report_html(_arguments.text("language", language), head)
 
     @cached_property
     def _at_report_step(self) -> _core.Run:
@@ -267,7 +276,7 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        return self._run.lines(language)
+        return self._run.lines(_arguments.text("language", language))
 
     def __str__(self) -> str:
         title = [self.summary["title"]] if self.summary["title"] else []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import astuple, replace
 from os import PathLike
@@ -152,7 +152,9 @@ def vary(
     :returns: as :func:`sweep`.
     """
     tables = []
-    for key, given in values.items():
+    for key, given in _arguments.mapping("values", values, "lists of values by their keys").items():
+        if isinstance(given, str) or not isinstance(given, Iterable):
+            raise TypeError(f'values["{key}"] is a {type(given).__name__}, must be a list of values')
         given = list(given)
         levels = table_of(given, key)
         one: dict[str, Any] = {"parameter": key, "values": levels}
@@ -220,8 +222,7 @@ def fragility(
     :param method: of θ and β: "likelihood", or of events that exceed a number above 0 "cloud" or "stripes".
     :raises ValueError: where the results do not have what is asked for.
     """
-    if method not in ("likelihood", "cloud", "stripes"):
-        raise ValueError(f'method = "{method}", must be "likelihood", "cloud" or "stripes"')
+    method = _arguments.one_of("method", method, ("likelihood", "cloud", "stripes"))
     wanted = _arguments.listed("probabilities", probabilities)
     if not hasattr(results, "data_vars"):
         raise TypeError(f"results is a {type(results).__name__}, must be an xarray.Dataset of bentur.ida")
