@@ -36,6 +36,35 @@ TEST(Events, GrazingContactOfATrillionthOfTheGap) {
   }
 }
 
+/// A law as a user may write one by mistake: its force is another whenever it is asked for.
+class Noise final : public ContactLaw {
+ public:
+  [[nodiscard]] std::string_view name() const noexcept override { return "noise"; }
+  [[nodiscard]] LawParameters parameters() const override { return {}; }
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override {
+    if (state.branch == apart) return Branch::apart();
+    return Branch{.bodies = Bodies::touching, .linear = false}.guarded_by({{.deformation = 1}});
+  }
+  [[nodiscard]] double force(const LawState& state, double, double) const noexcept override {
+    return state.branch == apart ? 0 : 1e4 * std::uniform_real_distribution<>()(engine_);
+  }
+  [[nodiscard]] double stored_energy(const LawState&, double) const noexcept override { return 0; }
+
+ private:
+  mutable std::mt19937 engine_{1};
+};
+
+TEST(Events, AForceThatJumpsAboutEndsTheRun) {
+  Problem problem = pair(oscillator(1.0, 400.0), wall(), {contact(0.01, 1.0)}, 1.0);
+  problem.points[0].law = std::make_shared<Noise>();
+  problem.initial_velocity[0](0) = 1.0;
+  for (const Solver& solver : {Solver(ExactSolver{}), Solver(AdaptiveSolver{})}) {
+    const Response response = solve(problem, solver);
+    EXPECT_EQ(response.status, Status::failed);
+    EXPECT_NE(response.message.find("no step is short enough to follow the contact force"), std::string::npos);
+  }
+}
+
 TEST(Events, ContactAtARecordSample) {
   // A free mass under a_g = −2 is at t² relative to its base: at w = 0.01 when t = 0.1, the sixth sample of 0.02 s.
   Problem problem = pair(oscillator(1.0, 0.0), wall(), {contact(0.01, 1e4)}, 0.3);

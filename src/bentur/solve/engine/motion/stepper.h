@@ -38,6 +38,7 @@ class Stepper {
   /// Whether the step last taken is a power series, which is the solution itself wherever it is cut.
   [[nodiscard]] bool is_series() const { return way_ == Way::series; }
   [[nodiscard]] bool is_fixed() const { return way_ == Way::fixed; }
+  [[nodiscard]] bool is_adapted() const { return way_ == Way::pair; }
 
   /// To be told when a contact begins: its force may set in steeply.
   void contact_begins() { fresh_ = true; }

@@ -14,6 +14,8 @@ constexpr double instant = 0x1p-46;                // of the duration: what is o
 constexpr long events_per_step_limit = 100000;     // more than this in one record step cannot be a pounding problem
 constexpr long events_by_bisection_limit = 10000;  // where each takes fifty steps
 constexpr long stalled_steps_limit = 1000;         // that are too short to tell one time from the next
+constexpr double adapted_steps_limit = 100000;     // in one record step, and again in each time that a body needs
+constexpr const char* no_step = "no step is short enough to follow the contact force";
 constexpr long segments_between_reports = 256;
 constexpr long steps_between_reports = 4096;  // where segments take long
 constexpr Eigen::Index first_ahead = 1;       // flights that are looked at together, then twice as many, and so on
@@ -226,6 +228,7 @@ void Run::take_steps(double start, double length) {
   double elapsed = 0.0;
   long cuts = 0;
   long stalled = 0;
+  double adapted = 0;
   while (elapsed < length && go_on()) {
     bound_memory();
     const double left = length - elapsed;
@@ -260,6 +263,11 @@ void Run::take_steps(double start, double length) {
     arrive();
     arrived(start + elapsed);
     if (!trouble_.empty() || passed_) return;
+    // A force that jumps about, as one of a user's own may, leaves no step long enough to get anywhere.
+    if (stepper_.is_adapted() && ++adapted > adapted_steps_limit * (1.0 + elapsed * replayed_forces_.rate)) {
+      fail(no_step, time);
+      return;
+    }
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     // A harmonic motion is one step, however many periods it lasts.
     const double periods = 1.0 + std::floor(elapsed * system_.nu / (2.0 * std::numbers::pi));
@@ -353,7 +361,7 @@ void Run::arrived(double time) {
 
 bool Run::step(double time, double longest) {
   if (!stepper_.advance(here(), longest, elements_.any_touching(), motion_, next_)) {
-    fail("no step is short enough to follow the contact force", time);
+    fail(no_step, time);
     return false;
   }
   if (!motion_.find_end(stepper_.is_series() ? next_ : expanded_, end_acceleration_)) {
