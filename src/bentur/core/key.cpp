@@ -165,6 +165,11 @@ Key& Key::at_least(std::int64_t items) {
   return *this;
 }
 
+Key& Key::up_to(std::int64_t items) {
+  most = items;
+  return *this;
+}
+
 Key& Key::for_each(std::string_view one_per) {
   form = Form::one_or_list;
   each = one_per;

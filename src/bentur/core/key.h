@@ -99,7 +99,7 @@ struct Key {
   std::vector<std::string_view> word_docs = {};        ///< of each word what it means, where that is said apart
   std::vector<Label> word_labels = {};                 ///< of each word, empty where the word itself will do
   const KeyTable* table = nullptr;                     ///< also of a number: it may be such a table instead
-  std::int64_t least = 0, most = 0;                    ///< of a whole number; of a list of tables how many at least
+  std::int64_t least = 0, most = 0;                    ///< of a whole number; of a list how many, 0: any number
   std::size_t count = 0;                               ///< of a list: how many, where that is always the same
   bool or_diagonal = false;                            ///< of a matrix: a list alone is its diagonal
   bool may_be_empty = false;                           ///< a list, or a line
@@ -125,6 +125,7 @@ struct Key {
   Key& list(std::string_view one_per = {}, std::size_t of_them = 0);  ///< a list
   Key& or_empty();
   Key& at_least(std::int64_t items);
+  Key& up_to(std::int64_t items);
   Key& for_each(std::string_view one_per);                                   ///< one for all, or a list
   Key& matrix(std::string_view one_per = {}, bool or_its_diagonal = false);  ///< a list of lists
   Key& optional(std::string_view without = {});

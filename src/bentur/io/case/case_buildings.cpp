@@ -122,7 +122,7 @@ std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& unit
                                          const CaseMemo* memo) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
-  if (!list) return buildings;
+  if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
   for (const TomlView& table : list->items()) {
     const auto known = memo != nullptr ? memo->building(table.value(), units, buildings) : nullptr;
     buildings.push_back(known ? *known : read_building(table, units, files, buildings));

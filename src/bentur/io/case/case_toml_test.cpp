@@ -1,5 +1,6 @@
 #include "bentur/io/case/case_toml.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,6 +50,25 @@ bool is_tried_here(const std::string& file) {
 #else
   return !file.empty();
 #endif
+}
+
+/// Counts are refused before any work that grows with them.
+TEST(CaseToml, TooManyBuildingsAndStoreysAreCountedFirst) {
+  std::string buildings, numbers;
+  for (int i = 0; i < 100000; ++i) buildings += fmt::format("[[building]]\nname = \"{}\"\n", i);
+  for (int i = 0; i < 1001; ++i) numbers += "3, ";
+  const auto errors = [](const std::string& text) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_case_text(text, bad_input / "many.toml", diagnostics));
+    std::string all;
+    for (const Diagnostic& one : diagnostics.errors()) all += one.text() + "\n";
+    return all;
+  };
+  const std::string many = errors(buildings);
+  EXPECT_NE(many.find("building has 100000 entries, must have at most 1000"), std::string::npos) << many;
+  EXPECT_EQ(many.find("damping"), std::string::npos) << "none of them is read";
+  const std::string tall = errors("[[building]]\nname = \"A\"\nstick = { storey_heights = [" + numbers + "] }\n");
+  EXPECT_NE(tall.find("storey_heights has 1001 entries, must have at most 1000"), std::string::npos) << tall;
 }
 
 TEST(CaseToml, EachBadInputGivesItsMessages) {

@@ -140,6 +140,7 @@ Schema list_of_items(const Key& key, const Schema& item) {
                                                     : 1;
   if (least > 0) list["minItems"] = least;
   if (key.count > 0) list["maxItems"] = key.count;
+  if (key.most > 0) list["maxItems"] = key.most;
   return list;
 }
 

@@ -4,10 +4,13 @@
 namespace bentur {
 namespace {
 
+constexpr int most_floors = 1000;
+
 Key elevations_of_floors() {
   return Key::number("elevations", dimension::length, Range::size, {"Levels above the base", "Elevasi dari dasar"},
                      "ascending, of the floors above the own base")
-      .list();
+      .list()
+      .up_to(most_floors);
 }
 
 Key hardening_of_storeys() {
@@ -51,6 +54,7 @@ const KeyTable& building_keys() {
             Key::number("elevations", dimension::length, Range::level, {"Levels above the base", "Elevasi dari dasar"},
                         "of a wall alone: ascending, where it can be struck")
                 .list()
+                .up_to(most_floors)
                 .when("rigid", {"true"}),
             Key::of("p_delta", Key::Kind::flag, {"P-Δ", "P-Δ"},
                     "the floors' weights [soften the building](#gravity-loads-p-δ)")
@@ -134,9 +138,11 @@ const KeyTable& frame_keys() {
       {Key::number("elastic_modulus", dimension::pressure, Range::positive, {"Elastic modulus", "Modulus elastisitas"}),
        Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                    "bottom to top")
-           .list(),
+           .list()
+           .up_to(most_floors),
        Key::number("bay_widths", dimension::length, Range::size, {"Bay widths", "Lebar bentang"}, "left to right")
-           .list(),
+           .list()
+           .up_to(100),
        Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}).list("one for all, or one per storey"),
        Key::sub_table("beams", section_keys(), {"Beams", "Balok"}).list("one for all, or one per floor"),
        Key::number("floor_masses", dimension::mass, Range::not_negative, {"Floor masses", "Massa lantai"},
@@ -228,7 +234,8 @@ const KeyTable& stick_keys() {
         "a shear building; storeys with `yield_forces` yield",
         {Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                      "bottom to top")
-             .list("one per storey"),
+             .list("one per storey")
+             .up_to(most_floors),
          Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
              .list("one per storey"),
          Key::number("stiffnesses", dimension::stiffness, Range::positive, {"Stiffnesses", "Kekakuan"},
@@ -294,7 +301,7 @@ const KeyTable& generic_keys() {
   static const KeyTable table = {
       "building.generic",
       "known by little",
-      {Key::whole("storeys", 1, 1000, {"Storeys", "Tingkat"}),
+      {Key::whole("storeys", 1, most_floors, {"Storeys", "Tingkat"}),
        Key::number("storey_height", dimension::length, Range::size, {"Storey height", "Tinggi tingkat"})
            .for_each("one per storey"),
        Key::number("floor_mass", dimension::mass, Range::positive, {"Floor mass", "Massa lantai"})

@@ -231,7 +231,8 @@ const KeyTable& case_keys() {
        Key::sub_table("units", unit_keys(), {"Units", "Satuan"}, "of every number").optional(),
        Key::sub_table("building", building_keys(), {"Buildings", "Bangunan"}, "two or more, from left to right")
            .list()
-           .at_least(2),
+           .at_least(2)
+           .up_to(1000),
        Key::sub_table("gap", gap_keys(), {"Gaps", "Celah"}, "one between each pair of neighbours").list(),
        Key::sub_table("link", link_keys(), {"Links", "Penghubung"}, "springs, dampers and cables")
            .list()

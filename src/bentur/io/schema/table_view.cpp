@@ -169,7 +169,7 @@ bool TableView::flag(std::string_view name) const {
 std::vector<double> TableView::numbers(std::string_view name, std::size_t count) const {
   const Key& one = key(name);
   const auto given = get(name);
-  if (!given) return {};
+  if (!given || given->has_more_than(one.most)) return {};
   if (count == 0) count = one.count;
   return one.form == Key::Form::one_or_list ? given->as_number_or_numbers(one.range, length(one, count))
                                             : given->as_numbers(one.range, length(one, count));

@@ -222,6 +222,12 @@ bool TomlView::is_list_of(const std::string& what, const Length& length) const {
   return true;
 }
 
+bool TomlView::has_more_than(std::int64_t most) const {
+  const bool too_many = most > 0 && is(TomlValue::Kind::list) && std::ssize(value_->items) > most;
+  if (too_many) error(fmt::format("has {}, must have at most {}", entries(), most));
+  return too_many;
+}
+
 std::string TomlView::entries() const { return counted(size(), "entry", "entries"); }
 
 std::optional<double> TomlView::as_number(Range range) const {

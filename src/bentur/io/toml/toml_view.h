@@ -71,6 +71,8 @@ class TomlView {
   [[nodiscard]] std::vector<TomlView> items() const;
   /// False (and an error) unless this is a list of the length asked for, with one entry at least.
   [[nodiscard]] bool is_list_of(const std::string& what, const Length& length = {}) const;
+  /// Whether this is a list of more entries (and an error); 0: of as many as there are.
+  [[nodiscard]] bool has_more_than(std::int64_t most) const;
 
   // This value itself.
   [[nodiscard]] std::optional<double> as_number(Range range) const;
