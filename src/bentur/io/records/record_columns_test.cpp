@@ -96,6 +96,8 @@ TEST_F(RecordColumns, FilesWithoutNumbers) {
     EXPECT_FALSE(read(text).has_value());
     EXPECT_EQ(messages(), ": error: is empty\n");
   }
+  EXPECT_FALSE(read(std::string(1000, '\0')).has_value());
+  EXPECT_EQ(messages(), ": error: is a binary file, but records are text\n");
   EXPECT_FALSE(read("# only a comment\ntime acceleration\n").has_value());
   EXPECT_EQ(messages(), ": error: holds no numbers\n");
   EXPECT_FALSE(read("0 1\n").has_value());

@@ -54,8 +54,9 @@ std::string not_text(std::string_view text) {
   if (text.substr(0, 4) == "PK\x03\x04") {
     return "is a spreadsheet or a zip archive: export the record as CSV, or unpack it";
   }
-  const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));
-  return text.substr(0, end + 1).find('\0') != std::string_view::npos ? "is a binary file, but records are text" : "";
+  const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));  // zeros fill up the last block
+  const std::string_view written = end == std::string_view::npos ? text : text.substr(0, end + 1);
+  return written.find('\0') != std::string_view::npos ? "is a binary file, but records are text" : "";
 }
 
 /// The place of a date such as 10/28/83 or 5/19/1940 in a text, and its length; nothing where there is none.
@@ -139,6 +140,8 @@ std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
     if (line.text.size() <= longest_line) continue;
     return errors.error(line, fmt::format("is a line of more than {} MiB, which no record has", longest_line >> 20));
   }
+  problem = not_text(text);
+  if (!problem.empty()) return errors.error(problem);
   const bool blank = std::all_of(lines.begin(), lines.end(), [](const Line& line) {
     return line.text.find_first_not_of(" \t") == std::string_view::npos;
   });
@@ -147,8 +150,6 @@ std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
         skipped > 0 ? fmt::format("holds nothing behind the {} lines of {}", skipped, options.name("skip_lines"))
                     : "is empty");
   }
-  problem = not_text(text);
-  if (!problem.empty()) return errors.error(problem);
   auto record = read_lines(lines, options, errors);
   if (record && record->values.size() < 2) errors.error("holds one value only, a record needs two or more");
   if (!record || !errors.ok()) return std::nullopt;
