@@ -1,11 +1,16 @@
 #include "bentur/io/output/atomic_file.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 #include <system_error>
 
@@ -18,11 +23,44 @@ namespace fs = std::filesystem;
   throw std::runtime_error(path.string() + ": " + what + ": " + std::generic_category().message(code));
 }
 
+/// What the names of this process's temporary files begin with, and those of others that ran where it runs: numbers of
+/// processes mean the same only on one machine and in one container of it. Empty where that cannot be told.
+const std::string& temporary_names() {
+  static const std::string names = [] {
+    std::array<char, 256> host{}, container{};
+    if (::gethostname(host.data(), host.size() - 1) != 0) return std::string();
+    if (::readlink("/proc/self/ns/pid", container.data(), container.size() - 1) <= 0) return std::string();
+    const std::size_t place = std::hash<std::string>()(std::string(host.data()) + container.data());
+    return fmt::format(".bentur-{:08x}-", place & 0xffffffff);
+  }();
+  return names;
+}
+
+/// Removes what runs that were killed have left in a folder. Only files named as ours of a process that is gone.
+void remove_orphans(const fs::path& folder) {
+  const std::string& ours = temporary_names();
+  if (ours.empty()) return;
+  std::error_code code;
+  std::vector<fs::path> orphans;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(ours)) continue;
+    const char* const end = name.data() + name.size();
+    pid_t process = 0;
+    const auto [rest, problem] = std::from_chars(name.data() + ours.size(), end, process);
+    const bool named_so = problem == std::errc() && process > 0 && end - rest == 7 && *rest == '-';
+    if (named_so && ::kill(process, 0) != 0 && errno == ESRCH) orphans.push_back(entry.path());
+  }
+  for (const fs::path& orphan : orphans) fs::remove(orphan, code);
+}
+
 /// Writes all of `content` to a new file beside `file`, with the permissions any new file gets. @return its path;
 /// nothing is left behind on failure.
 fs::path write_temporary(const fs::path& file, std::string_view content) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::string path = (folder / ("." + file.filename().string() + "-XXXXXX")).string();
+  remove_orphans(folder);
+  const std::string ours = temporary_names().empty() ? ".bentur-" : temporary_names();
+  std::string path = (folder / fmt::format("{}{}-XXXXXX", ours, ::getpid())).string();
   OpenFile open(::mkstemp(path.data()), file);
   try {
     const mode_t mask = ::umask(0);

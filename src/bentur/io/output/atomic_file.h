@@ -41,7 +41,8 @@ class OpenFile {
   std::filesystem::path name_;
 };
 
-/// Makes a new empty file in the folder of `file`, with the permissions any new file gets. @return its path.
+/// Makes a new empty file in the folder of `file`, with the permissions any new file gets, and removes those that
+/// killed runs have left there. @return its path.
 /// @throws std::runtime_error naming `file`, with the system's reason.
 [[nodiscard]] std::filesystem::path make_temporary(const std::filesystem::path& file);
 

@@ -1,7 +1,10 @@
 #include "bentur/io/output/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -45,6 +48,25 @@ TEST_F(AtomicFilesTest, WithoutCommitNothingStays) {
     EXPECT_TRUE(fs::exists(root_ / "a/b"));
   }
   EXPECT_EQ(entries(root_), 0);
+}
+
+TEST_F(AtomicFilesTest, WhatKilledRunsLeftIsRemoved) {
+  const fs::path living = make_temporary(root_ / "one"), foreign = root_ / ".bentur-00000000-1-abcdef";
+  std::ofstream(foreign) << "of another machine";
+  const pid_t killed = ::fork();
+  ASSERT_GE(killed, 0);
+  if (killed == 0) {
+    AtomicFiles files(root_);
+    files.add("one", "1", ResultKind::report);
+    files.add("two", "2", ResultKind::report);
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
+  EXPECT_EQ(entries(root_), 4);
+  AtomicFiles files(root_);
+  EXPECT_EQ(entries(root_), 2);
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(foreign));
 }
 
 TEST_F(AtomicFilesTest, WithoutCommitWhatWasThereStays) {
