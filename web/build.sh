@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What ./dev studio and the tests build into build/web: build.sh core|units|page
+# What ./dev studio and the tests build into build/web: build.sh core|page|units TEST...
 #   core   bentur_web.mjs, the library as a module
-#   units  the unit tests of the modules as programs for node
+#   units  unit tests as programs for node, those that are named: core_test io_test ...
 #   page   bentur-studio.html, the core and the page in one file
 # Exit status 77, saying so, where a tool is missing.
 set -eu
@@ -52,7 +52,7 @@ page() {
 mkdir -p "$out"
 case ${1:-page} in
   core) core bentur_web ;;
-  units) core core_test elements_test structure_test excitation_test contact_test solve_test pounding_test model_test io_test study_test ;;
+  units) core "${@:2}" ;;
   page) core bentur_web; page ;;
   *) echo "build.sh knows core, units and page"; exit 1 ;;
 esac
