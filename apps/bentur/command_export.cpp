@@ -10,6 +10,7 @@
 #include "arguments.h"
 #include "bentur/files/ida_reading.h"
 #include "bentur/files/netcdf.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/study/exchange/demands.h"
@@ -116,11 +117,7 @@ void export_taxonomy(const ExportArguments& arguments) {
   for (Eigen::Index b = 0; b <= gaps; ++b) {
     const auto place = static_cast<std::size_t>(b);
     if (loaded.problem.buildings[b].is_rigid()) continue;
-    std::string name = loaded.problem.buildings[b].name;
-    for (std::size_t quote = name.find('"'); quote != std::string::npos; quote = name.find('"', quote + 2)) {
-      name.insert(quote, "\"");
-    }
-    text += fmt::format("\"{}\",{}\n", name,
+    text += fmt::format("{},{}\n", csv_field(loaded.problem.buildings[b].name),
                         gem_taxonomy(c, loaded.problem, b, pounds[place] != 0 || pounds[place + 1] != 0));
   }
   output.write(text);

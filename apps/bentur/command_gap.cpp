@@ -164,6 +164,10 @@ void run_rules(const GapArguments& arguments) {
   }
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
+  if (arguments.record) {
+    throw Failure(exit_bad_input,
+                  error_words("bentur gap: --record is for simulated gaps, not for --rules", arguments.language));
+  }
   const Words say(arguments.language);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;

@@ -969,6 +969,8 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         case.write_text(template.replace("OWNER", "true").replace("NEIGHBOUR", "none"))
         text = re.sub(r"\s+", " ", self.done("gap", "--rules", case).stdout)
         self.assertIn("NSR-10 (Colombia) (it needs displacements)", text)
+        refused = self.fails(2, "gap", "--rules", "--record", "1", case).stderr
+        self.assertIn("--record is for simulated gaps", refused)
 
     def test_the_exception_of_the_code_is_quoted(self):
         case = self.written("m12-el-centro")

@@ -165,6 +165,9 @@ class StudyList {
     if (part.owner == Owner::point) variable.dimensions.push_back(places_.points);
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);
     variable.attributes.push_back({"symbol", std::string(part.quantity->symbol)});
+    if (part.owner == Owner::floor || part.owner == Owner::building || part.owner == Owner::hinge) {
+      variable.attributes.push_back({"building", facts_.problem.buildings[part.building].name});
+    }
     if (part.quantity->by_size) variable.attributes.push_back({"compared_by", "size"});
     name_coordinates(variable, own_coordinates());
     variable.values = std::vector<double>();

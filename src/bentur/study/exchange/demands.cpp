@@ -145,12 +145,7 @@ class DemandReader {
         if (file_.find(fmt::format("peak_drift_ratio_{}", b + 1)) != nullptr) continue;  // a wall has none
         break;
       }
-      const std::string mark = ", building \"";  // quantity_row.cpp
-      const std::size_t at = variable->long_name.rfind(mark);
-      const std::string name =
-          at == std::string::npos
-              ? ""
-              : variable->long_name.substr(at + mark.size(), variable->long_name.size() - at - mark.size() - 1);
+      const std::string name = file_.attribute(variable->name, "building");
       if (name == building) number = fmt::format("_{}", b);
       names.push_back(name);
     }
