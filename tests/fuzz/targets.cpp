@@ -54,10 +54,8 @@ void run_shortly(Case c) {
   if (is_without_motion(c) || c.buildings.size() > 6) return;
   try {
     const Problem problem = make_problem(c);
-    const auto floors = [](const Building& building) { return building.floors(); };
-    if (std::any_of(problem.buildings.begin(), problem.buildings.end(),
-                    [&](const Building& building) { return floors(building) > 20; })) {
-      return;
+    for (const Building& building : problem.buildings) {
+      if (building.model.floors() > 20) return;
     }
     const Response response = solve(problem, c.analysis.solver, solve_options(c));
     demand(response.status != Status::failed || !response.message.empty(), "a run has failed without a word");
