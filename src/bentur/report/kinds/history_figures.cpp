@@ -161,7 +161,7 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
 
 /// The peak of each impact, where there are so many that their courses would fill the frame.
 std::optional<Curve> force_peaks(const RunResults& run, Eigen::Index point, const Window& window) {
-  constexpr std::size_t most = 400;
+  constexpr std::size_t most = 130;  // two pixels each in a journal's column
   Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
   for (const Impact& impact : run.response.impacts) {
     if (impact.point != point || !(impact.peak_force > 0)) continue;
