@@ -313,6 +313,18 @@ TEST(Layout, LegendsLieAboveTheFramesAndNotOnOneAnother) {
   }
 }
 
+TEST(Layout, AUnitStaysWithItsNumber) {
+  for (double width = 2; width < 8.8; width += 0.1) {
+    Figure figure = simple("Old frame | New frame, level 10 m");
+    figure.width = width;
+    figure.panels[0].x.label = "Storey shear, ratio [m]";
+    const Layout placing = layout(figure);
+    for (const auto& lines : {placing.panels[0].title, placing.panels[0].x_label}) {
+      for (const std::string& line : lines) EXPECT_TRUE(line != "m" && line != "[m]") << width;
+    }
+  }
+}
+
 TEST(Layout, NumbersOfAnAxisDoNotTouch) {
   for (double high = 0.00011; high < 1e8; high *= 2.3) {
     Panel panel;

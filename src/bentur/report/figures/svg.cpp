@@ -240,8 +240,8 @@ class Drawing {
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);
     text(panel.note, x(middle), y((placed.bottom + placed.top) / 2), "middle");
-    text(scaled(panel.y.label, placed.y, panel.y.number), x(placed.cell_left + 0.25),
-         y((placed.bottom + placed.top) / 2), "middle", true);
+    text(scaled(panel.y.label, placed.y, panel.y.number), x(placed.y_label_x), y((placed.bottom + placed.top) / 2),
+         "middle", true);
     legend(placed);
   }
 
