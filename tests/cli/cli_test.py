@@ -1149,7 +1149,7 @@ class Screening(CommandLine):
         self.assertIn("needs seismicity", page)
         self.assertIn("FEMA P-154", page)
         self.done("report", case, "-o", output, "--lang", "id")
-        self.assertIn("perlu screening.seismicity", output.read_text())
+        self.assertIn("perlu tingkat kegempaan", output.read_text())
 
 
 class KnownByModes(CommandLine):

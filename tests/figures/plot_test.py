@@ -185,11 +185,20 @@ class Plot(Figures):
         return f"{name}/histories.nc"
 
     def test_the_same_figure_as_run_draws(self):
-        for name in "m12-el-centro", "linked-pair", "isolated-moat", "generic-neighbour", "struck-column":
+        """And as the report of the case shows, but for title and style, which are the page's, and for energies, whose samples
+        are those of the report; it has one more, the first, wider."""
+        for name in "m12-el-centro", "linked-pair", "isolated-moat", "generic-neighbour", "struck-column", "hinged-frame":
             results = self.run_of(name, "--figures", "svg")
+            page = self.bentur(0, "report", SOURCE / f"examples/{name}.toml", "-o", "-").stdout
+            shown = 0
             for drawn in (self.folder / name / "figures").glob("*.svg"):
                 self.bentur(0, "plot", results, drawn.stem, "--force")
-                self.assertEqual((self.folder / drawn.name).read_bytes(), drawn.read_bytes(), f"{name}: {drawn.stem}")
+                svg = drawn.read_text()
+                self.assertEqual((self.folder / drawn.name).read_text(), svg, f"{name}: {drawn.stem}")
+                shown += svg[svg.index('<rect class="fill-paper"'):].rstrip() in page
+            has_energy = (self.folder / name / "figures/energy.svg").exists()
+            self.assertEqual(shown + 1 + has_energy, page.count('class="bentur" width='), name)
+            self.assertGreater(shown, 2)
 
     def test_list_and_suggestion(self):
         results = self.run_of("kelvin-voigt-pair")

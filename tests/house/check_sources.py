@@ -167,6 +167,24 @@ def alone(root):
                 yield f"{path}:{number}: names a file beside the repository"
 
 
+def colours(root):
+    """One palette: figures and pages name its colours, and none is written anywhere else."""
+    palette = root / "src/bentur/report/figures/internal/colours.h"
+    written = re.compile(r"""["':\s(,]#(?:[0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})\b(?!\()|\b(?:rgb|hsl)a?\(""")
+    named = re.compile(r"""\b(?:color|background|fill|stroke|stop-color)["']?\s*[:=]\s*["']?(?!none|inherit|transparent|var\b)"""
+                       r"(?:black|white|red|green|blue|grey|gray|orange|yellow|purple)\b")
+    for folder in ("src", "apps", "bindings", "web", "tools"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp", ".css", ".js", ".mjs", ".ts", ".tsx", ".html", ".py") or path == palette:
+                continue
+            if "_test." in path.name or {"node_modules", "test"} & set(path.relative_to(root).parts):
+                continue
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                # The script for matplotlib is for those who restyle; comments show what is read.
+                if (written.search(line) or named.search(line)) and not line.lstrip().startswith("//") and path.name != "script.cpp":
+                    yield f"{path}:{number}: a colour that is not of {palette.name}: {line.strip()[:80]}"
+
+
 def version(root):
     """One version: that of CMakeLists.txt. CITATION.cff repeats it; CHANGELOG.md has an entry for it or begins one after."""
     told = re.search(r"^project\(bentur VERSION ([0-9.]+) ", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
@@ -180,7 +198,7 @@ def version(root):
         yield f"CHANGELOG.md: begins with {entries[0][0]}, but CMakeLists.txt has {told}"
 
 
-RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, version)}
+RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, colours, version)}
 
 
 def main():

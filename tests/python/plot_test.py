@@ -33,14 +33,19 @@ def test_of_a_run(name, result):
     matplotlib.pyplot.close(ax.figure)
 
 
-def test_a_figure_of_a_run_is_that_of_the_program(result, program, tmp_path):
-    """The same bytes: `bentur plot` draws from the file that the run has saved."""
-    result.save(tmp_path / "out")
-    assert {"overview", "force", "opening", "modes"} <= set(result.figures)
-    for kind in ("opening", "force", "envelope"):
-        drawn = tmp_path / f"{kind}.svg"
-        subprocess.run([program, "plot", tmp_path / "out", kind, "-o", drawn], check=True, capture_output=True)
-        assert result.plot(kind).save(tmp_path / f"mine-{kind}.svg").read_text() == drawn.read_text()
+@pytest.mark.parametrize("name", ["m12-el-centro", "hinged-frame", "linked-pair", "isolated-moat", "generic-neighbour"])
+def test_every_figure_of_a_run_is_that_of_the_program(name, program, tmp_path):
+    """The same bytes as `bentur run --figures` writes, kind by kind, and no kind more or less."""
+    case = ROOT / f"examples/{name}.toml"
+    subprocess.run([program, "run", "-q", case, "--figures", "svg", "-o", tmp_path / "out"], check=True, capture_output=True)
+    drawn = {file.stem: file.read_text() for file in (tmp_path / "out/figures").glob("*.svg")}
+    found = bentur.run(case)
+    assert set(found.figures) == set(drawn) and {"overview", "scene"} <= set(drawn)
+    for kind, svg in drawn.items():
+        assert found.plot(kind).svg == svg, kind
+
+
+def test_figures_have_what_plot_is_asked_for(result):
     assert "Waktu" in result.plot("force", language="id")._repr_svg_()
     part = result.plot("opening", start=1, end=2, width=12)
     assert 'width="453.5' in part.svg and part.svg != result.plot("opening", width=12).svg

@@ -242,6 +242,16 @@ levels = [0.1, 0.3, 0.6]
             self.assertGreaterEqual(self.js("document.querySelectorAll('figure svg').length"), 2)
             self.assertNotIn("M1", self.js("document.querySelector('h1').textContent"))
 
+    def test_reports_by_a_spectrum_are_accessible(self):
+        for scheme in "light", "dark":
+            self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            self.browser.resize(A4, 900)
+            page = self.report(SOURCE / "examples" / "gaps" / "design-spectrum.toml")
+            self.browser.open(page)
+            self.clean(page)
+            self.accessible()
+        self.browser.call("Emulation.setEmulatedMedia", features=[])
+
     def test_a_figure_that_stands_alone_is_no_wider_than_one_of_many(self):
         page = self.report(SOURCE / "examples" / "gaps" / "design-spectrum.toml")
         self.browser.resize(1000, 900)

@@ -15,6 +15,19 @@ const motion: Plugin = {
   },
 };
 
+/** Colours of the page and its figures: the palette of figures, dark where the page is. */
+const colours: Plugin = {
+  name: "bentur-colours",
+  transform(code, id) {
+    if (!id.endsWith("/style.css")) return undefined;
+    const palette = readFileSync(`${root}/src/bentur/report/figures/internal/colours.h`, "utf8");
+    const all = [...palette.matchAll(/\{"([\w-]+)", "(#\w{6})", "(#\w{6})"\}/g)];
+    const variables = (scheme: number) => all.map((colour) => `--${colour[1]}: ${colour[scheme]};`).join(" ");
+    const rules = all.map(([, name]) => ["fill", "stroke"].map((what) => `.bentur .${what}-${name} { ${what}: var(--${name}); }`).join(" "));
+    return { code: `:root { ${variables(2)} }\n@media screen { :root[data-theme="dark"] { ${variables(3)} } }\n${rules.join("\n")}\n${code}`, map: null };
+  },
+};
+
 /** The solver, which emscripten puts into its module as it is, is taken out of it and deflated. */
 const core: Plugin = {
   name: "bentur-core",
@@ -40,7 +53,7 @@ const policy: Plugin = {
 
 export default defineConfig({
   base: "./",
-  plugins: [motion, viteSingleFile({ removeViteModuleLoader: true }), policy],
+  plugins: [motion, colours, viteSingleFile({ removeViteModuleLoader: true }), policy],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   // What emscripten's module would ask node for; there is none in a page.
   resolve: { alias: { "@repo": root, ...Object.fromEntries(["fs", "path", "crypto"].map((name) => [name, `${root}/web/app/src/nothing.ts`])) } },

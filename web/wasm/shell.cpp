@@ -204,8 +204,7 @@ std::string Studio::schema() const {
   Json units = Json::object();
   for (const std::string& one : length_units()) units["length"][one] = metres(one);
   for (const std::string& one : force_units()) units["force"][one] = newtons(one);
-  return fmt::format("{{\"case\": {}, \"units\": {}, \"style\": {}}}", json_schema(case_keys(), "A case"),
-                     text_of(units), text_of(figure_style(true)));
+  return fmt::format("{{\"case\": {}, \"units\": {}}}", json_schema(case_keys(), "A case"), text_of(units));
 }
 
 std::string Studio::record_unit(const std::string& path) const {

@@ -267,7 +267,7 @@ class Result:
         # A frame of its own: neither the notebook's style nor its scripts reach the page, nor the other way round.
         return (
             f'<iframe srcdoc="{page}" sandbox="allow-scripts allow-downloads" loading="lazy" '
-            'style="width:100%;height:760px;border:1px solid #ccc"></iframe>'
+            'style="width:100%;height:760px;border:0"></iframe>'
         )
 
     def verdict(self, language: str = "en") -> list[str]:

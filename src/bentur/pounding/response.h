@@ -164,9 +164,9 @@ struct Response {
   Histories histories;                  ///< empty unless asked for
   /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
   /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of
-  /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too, of links and
-  /// foundations all that Histories have. Empty unless asked for, and where the motion is so fast that this would take
-  /// too many steps.
+  /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too, of struck
+  /// columns, links and foundations all that Histories have. Empty unless asked for, and where the motion is so fast
+  /// that this would take too many steps.
   Histories course = {};
   std::optional<EnergyAudit> energy;            ///< when asked for
   std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)

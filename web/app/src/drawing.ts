@@ -1,7 +1,7 @@
 // Which figures are to be drawn, and what came back: the solver draws them, each of the run that is shown.
 import { batch, effect, signal, untracked } from "@preact/signals";
 import { curve, gap, live, result, solvedText, text } from "./case";
-import { type Drawn, schema, type Wanted } from "./solver";
+import { type Drawn, type Wanted } from "./solver";
 import { language } from "./texts";
 
 export const drawn = signal<Record<string, Drawn>>({});
@@ -80,9 +80,6 @@ function drawInSight() {
 
 /** From now on what is chosen is drawn. */
 export function beginDrawing() {
-  const colours = new CSSStyleSheet();
-  document.adoptedStyleSheets.push(colours);
-  effect(() => colours.replaceSync(schema.value?.style ?? ""));
   effect(() => {
     void span.value;
     void point.value;

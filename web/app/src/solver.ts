@@ -56,7 +56,7 @@ export interface Node {
   description: string; properties?: Record<string, Node>; items?: Node; anyOf?: Node[];
   "x-bentur": Key[];
 }
-export interface Schema { case: Node; units: Record<"length" | "force", Record<string, number>>; style: string }
+export interface Schema { case: Node; units: Record<"length" | "force", Record<string, number>> }
 export interface CurvePoint { width: number; force: number; amplification: number }
 export type Take = "summary" | "impacts" | "gaps" | "modes" | "report" | "figure" | "histories";
 export type Files = [string, Uint8Array][];

@@ -44,7 +44,7 @@ function stageSvg(now: Result): string {
   const mine = [...stage.querySelectorAll<SVGElement>("*")], theirs = [...copy.querySelectorAll<SVGElement>("*")];
   mine.forEach((node, i) => {
     const style = getComputedStyle(node);
-    for (const property of ["fill", "stroke", "stroke-width", "stroke-dasharray", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
+    for (const property of ["fill", "stroke", "stop-color", "stroke-width", "stroke-dasharray", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
   });
   const box = stage.viewBox.baseVal;
   const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);

@@ -3,46 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <type_traits>
 
+#include "bentur/io/results/internal/curve_names.h"
 #include "bentur/io/results/internal/place_list.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
 namespace {
-
-/// Of the forces at the ends of a struck column, in the order of StructuralModel::column_forces.
-struct ColumnEnd {
-  const char *name, *long_name;
-  bool is_moment = false;
-};
-constexpr std::array<ColumnEnd, 6> column_ends = {{
-    {"node_shear_below", "shear of struck columns below the node", false},
-    {"node_shear_above", "shear of struck columns above the node", false},
-    {"node_moment_bottom", "moment at the bottom of struck columns", true},
-    {"node_moment_below", "moment of struck columns at the node, of the piece below it", true},
-    {"node_moment_above", "moment of struck columns at the node, of the piece above it", true},
-    {"node_moment_top", "moment at the top of struck columns", true},
-}};
-
-struct EnergyCurve {
-  const char* name;
-  Eigen::VectorXd EnergyHistories::*values;
-  const char* long_name;
-};
-constexpr std::array<EnergyCurve, 7> energy_curves = {{
-    {"input", &EnergyHistories::input, "energy at the start and work of the ground motion so far"},
-    {"kinetic", &EnergyHistories::kinetic, "kinetic energy of the buildings, relative to their bases"},
-    {"strain", &EnergyHistories::strain, "strain energy of the buildings and links"},
-    {"damping", &EnergyHistories::damping, "energy lost to the damping of the buildings and links so far"},
-    {"hysteretic", &EnergyHistories::hysteretic, "energy lost to yielding of storeys and links so far"},
-    {"contact_stored", &EnergyHistories::contact_stored, "energy stored in contacts, to be given back"},
-    {"contact_lost", &EnergyHistories::contact_lost, "energy lost in contacts so far"},
-}};
 
 template <class File, class Part>
 using PartOf = std::conditional_t<File::reads, Part, const Part>;
@@ -159,6 +130,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     quantities(Owner::floor, floors, floors_of(problem_, item), number, of_floors);
     quantities(Owner::building, {}, {{item, 0}}, number, " of " + owner);
     nodes(b, number, owner);
+    column_forces("", time_, histories_.column_forces, b);
     hinges(b, number, owner);
     modes(building, floors, number, owner);
     foundation("", time_, histories_.foundation, b);
@@ -173,7 +145,6 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     const auto count = static_cast<Eigen::Index>(nodes.size);
     if constexpr (File::reads) {
       histories_.node_displacement.emplace_back(count, static_cast<Eigen::Index>(time_.size));
-      histories_.column_forces.emplace_back(6 * count, static_cast<Eigen::Index>(time_.size));
     }
     if (count == 0 || time_.size == 0) return;
     pass({"node_displacement" + number,
@@ -181,14 +152,30 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
           length_,
           "displacement of struck columns of " + owner + " where they are struck, relative to the own base"},
          histories_.node_displacement[b]);
-    auto& forces = histories_.column_forces[b];
+  }
+
+  /// Of columns that are struck; `group`: that of the exact course, which had none once.
+  template <class List>
+  void column_forces(const std::string& group, const ResultDimension& time, List& list, std::size_t b) {
+    fit(list, problem_.buildings.size());
+    const std::string number = fmt::format("_{}", b + 1);
+    const ResultDimension nodes{"node" + number, problem_.buildings[b].model.node_elevations.size()};
+    const auto count = static_cast<Eigen::Index>(nodes.size);
+    const bool is_there = count > 0 && time.size > 0;
+    const std::string first = group + column_ends.front().name + number;
+    const bool has = file_.has(first, is_there && b < list.size() && list[b].size() > 0) && is_there;
+    if constexpr (File::reads) list[b].resize(has ? 6 * count : 0, static_cast<Eigen::Index>(time.size));
+    if (!has) return;
     for (std::size_t end = 0; end < column_ends.size(); ++end) {
       const auto& [name, long_name, is_moment] = column_ends[end];
       const auto rows = Eigen::seqN(static_cast<Eigen::Index>(end), count, Eigen::fix<6>);
-      Eigen::MatrixXd values = forces(rows, Eigen::all);
-      made({name + number, {time_, nodes}, is_moment ? moment_ : force_, fmt::format("{} of {}", long_name, owner)},
+      Eigen::MatrixXd values = list[b](rows, Eigen::all);
+      made({fmt::format("{}{}{}", group, name, number),
+            {time, nodes},
+            is_moment ? moment_ : force_,
+            fmt::format("{} of building \"{}\"", long_name, problem_.buildings[b].name)},
            values);
-      if constexpr (File::reads) forces(rows, Eigen::all) = values;
+      if constexpr (File::reads) list[b](rows, Eigen::all) = values;
     }
   }
 
@@ -409,6 +396,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       curves("drift_ratio", course.drift_ratio, floors, "1", "drift over height of the storeys");
       curves("storey_shear", course.storey_shear, floors, force_, "shear of the storeys");
       curves("node_displacement", course.node_displacement, nodes, length_, "displacement of struck columns");
+      column_forces("exact/", time, course.column_forces, b);
       const ResultDimension hinges{"hinge" + number, building.model.hinges.places.size()};
       curves("hinge_moment", course.hinge_moment, hinges, moment_, "moments of the hinges");
       curves("hinge_rotation", course.hinge_rotation, hinges, "rad", "rotations of the hinges");

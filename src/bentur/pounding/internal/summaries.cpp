@@ -209,10 +209,10 @@ void take_lists(const Problem& problem, Solution& solution, Eigen::MatrixXd Outp
     foundation.bottomRows(forces.rows()) = forces;
     take(OutputKind::hinge_moment, to.hinge_moment);
     take(OutputKind::hinge_rotation, to.hinge_rotation);
+    take(OutputKind::column_force, to.column_forces);
     if (of == &OutputsFound::course) continue;
     take(OutputKind::velocity, to.velocity);
     take(OutputKind::acceleration, to.acceleration);
-    take(OutputKind::column_force, to.column_forces);
   }
 }
 

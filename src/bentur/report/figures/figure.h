@@ -134,7 +134,7 @@ struct Figure {
 /// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
 [[nodiscard]] std::string figure_svg(const Figure& figure);
 
-/// The same as an element of a page, whose style sheet holds figure_style(). `label`: what it says, before the
+/// The same as an element of a page, whose style sheet holds page_style(). `label`: what it says, before the
 /// finding, to readers who do not see it.
 [[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
 
@@ -158,9 +158,13 @@ struct PlacedFigure {
 /// The colours of figures on paper, each with its name: "blue", "#1f5fa8".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> palette();
 
-/// The colours of figures as CSS, on paper and on a dark screen. `by_attribute`: dark where the root element of the
-/// page has data-theme="dark", else where the system is.
-[[nodiscard]] std::string figure_style(bool by_attribute = false);
+/// The colours of figures as CSS, on paper and on a dark screen, for a figure that stands alone and for a page, whose
+/// own are among them.
+[[nodiscard]] std::string figure_style();
+[[nodiscard]] std::string page_style();
+
+/// The colour of a map, or of a map of ratios, at a part of its scale from 0 to 1: "#ffffe0".
+[[nodiscard]] std::string shade(double part, bool ratio);
 
 /// What is needed to draw the figure in another style: a script in Python with matplotlib and the table it reads,
 /// NAME-data.csv, whose columns stand side by side, each below what it is. The same figure gives the same texts.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -195,20 +196,6 @@ TEST(FigureSvg, AreasAndMapsAreFilledAndCutOff) {
   EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
 }
 
-/// Ratio of the contrast of two colours, "#rrggbb" (WCAG 2.2).
-double contrast(const std::string& a, const std::string& b) {
-  const auto luminance = [](const std::string& colour) {
-    double sum = 0;
-    for (const auto& [place, weight] : {std::pair{1, 0.2126}, std::pair{3, 0.7152}, std::pair{5, 0.0722}}) {
-      const double part = std::stoi(colour.substr(static_cast<std::size_t>(place), 2), nullptr, 16) / 255.0;
-      sum += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
-    }
-    return sum;
-  };
-  const double one = luminance(a), other = luminance(b);
-  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
-}
-
 TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
   for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red,
                           Tone::teal, Tone::magenta, Tone::olive, Tone::amber}) {
@@ -217,6 +204,27 @@ TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
     EXPECT_GE(contrast(one.dark, paper.dark), 4.5) << one.name;
     EXPECT_NE(figure_style().find(std::string("--") + one.name + ":" + one.dark), std::string::npos);
   }
+}
+
+/// Every letter of a page has 4.5 to every ground on which letters stand, every edge of what can be pressed 3 to the
+/// page.
+TEST(PageStyle, LettersAndEdgesAreSeenOnEveryGround) {
+  std::map<std::string, Colour> named = {
+      {"ink", colour(Tone::black)}, {"grey", colour(Tone::grey)}, {"red", colour(Tone::red)}, {"paper", paper}};
+  for (const Colour& one : page_colours) {
+    named[one.name] = one;
+    EXPECT_NE(page_style().find(std::string("--") + one.name + ":" + one.paper), std::string::npos);
+    EXPECT_NE(page_style().find(std::string("--") + one.name + ":" + one.dark), std::string::npos);
+    EXPECT_EQ(figure_style().find(std::string("--") + one.name + ":"), std::string::npos);
+  }
+  const auto expect = [&](const char* one, const char* ground, double least) {
+    EXPECT_GE(contrast(named.at(one).paper, named.at(ground).paper), least) << one << " on " << ground;
+    EXPECT_GE(contrast(named.at(one).dark, named.at(ground).dark), least) << one << " on " << ground << ", dark";
+  };
+  for (const char* const letters : {"ink", "grey", "red", "link", "clear"}) {
+    for (const char* const ground : {"paper", "band", "stage", "mark"}) expect(letters, ground, 4.5);
+  }
+  for (const char* const ground : {"paper", "band", "stage"}) expect("edge", ground, 3);
 }
 
 TEST(Picture, PdfAndPngToo) {
@@ -309,6 +317,18 @@ TEST(Layout, LegendsLieAboveTheFramesAndNotOnOneAnother) {
           }
         }
       }
+    }
+  }
+}
+
+TEST(Layout, AUnitStaysWithItsNumber) {
+  for (double width = 2; width < 8.8; width += 0.1) {
+    Figure figure = simple("Old frame | New frame, level 10 m");
+    figure.width = width;
+    figure.panels[0].x.label = "Storey shear, ratio [m]";
+    const Layout placing = layout(figure);
+    for (const auto& lines : {placing.panels[0].title, placing.panels[0].x_label}) {
+      for (const std::string& line : lines) EXPECT_TRUE(line != "m" && line != "[m]") << width;
     }
   }
 }

@@ -1,11 +1,36 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/internal/colours.h"
 
 namespace bentur {
+namespace {
+
+/// Variables of the elements that `where` names, and what figures ask of them.
+std::string style(const char* where, bool with_page) {
+  std::string light, dark, rules;
+  const auto add = [&](const Colour& one) {
+    light += fmt::format("--{}:{};", one.name, one.paper);
+    dark += fmt::format("--{}:{};", one.name, one.dark);
+  };
+  const auto draw_in = [&](const Colour& one) {
+    add(one);
+    rules += fmt::format(".bentur .fill-{0}{{fill:var(--{0})}}.bentur .stroke-{0}{{stroke:var(--{0})}}", one.name);
+  };
+  for (const Colour& one : colours) draw_in(one);
+  draw_in(paper);
+  for (const Colour& one : page_colours) {
+    if (with_page) add(one);
+  }
+  return fmt::format("{0}{{{1}}}{2}@media screen and (prefers-color-scheme:dark){{{0}{{{3}}}}}", where, light, rules,
+                     dark);
+}
+
+}  // namespace
 
 Tone building_tone(std::size_t index) {
   constexpr Tone tones[] = {Tone::blue, Tone::orange, Tone::green, Tone::purple, Tone::magenta, Tone::olive};
@@ -18,18 +43,34 @@ std::vector<std::pair<std::string, std::string>> palette() {
   return all;
 }
 
-std::string figure_style(bool by_attribute) {
-  std::string light, dark, rules;
-  const auto add = [&](const Colour& one) {
-    light += fmt::format("--{}:{};", one.name, one.paper);
-    dark += fmt::format("--{}:{};", one.name, one.dark);
-    rules += fmt::format(".bentur .fill-{0}{{fill:var(--{0})}}.bentur .stroke-{0}{{stroke:var(--{0})}}", one.name);
+std::string figure_style() { return style(".bentur", false); }
+std::string page_style() { return style(":root", true); }
+
+double contrast(std::string_view one, std::string_view other) {
+  const auto luminance = [](std::string_view colour) {
+    constexpr double weights[] = {0.2126, 0.7152, 0.0722};
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double part = std::stoi(std::string(colour.substr(1 + 2 * c, 2)), nullptr, 16) / 255.0;
+      sum += weights[c] * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
   };
-  for (const Colour& one : colours) add(one);
-  add(paper);
-  const char* const when = by_attribute ? "screen" : "screen and (prefers-color-scheme:dark)";
-  const char* const where = by_attribute ? ":root[data-theme=dark] .bentur" : ".bentur";
-  return fmt::format(".bentur{{{}}}{}@media {}{{{}{{{}}}}}", light, rules, when, where, dark);
+  const auto [darker, lighter] = std::minmax({luminance(one), luminance(other)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
+std::string shade(double part, bool ratio) {
+  const Rgb* stops = ratio ? both_ways : one_way;
+  const std::size_t last = (ratio ? std::size(both_ways) : std::size(one_way)) - 1;
+  const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(last);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), last - 1);
+  const double beyond = at - static_cast<double>(below);
+  std::string text = "#";
+  for (std::size_t c = 0; c < 3; ++c) {
+    text += fmt::format("{:02x}", std::lround(stops[below][c] + beyond * (stops[below + 1][c] - stops[below][c])));
+  }
+  return text;
 }
 
 }  // namespace bentur

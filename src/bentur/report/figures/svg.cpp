@@ -32,25 +32,6 @@ constexpr int shades = 64;                                 // that a map's colou
 constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7",
                                   "5 1.9 1.5 1.9"};  // in the order of Line, of a width of 1
 
-using Rgb = std::array<double, 3>;
-constexpr Rgb one_way[] = {{255, 255, 224}, {199, 233, 180}, {127, 205, 187}, {65, 182, 196},
-                           {29, 145, 192},  {34, 94, 168},   {8, 29, 88}};
-constexpr Rgb both_ways[] = {{31, 79, 138}, {111, 156, 203}, {245, 245, 245}, {221, 149, 88}, {148, 67, 10}};
-
-/// Of a map, at a part of its scale from 0 to 1.
-std::string shade(double part, bool ratio) {
-  const Rgb* stops = ratio ? both_ways : one_way;
-  const std::size_t last = (ratio ? std::size(both_ways) : std::size(one_way)) - 1;
-  const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(last);
-  const std::size_t below = std::min(static_cast<std::size_t>(at), last - 1);
-  const double beyond = at - static_cast<double>(below);
-  std::string text = "#";
-  for (std::size_t c = 0; c < 3; ++c) {
-    text += fmt::format("{:02x}", std::lround(stops[below][c] + beyond * (stops[below + 1][c] - stops[below][c])));
-  }
-  return text;
-}
-
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
 
 std::string drawn_in(const char* what, const Colour& of) {
@@ -240,8 +221,8 @@ class Drawing {
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);
     text(panel.note, x(middle), y((placed.bottom + placed.top) / 2), "middle");
-    text(scaled(panel.y.label, placed.y, panel.y.number), x(placed.cell_left + 0.25),
-         y((placed.bottom + placed.top) / 2), "middle", true);
+    text(scaled(panel.y.label, placed.y, panel.y.number), x(placed.y_label_x), y((placed.bottom + placed.top) / 2),
+         "middle", true);
     legend(placed);
   }
 

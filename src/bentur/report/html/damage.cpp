@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
@@ -25,12 +26,13 @@ std::string name_of(const Report& report, Eigen::Index b, Eigen::Index storey) {
   return std::to_string(report.problem.buildings[b].model.storey_number(storey));
 }
 
-/// Nothing up to first yield, from there on the darker the more, on paper and on a dark screen alike.
-std::string fill_of(double ductility) {
-  if (!(ductility > 1)) return "none";
-  const double share = std::min(1.0, std::log(ductility) / std::log(darkest));
-  const auto mix = [share](double light, double dark) { return std::lround(light + share * (dark - light)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(253, 127), mix(224, 39), mix(190, 4));
+/// Nothing up to first yield, from there on the darker the more, as a map of ratios above 1, on paper and on a dark
+/// screen alike; and the letters on it, of black and white the one that stands out more.
+std::string fill_of(double share) { return share > 0 ? shade(0.5 + 0.5 * share, true) : "none"; }
+const char* ink_on(const std::string& fill) {
+  if (fill == "none") return "currentColor";
+  const char* const black = colour(Tone::black).paper;
+  return contrast(fill, black) > contrast(fill, paper.paper) ? black : paper.paper;
 }
 
 /// The building, each storey a box of two halves: without contact and with it.
@@ -44,12 +46,11 @@ Html drawing(const Report& report, Eigen::Index b) {
   for (Eigen::Index f = 0; f < storeys; ++f) {
     const double y = margin + height * static_cast<double>(storeys - 1 - f);
     const auto box = [&](double x, double ductility) {
-      const double damage = is_slab(report, b, f) ? 0 : ductility;
-      const char* const ink = damage > 3 ? "#fff" : damage > 1 ? "#1c2024" : "currentColor";
+      const std::string fill = fill_of(is_slab(report, b, f) ? 0 : std::log(ductility) / std::log(darkest));
       boxes += fmt::format(
           "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"currentColor\" stroke-width=\".7\"/>"
           "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
-          x, y, half, height, fill_of(damage), x + 0.5 * half, y + 0.5 * height + 4, ink,
+          x, y, half, height, fill, x + 0.5 * half, y + 0.5 * height + 4, ink_on(fill),
           std::isfinite(ductility) ? number(ductility) : "–");
     };
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;

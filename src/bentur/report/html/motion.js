@@ -189,9 +189,9 @@ function benturMotion(parts, data) {
     stage.replaceChildren();
     stage.classList.add("bentur");
     const gradient = svg("radialGradient", { id: "glow" }, svg("defs", {}, stage));
-    svg("stop", { offset: "0%", "stop-color": "#ff1f1f", "stop-opacity": "1" }, gradient);
-    svg("stop", { offset: "45%", "stop-color": "#ff2a1f", "stop-opacity": "0.75" }, gradient);
-    svg("stop", { offset: "100%", "stop-color": "#ff4b1f", "stop-opacity": "0" }, gradient);
+    svg("stop", { offset: "0%", "stop-color": "var(--red)", "stop-opacity": "1" }, gradient);
+    svg("stop", { offset: "45%", "stop-color": "var(--red)", "stop-opacity": "0.75" }, gradient);
+    svg("stop", { offset: "100%", "stop-color": "var(--red)", "stop-opacity": "0" }, gradient);
     drawn.ghost = svg("path", { class: "ghost" }, stage);
     drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));

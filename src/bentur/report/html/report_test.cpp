@@ -260,8 +260,8 @@ TEST(Report, DuctilitiesStandInTheInkOfThePage) {
   EXPECT_TRUE(has(drawn, R"(fill="none" stroke="currentColor")"));
   const Eigen::VectorXd& ductility = pair.response.buildings[0].yielding.ductility;
   EXPECT_TRUE(has(drawn, R"(fill="currentColor">)" + number(ductility(2)) + "<"));
-  EXPECT_TRUE(has(drawn, R"(fill="#1c2024">)" + number(ductility(0)) + "<"));
-  EXPECT_FALSE(has(drawn, R"(fill="#fff" stroke)"));
+  EXPECT_TRUE(has(drawn, R"(fill="#000000">)" + number(ductility(0)) + "<"));
+  EXPECT_FALSE(has(drawn, R"(fill="#ffffff" stroke)"));
 }
 
 TEST(Report, LongRunsStaySmall) {

@@ -148,10 +148,7 @@ Figure hinge_loop_figure(const RunResults& run, const FigureOptions& options) {
   Figure figure{.title = "Moment over rotation of the hinge of each building that turned furthest",
                 .width = options.width};
   for (const Eigen::Index b : shown_buildings(run, options)) {
-    const Histories& histories =
-        std::ssize(run.response.course.hinge_rotation) > b && run.response.course.hinge_rotation[b].size() > 0
-            ? run.response.course
-            : run.response.histories;
+    const Histories& histories = histories_with(run, &Histories::hinge_rotation, b);
     const std::vector<Eigen::Index> turned = turned_most(run, b, options);
     if (turned.empty() || std::ssize(histories.hinge_rotation) <= b || histories.hinge_rotation[b].size() == 0)
       continue;

@@ -161,7 +161,7 @@ Curve force_curve(const RunResults& run, Eigen::Index point, const Window& windo
 
 /// The peak of each impact, where there are so many that their courses would fill the frame.
 std::optional<Curve> force_peaks(const RunResults& run, Eigen::Index point, const Window& window) {
-  constexpr std::size_t most = 400;
+  constexpr std::size_t most = 130;  // two pixels each in a journal's column
   Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
   for (const Impact& impact : run.response.impacts) {
     if (impact.point != point || !(impact.peak_force > 0)) continue;
@@ -352,11 +352,12 @@ struct ColumnCurves {
 
 Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen::Index point, const ColumnCurves& of) {
   const StruckColumn struck = struck_column(run.problem, run.problem.points[point]).value();
-  const Eigen::MatrixXd& forces = run.response.histories.column_forces.at(struck.building);
+  const Histories& finest = histories_with(run, &Histories::column_forces, struck.building);
+  const Eigen::MatrixXd& forces = finest.column_forces.at(struck.building);
   std::vector<Curve> curves;
   for (const auto& [row, style] : of.rows) {
     curves.push_back(style);
-    curves.back().x = run.response.histories.time;
+    curves.back().x = finest.time;
     curves.back().y = shown_values(run, row_of(forces, 6 * struck.node + row), of.form);
     // What acts on the foot of a piece has the other sign than on its head: drawn is the same sign for the same
     // bending.

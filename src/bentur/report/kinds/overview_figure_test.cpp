@@ -6,6 +6,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 
@@ -104,6 +105,20 @@ TEST(Overview, HasNoBarFromAPartOfTheFacts) {
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars), std::vector<double>{0.03});
   EXPECT_EQ(bars.y.names[1], "needed: not known");
+}
+
+/// However long the names of the bars are, with which the frame above them is in line.
+TEST(Overview, TheLabelOfAnAxisStandsAtItsNumbers) {
+  const RunResults run = example_run("linked-pair");
+  for (const char* const language : {"en", "id"}) {
+    const Figure figure = overview(run, language, column_width);
+    const Layout placing = layout(figure);
+    const PlacedPanel& opening = placing.panels[1];
+    double numbers = 0;
+    for (const auto& [at, text] : opening.y.labels) numbers = std::max(numbers, text_width(text));
+    EXPECT_NEAR(opening.y_label_x, opening.left - 0.2 - numbers - 0.2, 1e-9);
+    EXPECT_GT(opening.y_label_x, opening.cell_left + 1);
+  }
 }
 
 TEST(Overview, StandsBesideOnAPageAndBelowOneAnotherInAColumn) {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/kinds.h"
+#include "tests/support/column_case.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
@@ -258,22 +260,36 @@ TEST(Pictures, ManyImpactsDoNotFillTheFrame) {
   RunResults run = linked_run();
   const std::vector<Impact> few = run.response.impacts;
   const Impact hardest = few.at(run.figures.close_up->impact);
-  run.response.impacts.clear();
-  constexpr int many = 2400;
-  for (int i = 0; i < many; ++i) {
-    Impact one = hardest;
-    one.start = 5.0 * i / many;
-    one.end = one.peak_force_time = one.start + 1e-4;
-    run.response.impacts.push_back(one);
+  for (const int many : {131, 2400}) {
+    run.response.impacts.clear();
+    for (int i = 0; i < many; ++i) {
+      Impact one = hardest;
+      one.start = 5.0 * i / many;
+      one.end = one.peak_force_time = one.start + 1e-4;
+      run.response.impacts.push_back(one);
+    }
+    const Figure figure = make_figure(run, "force");
+    const Curve& peaks = figure.panels.front().curves.front();
+    EXPECT_EQ(peaks.line, Line::none) << many;
+    EXPECT_EQ(peaks.x.size(), static_cast<std::size_t>(many));
   }
-  const Figure figure = make_figure(run, "force");
-  const Curve& peaks = figure.panels.front().curves.front();
-  EXPECT_EQ(peaks.line, Line::none);
-  EXPECT_EQ(peaks.x.size(), static_cast<std::size_t>(many));
   const Figure displacements = make_figure(run, "displacement");
   EXPECT_LE(displacements.panels.front().events.x.size(), 101U);
   EXPECT_GE(displacements.panels.front().events.x.size(), 50U);
   EXPECT_EQ(make_figure(linked_run(), "force").panels.front().curves.front().line, Line::solid);
+}
+
+/// Over the whole run none hides another; together they are around the hardest impact alone.
+TEST(Pictures, EveryForceOfAColumnHasAPanelOfItsOwn) {
+  std::string text = test::struck_columns;
+  const std::string brief = "duration = 4.0";
+  const RunResults run = test::drawn_run(text.replace(text.find(brief), brief.size(), "duration = 20.0"));
+  for (const auto& [kind, forces] : {std::pair{"column-shear", 2U}, std::pair{"column-moment", 3U}}) {
+    const Figure figure = make_figure(run, kind);
+    ASSERT_EQ(figure.panels.size(), forces + 1) << kind;
+    for (std::size_t i = 0; i < forces; ++i) EXPECT_EQ(figure.panels[i].curves.size(), 1U) << kind << i;
+    EXPECT_EQ(figure.panels.back().curves.size(), forces) << kind;
+  }
 }
 
 /// What was computed is seen beside the line through it, and there is one scale to each panel.

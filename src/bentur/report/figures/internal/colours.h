@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "bentur/report/figures/figure.h"
 
 namespace bentur {
 
-/// A colour's name in CSS, on paper, and on a dark screen.
+/// A colour's name in CSS, on paper, and on a dark screen. All colours of figures and pages stand here; the studio's
+/// page and the documentation take them from these lines.
 struct Colour {
   const char *name, *paper, *dark;
 };
@@ -19,6 +22,21 @@ inline constexpr Colour colours[] = {
     {"olive", "#686000", "#cdc36a"},       {"amber", "#946200", "#f2c14e"},
 };
 inline constexpr Colour paper = {"paper", "#ffffff", "#15191d"};
+/// Of pages, around the figures: lines of tables, grounds, edges of what can be pressed, links, and that all is well.
+inline constexpr Colour page_colours[] = {
+    {"rule", "#d5dae0", "#3a424b"},  {"band", "#f3f5f8", "#22282f"}, {"stage", "#fcfdfe", "#1a1f24"},
+    {"mark", "#fdeceb", "#47262a"},  {"edge", "#7d8894", "#7c8894"}, {"link", "#1b5e9b", "#8ec1f2"},
+    {"clear", "#24713b", "#7fd196"},
+};
+
+/// Of a map, from the begin of its scale to the end; those of a ratio are palest in the middle.
+using Rgb = std::array<double, 3>;
+inline constexpr Rgb one_way[] = {{255, 255, 224}, {199, 233, 180}, {127, 205, 187}, {65, 182, 196},
+                                  {29, 145, 192},  {34, 94, 168},   {8, 29, 88}};
+inline constexpr Rgb both_ways[] = {{31, 79, 138}, {111, 156, 203}, {245, 245, 245}, {221, 149, 88}, {148, 67, 10}};
+
+/// Of two colours "#rrggbb", from 1 to 21: relative luminance and contrast ratio of WCAG 2.2.
+[[nodiscard]] double contrast(std::string_view one, std::string_view other);
 
 inline const Colour& colour(Tone tone) { return colours[static_cast<std::size_t>(tone)]; }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -22,6 +23,14 @@ constexpr double beside_label = 0.1;   // free on both sides of an x axis' label
 constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
 constexpr std::size_t most_lines = 4;  // of a title, or of a label in a legend
 
+/// Whether what follows a space is the unit of the number or of the label before it.
+bool is_before_unit(const std::string& text, std::size_t space) {
+  const auto is = [&](std::size_t at, int (*kind)(int)) {
+    return at < text.size() && kind(static_cast<unsigned char>(text[at])) != 0;
+  };
+  return text.compare(space + 1, 1, "[") == 0 || (is(space - 1, std::isdigit) && is(space + 1, std::isalpha));
+}
+
 /// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
 /// the end is cut.
 std::vector<std::string> lines_of(const std::string& text, double width, std::size_t most) {
@@ -30,7 +39,8 @@ std::vector<std::string> lines_of(const std::string& text, double width, std::si
   while (!rest.empty()) {
     std::size_t end = rest.size();
     while (lines.size() + 1 < most && end != std::string::npos && end > 0 && text_width(rest.substr(0, end)) > width) {
-      end = rest.rfind(' ', end - 1);
+      do end = end > 0 ? rest.rfind(' ', end - 1) : std::string::npos;
+      while (end != std::string::npos && is_before_unit(rest, end));
     }
     if (end == std::string::npos || end == 0) end = std::min(rest.find(' '), rest.size());
     lines.push_back(cut_to(rest.substr(0, end), width));
@@ -247,6 +257,7 @@ class Arrangement {
 
   void place_columns() {
     std::vector<double> left(columns_, 0.0), right(columns_, edge);
+    std::vector<double> labelled(columns_, 0.0);  // room of the numbers that a label stands beside
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
@@ -254,7 +265,9 @@ class Arrangement {
       for (const auto& [at, text] : placed.y.labels) numbers = std::max(numbers, text_width(text));
       if (!panel.y.numbers) numbers = 0;
       double& before = left[cells_[i].column];
-      before = std::max(before, (scaled(panel.y.label, placed.y).empty() ? 0.1 : label_room) + 0.2 + numbers);
+      const bool has_label = !scaled(panel.y.label, placed.y).empty();
+      before = std::max(before, (has_label ? label_room : 0.1) + 0.2 + numbers);
+      if (has_label) labelled[cells_[i].column] = std::max(labelled[cells_[i].column], 0.2 + numbers);
       if (!panel.map) continue;
       placed.scale = scale_of(*panel.map);
       double widest = 0;
@@ -278,6 +291,10 @@ class Arrangement {
       }
     }
     place_frames(left, right);
+    for (std::size_t i = 0; i < result_.panels.size(); ++i) {
+      PlacedPanel& placed = result_.panels[i];
+      placed.y_label_x = placed.left - labelled[cells_[i].column] - label_room + 0.25;
+    }
   }
 
   void place_frames(const std::vector<double>& left, const std::vector<double>& right) {

@@ -33,7 +33,7 @@ struct PlacedPanel {
   double cell_left = 0, cell_right = 0;               ///< of all its texts
   std::vector<std::string> title = {}, x_label = {};  ///< lines
   double title_y = 0, x_label_y = 0;                  ///< middle of the first line
-  double x_label_x = 0;                               ///< middle
+  double x_label_x = 0, y_label_x = 0;                ///< middle
   Ticks scale = {};                                   ///< of the colours of a map
   double scale_label_x = 0;
   std::vector<LegendEntry> legend = {};

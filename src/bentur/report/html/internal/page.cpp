@@ -62,7 +62,7 @@ std::string_view asset(std::string_view name) {
 }
 
 std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script) {
-  const std::string style = std::string(asset("report.css")) + figure_style() + "\n@page { @top-left { content: \"" +
+  const std::string style = std::string(asset("report.css")) + page_style() + "\n@page { @top-left { content: \"" +
                             css_text(body.running_head.empty() ? title : body.running_head) + "\"; } }\n";
   const std::string script = with_script ? std::string(asset("motion.js")) + std::string(asset("report.js")) : "";
   const std::string head =

@@ -83,6 +83,13 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   return best;
 }
 
+const Histories& histories_with(const RunResults& run, std::vector<Eigen::MatrixXd> Histories::*list,
+                                Eigen::Index building) {
+  const std::vector<Eigen::MatrixXd>& exact = run.response.course.*list;
+  const bool has = std::ssize(exact) > building && exact[building].size() > 0;
+  return has ? run.response.course : run.response.histories;
+}
+
 std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options) {
   constexpr Eigen::Index most = 6;
   std::vector<Eigen::Index> all(run.problem.buildings.size());

@@ -9,6 +9,10 @@
 
 namespace bentur {
 
+/// The exact course where it has the list of a building, else samples.
+[[nodiscard]] const Histories& histories_with(const RunResults& run, std::vector<Eigen::MatrixXd> Histories::*list,
+                                              Eigen::Index building);
+
 /// The point the options ask for: hit hardest, or, where nothing is hit, nearest to it.
 /// @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options);
