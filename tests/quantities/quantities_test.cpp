@@ -142,7 +142,7 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
 
 /// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
 std::string row_of(const Quantity& quantity) {
-  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link", "hinge"};
+  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link", "hinge", "column"};
   std::string unit = unit_text(quantity.units, {.length = "length", .force = "force"}), symbol;
   for (const char c : quantity.symbol) symbol += c == '|' ? "\\|" : std::string(1, c);
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.key, owners[static_cast<int>(quantity.owner)],

@@ -7,6 +7,7 @@
 namespace bentur {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& b) {
@@ -56,6 +57,20 @@ std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& 
     }
   }
   return std::nullopt;
+}
+
+std::optional<VectorXd> complementary(const MatrixXd& a, const VectorXd& b, Index free) {
+  if (free == 0) return complementary(a, b);
+  const Index bound = b.size() - free;
+  const Eigen::LDLT<MatrixXd> of_free(a.bottomRightCorner(free, free));
+  const MatrixXd coupling = of_free.solve(a.bottomLeftCorner(free, bound));
+  const VectorXd alone = of_free.solve(b.tail(free));
+  const auto found = complementary(a.topLeftCorner(bound, bound) - a.topRightCorner(bound, free) * coupling,
+                                   b.head(bound) - a.topRightCorner(bound, free) * alone);
+  if (!found) return std::nullopt;
+  VectorXd all(b.size());
+  all << *found, alone - coupling * *found;
+  return all;
 }
 
 }  // namespace bentur

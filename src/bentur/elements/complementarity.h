@@ -13,4 +13,8 @@ namespace bentur {
 /// semidefinite. (E-1), (H-7)
 [[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
+/// The same with the last `free` of p of either sign, for which a p = b.
+[[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                                           Eigen::Index free);
+
 }  // namespace bentur

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,6 +38,8 @@ enum Column : Index {
   flow_began,    // [s]
   mechanism_at,  // of the frame, in the first row [s]; NaN: none
   moved,         // 1: it flowed then
+  broke_at,      // [s]; NaN: it has not
+  released,      // energy lost then [force·length]
   begins,        // order of the zero that its guard begins the branch with; of a resting one times the side of its line
   columns
 };
@@ -67,6 +68,11 @@ HingeLaw::HingeLaw(Parameters parameters) : of_(std::move(parameters)) {
   require_size("stiffness", of_.stiffness.cols(), n);
   require_size("gram", of_.gram.rows(), n);
   require_size("gram", of_.gram.cols(), n);
+  if (of_.kept.size() > 0) require_size("kept", of_.kept.size(), n);
+  for (Index h = 0; h < of_.kept.size(); ++h) {
+    const double kept = of_.kept(h);
+    if (!(kept >= 0 && kept <= 1)) throw InvalidParameter(indexed("kept", h), fmt::format("{}", kept), "must be 0 … 1");
+  }
   for (Index h = 0; h < n; ++h) {
     require_not_negative(indexed("hardening", h), of_.hardening(h));
     require_finite(indexed("stiffness", h), of_.stiffness(h, h));
@@ -80,7 +86,21 @@ HingeLaw::HingeLaw(Parameters parameters) : of_(std::move(parameters)) {
 bool HingeLaw::same_as(const CoupledLaw& other) const {
   const auto* hinges = dynamic_cast<const HingeLaw*>(&other);
   return hinges != nullptr && hinges->size() == size() && hinges->of_.stiffness == of_.stiffness &&
-         hinges->of_.hardening == of_.hardening && hinges->of_.upper == of_.upper && hinges->of_.lower == of_.lower;
+         hinges->of_.hardening == of_.hardening && hinges->of_.upper == of_.upper && hinges->of_.lower == of_.lower &&
+         hinges->of_.kept.size() == of_.kept.size() && hinges->of_.kept == of_.kept;
+}
+
+bool HingeLaw::whole(const CoupledState& state, Index h) const { return std::isnan(state.memory(h, broke_at)); }
+
+bool HingeLaw::is_free(const CoupledState& state, Index h) const {
+  return breaks(h) && of_.kept(h) == 0.0 && !whole(state, h);
+}
+
+/// How far s (M − Hθ) may rise on side s. (H-14)
+double HingeLaw::line(const CoupledState& state, Index h, double s) const {
+  const double given = s > 0 ? of_.upper(h) : of_.lower(h);
+  if (!breaks(h) || whole(state, h)) return given;
+  return 0.5 * (of_.kept(h) * (of_.upper(h) + of_.lower(h)) + s * (of_.upper(h) - of_.lower(h)));
 }
 
 /// upper + lower, or twice the one that is finite.
@@ -100,7 +120,7 @@ HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
   for (const Index h : flow.at) resting(h) = 0.0;
   for (Index n = 0; n < count; ++n) {
     const Index h = flow.at[n];
-    flow.b(n) = state.memory(h, side) * line(h, state.memory(h, side)) + of_.stiffness.row(h).dot(resting);
+    flow.b(n) = state.memory(h, side) * line(state, h, state.memory(h, side)) + of_.stiffness.row(h).dot(resting);
   }
   MatrixXd q = of_.stiffness(flow.at, flow.at);
   q.diagonal() += of_.hardening(flow.at);
@@ -118,43 +138,105 @@ VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformat
 CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   const Index n = size();
   CoupledState state{0.0, MatrixXd::Zero(n, columns)};
-  state.memory.col(first_yield).setConstant(nothing);
-  state.memory.col(mechanism_at).setConstant(nothing);
-  // Both lines of every hinge that has them: θ = S λ with S = (1, −1).
-  std::vector<std::pair<Index, double>> lines;
-  bool beyond = false;
-  for (Index h = 0; h < n; ++h) {
-    for (const double s : {1.0, -1.0}) {
-      if (!std::isfinite(line(h, s))) continue;
-      lines.emplace_back(h, s);
-      beyond = beyond || s * deformation(h) > line(h, s);
-    }
-  }
-  if (!beyond) return state;
-  const Index count = std::ssize(lines);
-  MatrixXd a(count, count);
-  VectorXd b(count);
-  for (Index i = 0; i < count; ++i) {
-    const auto [h, s] = lines[i];
-    b(i) = s * deformation(h) - line(h, s);
-    for (Index j = 0; j < count; ++j) {
-      const auto [other, t] = lines[j];
-      a(i, j) = s * t * (of_.stiffness(h, other) + (h == other ? of_.hardening(h) : 0.0));
-    }
-  }
-  const auto found = complementary(a, b);
-  if (!found) return state;
-  for (Index i = 0; i < count; ++i) {
-    const auto [h, s] = lines[i];
-    if (!((*found)(i) > 0.0)) continue;
-    state.memory(h, rotation) = s * (*found)(i);
-    state.memory(h, peak) = (*found)(i);
-    state.memory(h, lost) = line(h, s) * (*found)(i);
-    state.memory(h, first_yield) = 0.0;
-    state.memory(h, half_cycles) = 1.0;
-    state.memory(h, last_side) = s;
-  }
+  for (const Column time : {first_yield, mechanism_at, broke_at}) state.memory.col(time).setConstant(nothing);
+  const bool beyond =
+      (deformation.array() > of_.upper.array()).any() || (-deformation.array() > of_.lower.array()).any();
+  if (beyond) load(state, deformation, 0.0, {});
+  for (Index h = 0; h < n; ++h) state.memory(h, side) = is_free(state, h) ? 1.0 : 0.0;
   return state;
+}
+
+namespace {
+
+/// Sides of hinges, those that move either way last.
+struct Sides {
+  std::vector<Index> of;
+  std::vector<double> side;
+  Index free = 0;
+
+  /// λ ≥ 0 with w = S a S λ − b ≥ 0 complementary, w = 0 of those that move either way. (H-7), (H-8)
+  /// `mixed`: rotations and slips, so that each is measured by its own stiffness.
+  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, VectorXd b, bool mixed) const {
+    const auto s = Eigen::Map<const VectorXd>(side.data(), std::ssize(side));
+    if (!mixed) return complementary(s.asDiagonal() * a(of, of) * s.asDiagonal(), b);
+    const VectorXd sizes = a.diagonal()(of).cwiseMax(0.0);
+    const VectorXd unit = (sizes.array() > 0.0).select(sizes.cwiseSqrt().cwiseInverse(), 1.0);
+    const VectorXd scale = s.cwiseProduct(unit);
+    auto found = complementary(scale.asDiagonal() * a(of, of) * scale.asDiagonal(), unit.cwiseProduct(b), free);
+    if (found) *found = found->cwiseProduct(unit);
+    return found;
+  }
+};
+
+}  // namespace
+
+/// From the θ of a state to one with which nothing is beyond its line at δ, in one go: θ + S λ, S both sides of every
+/// hinge that has them. What would flow and can break breaks, and it is done anew. `broken`: what just has. (H-8),
+/// (H-15)
+void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double time, std::vector<Index> broken) const {
+  const VectorXd before = state.memory.col(rotation), y = borne(state, deformation);
+  MatrixXd q = of_.stiffness;
+  q.diagonal() += of_.hardening;
+  Sides lines;
+  VectorXd lambda;
+  for (bool again = true; again;) {
+    again = false;
+    lines = {};
+    for (const bool of_free : {false, true}) {
+      for (Index h = 0; h < size(); ++h) {
+        if (is_free(state, h) != of_free) continue;
+        for (const double s : {1.0, -1.0}) {
+          if (!std::isfinite(line(state, h, s)) || (of_free && s < 0)) continue;
+          lines.of.push_back(h);
+          lines.side.push_back(s);
+          lines.free += of_free ? 1 : 0;
+        }
+      }
+    }
+    VectorXd b(std::ssize(lines.of));
+    for (Index i = 0; i < b.size(); ++i) {
+      b(i) = lines.side[i] * y(lines.of[i]) - line(state, lines.of[i], lines.side[i]);
+    }
+    const auto found = lines.solve(q, b, of_.kept.size() > 0);
+    if (!found) return;
+    lambda = *found;
+    for (Index i = 0; i < lambda.size(); ++i) {
+      const Index h = lines.of[i];
+      if (!(lambda(i) > 0.0) || !breaks(h) || !whole(state, h)) continue;
+      state.memory(h, broke_at) = time;
+      broken.push_back(h);
+      again = true;
+    }
+  }
+  const auto energy = [&](const VectorXd& theta) { return theta.dot(0.5 * (q * theta) - deformation); };
+  double left = energy(before);
+  for (Index i = 0; i < lambda.size(); ++i) {
+    const Index h = lines.of[i];
+    if (lambda(i) == 0.0) continue;
+    const double s = lines.side[i];
+    auto memory = state.memory.row(h);
+    memory(rotation) += s * lambda(i);
+    if (std::find(broken.begin(), broken.end(), h) != broken.end()) continue;
+    const double lost_here = line(state, h, s) * lambda(i);
+    memory(lost) += lost_here;
+    left -= lost_here;
+    if (breaks(h)) continue;
+    memory(peak) = std::max(memory(peak), std::abs(memory(rotation)));
+    if (std::isnan(memory(first_yield))) memory(first_yield) = time;
+    if (memory(last_side) != s) memory(half_cycles) += 1.0;
+    memory(last_side) = s;
+  }
+  // What remains is what those that broke have lost, each by the mean of its forces before and after.
+  const VectorXd theta = state.memory.col(rotation), after = borne(state, deformation);
+  left -= energy(theta);
+  const auto share = [&](Index h) { return 0.5 * (y(h) + after(h)) * (theta(h) - before(h)); };
+  double all = 0.0;
+  for (const Index h : broken) all += share(h);
+  for (const Index h : broken) {
+    const double lost_here = all > 0.0 ? left * share(h) / all : 0.0;
+    state.memory(h, lost) += lost_here;
+    state.memory(h, released) = lost_here - 0.5 * (of_.upper(h) - of_.lower(h)) * (theta(h) - before(h));
+  }
 }
 
 namespace {
@@ -190,6 +272,10 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
     const int zeros = static_cast<int>(state.memory(h, begins));
+    if (is_free(state, h)) {
+      ++flowing;
+      continue;
+    }
     if (s != 0.0) {
       CoupledGuard guard{.of = h, .deformation = {}, .speed = {}, .zeros = zeros};
       guard.speed.setZero(n);
@@ -200,10 +286,10 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
     const Resting y = resting_line(of_.stiffness, of_.hardening(h), theta, now.at, now.b, now.inverse, h);
     const bool still = y.row.dot(of_.gram * y.row) <= no_part * no_part * of_.gram(h, h);
     for (const double to : {1.0, -1.0}) {
-      if (still || !std::isfinite(line(h, to))) continue;
+      if (still || !std::isfinite(line(state, h, to))) continue;
       branch.guards.push_back({.of = h,
-                               .constant = line(h, to) - to * y.constant,
-                               .size = line(h, to) + y.size,
+                               .constant = line(state, h, to) - to * y.constant,
+                               .size = std::abs(line(state, h, to)) + y.size,
                                .deformation = -to * y.row,
                                .speed = {},
                                .zeros = std::max(0, static_cast<int>(to) * zeros)});
@@ -221,7 +307,7 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
     const double turned = s * (theta(h) - state.memory(h, rotation));
     auto memory = now.memory.row(h);
     memory(rotation) = theta(h);
-    memory(lost) += line(h, s) * turned;
+    memory(lost) += line(state, h, s) * turned;
     if (!(turned > no_flow * width(h) / of_.stiffness(h, h))) continue;
     memory(peak) = std::max(memory(peak), std::abs(theta(h)));
     if (std::isnan(memory(first_yield))) memory(first_yield) = memory(flow_began);
@@ -241,38 +327,87 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   return settle(state, time, motion, nullptr);
 }
 
+namespace {
+
+/// Whether a guard that has come down to zero says that a hinge is on its line of side `to`.
+bool is_met(const CoupledGuard* ended, Index h, double to) {
+  return ended != nullptr && ended->deformation.size() > 0 && ended->of == h && to * ended->deformation(h) < 0.0;
+}
+
+}  // namespace
+
+/// M − H θ at the last event.
+VectorXd HingeLaw::borne(const CoupledState& state, const VectorXd& deformation) const {
+  const VectorXd theta = state.memory.col(rotation);
+  return deformation - of_.stiffness * theta - of_.hardening.cwiseProduct(theta);
+}
+
+/// What can break and is on its line does; a hinge that then is off its own no longer flows. (H-14)
+void HingeLaw::break_at_lines(CoupledState& state, double time, const VectorXd& deformation,
+                              const CoupledGuard* ended) const {
+  if (of_.kept.size() == 0) return;
+  VectorXd y = borne(state, deformation);
+  std::vector<Index> broken;
+  for (Index h = 0; h < size(); ++h) {
+    if (!breaks(h) || !whole(state, h)) continue;
+    for (const double to : {1.0, -1.0}) {
+      if (!is_met(ended, h, to) && to * y(h) < line(state, h, to) - on_line * width(h)) continue;
+      state.memory(h, broke_at) = time;
+      broken.push_back(h);
+      break;
+    }
+  }
+  if (broken.empty()) return;
+  load(state, deformation, time, broken);
+  y = borne(state, deformation);
+  for (Index h = 0; h < size(); ++h) {
+    const double s = state.memory(h, side);
+    if (s != 0.0 && std::abs(y(h) - s * line(state, h, s)) > on_line * width(h)) state.memory(h, side) = 0.0;
+  }
+}
+
 /// `ended`: the guard that has come down to zero, so that a hinge is on its line, or flows no more, however well that
 /// instant is known.
 CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion,
                               const CoupledGuard* ended) const {
   CoupledState now = at(state, motion.deformation);
   now.since = time;
-  const VectorXd theta = now.memory.col(rotation);
-  const VectorXd y = motion.deformation - of_.stiffness * theta - of_.hardening.cwiseProduct(theta);
-  std::vector<Index> candidates;
-  std::vector<double> sides;
-  for (Index h = 0; h < size(); ++h) {
-    double s = now.memory(h, side);
-    for (const double to : {1.0, -1.0}) {
-      const bool met =
-          ended != nullptr && ended->deformation.size() > 0 && ended->of == h && to * ended->deformation(h) < 0.0;
-      if (s == 0.0 && std::isfinite(line(h, to)) && (met || std::abs(y(h) - to * line(h, to)) <= on_line * width(h)))
-        s = to;
+  break_at_lines(now, time, motion.deformation, ended);
+  const VectorXd y = borne(now, motion.deformation);
+  Sides candidates;
+  for (const bool of_free : {false, true}) {
+    for (Index h = 0; h < size(); ++h) {
+      if (is_free(now, h) != of_free) continue;
+      double s = of_free ? 1.0 : now.memory(h, side);
+      for (const double to : {1.0, -1.0}) {
+        const bool met = is_met(ended, h, to) && whole(now, h) == whole(state, h);
+        const double limit = line(now, h, to);
+        if (s == 0.0 && std::isfinite(limit) && (met || std::abs(y(h) - to * limit) <= on_line * width(h))) s = to;
+      }
+      if (s == 0.0) continue;
+      candidates.of.push_back(h);
+      candidates.side.push_back(s);
+      candidates.free += of_free ? 1 : 0;
     }
-    if (s == 0.0) continue;
-    candidates.push_back(h);
-    sides.push_back(s);
   }
+  const std::vector<double>& sides = candidates.side;
   const auto s = Eigen::Map<const VectorXd>(sides.data(), std::ssize(sides));
-  MatrixXd q = of_.stiffness(candidates, candidates);
-  q.diagonal() += of_.hardening(candidates);
-  const MatrixXd both = s.asDiagonal() * q * s.asDiagonal();
-  const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates).cwiseProduct(s);
-  const VectorXd lambda = complementary(both, rate).value_or(VectorXd::Zero(std::ssize(sides)));
+  MatrixXd q = of_.stiffness;
+  q.diagonal() += of_.hardening;
+  const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
+  const VectorXd lambda = candidates.solve(q, rate, of_.kept.size() > 0).value_or(VectorXd::Zero(std::ssize(sides)));
   now.memory.col(side).setZero();
   now.memory.col(begins).setZero();
-  for (std::size_t n = 0; n < candidates.size(); ++n) {
-    if (lambda(static_cast<Index>(n)) > 0.0) now.memory(candidates[n], side) = sides[n];
+  // Rotations and slips side by side, by what they would do to the energy.
+  const bool mixed = of_.kept.size() > 0;
+  const VectorXd weights =
+      mixed ? VectorXd(of_.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt()) : VectorXd::Ones(size());
+  const double nil = no_slope * weights(candidates.of).dot(lambda.cwiseAbs());
+  for (Index n = 0; n < lambda.size(); ++n) {
+    const Index h = candidates.of[n];
+    const bool stopped = mixed && ended != nullptr && ended->of == h && ended->speed.size() > 0;
+    const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
+    if (flows_on || is_free(now, h)) now.memory(h, side) = sides[n];
   }
   // What flows at a rate that is zero whatever x does would never cease to end its branch.
   Flow flows = flow(now);
@@ -280,6 +415,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     again = false;
     for (std::size_t n = 0; n < flows.at.size(); ++n) {
       const Index h = flows.at[n];
+      if (is_free(now, h)) continue;
       const VectorXd row = flows.inverse.row(static_cast<Index>(n));
       const double largest = no_part / (of_.stiffness(h, h) + of_.hardening(h));
       if (row.dot(of_.gram(flows.at, flows.at) * row) > largest * largest * of_.gram(h, h)) continue;
@@ -290,13 +426,15 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   }
   note_mechanism(now, time);
   const VectorXd turning = flows.inverse * motion.speed(flows.at);
-  const double fastest = turning.size() > 0 ? turning.cwiseAbs().maxCoeff() : 0.0;
-  for (std::size_t n = 0, k = 0; n < candidates.size(); ++n) {
-    const Index h = candidates[n];
+  const VectorXd paces = turning.cwiseProduct(weights(flows.at));
+  const double fastest = paces.size() > 0 ? paces.cwiseAbs().maxCoeff() : 0.0;
+  for (std::size_t n = 0; n < sides.size(); ++n) {
+    const Index h = candidates.of[n];
     auto memory = now.memory.row(h);
     if (memory(side) != 0.0) {
+      const Index k = std::lower_bound(flows.at.begin(), flows.at.end(), h) - flows.at.begin();
       if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
-      memory(begins) = memory(side) * turning(static_cast<Index>(k++)) > no_slope * fastest ? 0.0 : 1.0;
+      memory(begins) = memory(side) * paces(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
     const VectorXd of_others = of_.stiffness(h, flows.at).transpose().cwiseProduct(turning);
@@ -337,22 +475,6 @@ std::optional<HingeLaw::Mechanism> HingeLaw::mechanism(const CoupledState& state
   return mechanism;
 }
 
-std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const MatrixXd& frame_rows,
-                                   const MatrixXd& hinge_stiffness, const std::vector<Index>& flowing) {
-  constexpr double singular = 1e-12;  // of the largest eigenvalue: a spin
-  constexpr double movable = 1e-9;
-  const MatrixXd rows = frame_rows(flowing, Eigen::all);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_hinges(hinge_stiffness(flowing, flowing));
-  const VectorXd& values = of_hinges.eigenvalues();
-  const VectorXd inverse = (values.array() > singular * values.maxCoeff()).select(values.cwiseInverse(), 0.0);
-  const MatrixXd turned = of_hinges.eigenvectors().transpose() * rows;
-  const MatrixXd tangent = frame_stiffness - turned.transpose() * inverse.asDiagonal() * turned;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shapes(0.5 * (tangent + tangent.transpose()),
-                                                                  frame_stiffness);
-  if (!(shapes.eigenvalues()(0) < movable)) return std::nullopt;
-  return shapes.eigenvectors().col(0);
-}
-
 HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const {
   const auto memory = state.memory.row(hinge);
   Record record{.rotation = memory(rotation),
@@ -360,7 +482,10 @@ HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const 
                 .lost = memory(lost),
                 .first_yield = std::nullopt,
                 .half_cycles = static_cast<int>(memory(half_cycles)),
-                .flows = static_cast<int>(memory(side))};
+                .flows = static_cast<int>(memory(side)),
+                .broke = std::nullopt,
+                .released = memory(released)};
+  if (!std::isnan(memory(broke_at))) record.broke = memory(broke_at);
   if (!std::isnan(memory(first_yield))) record.first_yield = memory(first_yield);
   return record;
 }

@@ -23,6 +23,9 @@ class HingeLaw final : public CoupledLaw {
     Eigen::VectorXd upper,
         lower;  ///< what M − H θ may rise to, and −(M − H θ) [force·length] > 0; infinite: not reached
     Eigen::MatrixXd gram;  ///< G Gᵀ, whose entries tell what of a moment does not depend on x
+    /// Of what breaks, such as the shear of a column: the part of (upper + lower)/2 that it keeps once it has been
+    /// reached on either side [-], 0 … 1; 1: all, it yields. Empty: nothing breaks. (H-14)
+    Eigen::VectorXd kept = {};
     /// K and G of the frame alone, which say when it can move without bending (H-12); empty: nobody asks.
     Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
   };
@@ -50,24 +53,35 @@ class HingeLaw final : public CoupledLaw {
     std::optional<double> first_yield;  ///< [s]
     int half_cycles = 0;                ///< stretches of flow in one direction; elastic excursions do not part them
     int flows = 0;                      ///< −1, 0 or 1: the side on which it flows now
+    std::optional<double> broke;        ///< [s]
+    double released = 0;                ///< energy lost when it did [force·length], that of what is at rest included
   };
   [[nodiscard]] Record record(const CoupledState& state, Eigen::Index hinge) const;
 
+  /// Least part of a frame's stiffness with which it still bends (H-12).
+  static constexpr double bends = 1e-9;
   /// When the hinges first made the frame movable without bending, and which of them flowed then.
   struct Mechanism {
     double time = 0;  ///< [s]
     std::vector<Eigen::Index> hinges;
   };
   [[nodiscard]] std::optional<Mechanism> mechanism(const CoupledState& state) const;
+  /// Whether it has broken and nothing is left: it moves either way without resistance.
+  [[nodiscard]] bool is_free(const CoupledState& state, Eigen::Index hinge) const;
 
  private:
   struct Flow;
   void note_mechanism(CoupledState& state, double time) const;
   [[nodiscard]] Flow flow(const CoupledState& state) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
-  [[nodiscard]] double line(Eigen::Index hinge, double side) const {
-    return side > 0 ? of_.upper(hinge) : of_.lower(hinge);
-  }
+  [[nodiscard]] bool breaks(Eigen::Index hinge) const { return of_.kept.size() > 0 && of_.kept(hinge) < 1.0; }
+  [[nodiscard]] bool whole(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] Eigen::VectorXd borne(const CoupledState& state, const Eigen::VectorXd& deformation) const;
+  void load(CoupledState& state, const Eigen::VectorXd& deformation, double time,
+            std::vector<Eigen::Index> broken) const;
+  void break_at_lines(CoupledState& state, double time, const Eigen::VectorXd& deformation,
+                      const CoupledGuard* ended) const;
   [[nodiscard]] double width(Eigen::Index hinge) const;
   [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion,
                                     const CoupledGuard* ended) const;

@@ -109,10 +109,10 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
     point.right_floor = floors.right_floor;
     const bool at_level = std::abs(spec.elevations[i] - floors.elevation) <= round_off;
     if (spec.column_capacity) {
-      const auto& [shears, moments] = *spec.column_capacity;
-      if (!shears.empty()) point.column_shear_capacity = shears.at(i);
+      const std::vector<double>& moments = spec.column_capacity->moment;
       if (!moments.empty()) point.column_moment_capacity = moments.at(i);
     }
+    point.column_shear_capacity = column_shear_capacity(spec, i, left, right, floors);
     point.elevation = at_level ? spec.elevations[i] : floors.elevation;
     point.width = spec.widths[i];
     point.law = make_contact_law(spec, i, left, right, floors);

@@ -203,6 +203,9 @@ struct SpecAndModel {
 /// that it strikes. @throws InvalidParameter where there are none.
 [[nodiscard]] std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left,
                                                       const SpecAndModel& right);
+/// Shear that a struck column bears [force], by column_capacity or its section, 0: unknown. @throws where they differ.
+[[nodiscard]] double column_shear_capacity(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
+                                           const SpecAndModel& right, const LevelPair& floors);
 /// The law of contact point `point`: with the numbers of that point, the axial stiffness of the two beams that meet
 /// there, and m_e of its two floors, those of floors_of_points().
 /// @throws InvalidParameter, naming the key at fault, when the case has no such law or its values do not go together.

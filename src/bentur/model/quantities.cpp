@@ -106,7 +106,8 @@ double column_ratio_no_contact(const ColumnPeaks& column, const ContactPoint& po
 }
 
 constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::floor, point = Owner::point,
-                gap = Owner::gap, impact = Owner::impact, link_ = Owner::link, hinge = Owner::hinge;
+                gap = Owner::gap, impact = Owner::impact, link_ = Owner::link, hinge = Owner::hinge,
+                breaking = Owner::column;
 
 constexpr YieldingSource yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list) {
   return {&BuildingPeaks::yielding, list};
@@ -161,6 +162,12 @@ std::deque<Quantity>& list() {
       {"dissipated_energy", hinge, "F L", "E_h", "energy that the hinge has dissipated", {"Energy by yielding", "Energi leleh"}, &BuildingPeaks::Hinge::dissipated_energy},
       {"first_yield", hinge, "s", "t_y", "when the hinge first yielded", {"First yield", "Leleh pertama"}, &BuildingPeaks::Hinge::first_yield},
       {"half_cycles", hinge, "1", "n", "stretches of flow in one direction", {"Half cycles", "Setengah siklus"}, &BuildingPeaks::Hinge::half_cycles},
+      // Columns that can break in shear.
+      {"peak_shear", breaking, "F", "max |Q|", "largest shear of the column, that at rest included", {"Shear", "Gaya geser"}, &BuildingPeaks::Breaking::peak_shear},
+      {"shear_demand_capacity", breaking, "1", "max |Q|/V", "largest shear of the column over its capacity", {"Of its capacity", "Dari kapasitasnya"}, &BuildingPeaks::Breaking::shear_demand_capacity},
+      {"break_time", breaking, "s", "t_b", "when the column broke in shear", {"Breaks at", "Patah saat"}, &BuildingPeaks::Breaking::break_time},
+      {"released_energy", breaking, "F L", "E_b", "elastic energy that was lost when the column broke", {"Energy set free", "Energi terlepas"}, &BuildingPeaks::Breaking::released_energy},
+      {"residual_slip", breaking, "L", "v_r", "how far the broken column has slipped at the end", {"Slip at the end", "Geseran di akhir"}, &BuildingPeaks::Breaking::residual_slip, {}, {}, 1, {}, false, true},
       // Contact points.
       {"point_width", point, "L", "w", "initial opening of the contact points", {"Given", "Tersedia"}, point_width, "/width"},
       {"point_gap_needed", point, "L", "w_n", "gap that the free response needs at each contact point", {"Needed", "Diperlukan"}, &PointSummary::gap_needed, "/gap_needed"},
@@ -270,14 +277,6 @@ const Quantity& quantity_named(std::string_view key, Owner owner) {
 
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
-std::string file_name(const Quantity& quantity) {
-  const std::string_view prefix = quantity.owner == Owner::link     ? "link_"
-                                  : quantity.owner == Owner::impact ? "impact_"
-                                  : quantity.owner == Owner::hinge  ? "hinge_"
-                                                                    : "";
-  return std::string(prefix) + std::string(quantity.key);
-}
-
 bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
 
 bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
@@ -290,10 +289,12 @@ bool is_of_yielding(const Quantity& quantity, const Building& building) {
                           &BuildingPeaks::Yielding::residual_time, &BuildingPeaks::Yielding::failed_time}) {
     if (source->list == list) return building.can_lose_strength();
   }
-  return building.storeys_yield() || (residual && !building.model.hinges.places.empty());
+  return building.storeys_yield() || (residual && building.model.hinges.size() > 0);
 }
 
 bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
+
+bool is_of_breaking(const Quantity& quantity) { return quantity.owner == Owner::column; }
 
 bool is_of_forces(const Quantity& quantity) {
   return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
@@ -311,14 +312,10 @@ bool column_has(const Quantity& quantity, const Problem& problem, const ContactP
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
   if (is_of_columns(quantity)) return column_has(quantity, r.problem, r.problem.points[item]);
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
+  if (is_of_breaking(quantity)) return !r.response.buildings[item].columns.empty();
   if (is_of_hinges(quantity)) return !r.response.buildings[item].hinges.empty();
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
-}
-
-bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vector<QuantityPlace>& places) {
-  return places.empty() || std::any_of(places.begin(), places.end(),
-                                       [&](const QuantityPlace& at) { return is_told(quantity, r, at.item); });
 }
 
 double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace& at) {
@@ -349,6 +346,12 @@ double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace&
           [&](std::optional<double> BuildingPeaks::Hinge::*member) {
             return (response.buildings[at.item].hinges[at.floor].*member).value_or(none);
           },
+          [&](double BuildingPeaks::Breaking::*member) {
+            return response.buildings[at.item].columns[at.floor].*member;
+          },
+          [&](std::optional<double> BuildingPeaks::Breaking::*member) {
+            return (response.buildings[at.item].columns[at.floor].*member).value_or(none);
+          },
           [&](double LinkSummary::*member) {
             return at.item < std::ssize(response.links) ? response.links[at.item].*member : none;
           },
@@ -378,11 +381,15 @@ bool is_kept(const Quantity& quantity) {
 
 namespace {
 
-/// The place of a hinge in a response, which is made.
+/// The place of a hinge, or of a column that breaks, in a response, which is made.
+template <class Told>
+Told& told_at(std::vector<Told> BuildingPeaks::*list, Response& response, const QuantityPlace& at) {
+  std::vector<Told>& all = response.buildings.at(at.item).*list;
+  if (std::ssize(all) <= at.floor) all.resize(at.floor + 1);
+  return all[at.floor];
+}
 BuildingPeaks::Hinge& hinge_at(Response& response, const QuantityPlace& at) {
-  std::vector<BuildingPeaks::Hinge>& hinges = response.buildings.at(at.item).hinges;
-  if (std::ssize(hinges) <= at.floor) hinges.resize(at.floor + 1);
-  return hinges[at.floor];
+  return told_at(&BuildingPeaks::hinges, response, at);
 }
 
 }  // namespace
@@ -414,6 +421,13 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
               [&](int BuildingPeaks::Hinge::*member) { hinge_at(response, at).*member = static_cast<int>(value); },
               [&](std::optional<double> BuildingPeaks::Hinge::*member) {
                 hinge_at(response, at).*member = std::isnan(value) ? std::nullopt : std::optional(value);
+              },
+              [&](double BuildingPeaks::Breaking::*member) {
+                told_at(&BuildingPeaks::columns, response, at).*member = value;
+              },
+              [&](std::optional<double> BuildingPeaks::Breaking::*member) {
+                told_at(&BuildingPeaks::columns, response, at).*member =
+                    std::isnan(value) ? std::nullopt : std::optional(value);
               },
               [&](double LinkSummary::*member) { response.links.at(at.item).*member = value; },
               [&](std::optional<double> PointSummary::*member) {

@@ -16,7 +16,7 @@
 namespace bentur {
 
 /// What the values of a quantity belong to: one value for the run, or one each.
-enum class Owner { run, building, floor, point, gap, impact, link, hinge };
+enum class Owner { run, building, floor, point, gap, impact, link, hinge, column };
 
 /// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
@@ -32,7 +32,8 @@ struct RunView {
   std::vector<PointRestitution> restitutions;  ///< per contact point
 };
 
-/// Where a value is: number of the building, point, gap, impact or link, and of the floor, or of the hinge.
+/// Where a value is: number of the building, point, gap, impact or link, and of the floor, the hinge, or the column
+/// that breaks.
 struct QuantityPlace {
   Eigen::Index item = 0;
   Eigen::Index floor = 0;
@@ -61,7 +62,8 @@ using QuantitySource =
     std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, ColumnSource,
                  double PointSummary::*, int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*,
                  bool Impact::*, double LinkSummary::*, double BuildingPeaks::Hinge::*, int BuildingPeaks::Hinge::*,
-                 std::optional<double> BuildingPeaks::Hinge::*, double (*)(const RunView&, const QuantityPlace&),
+                 std::optional<double> BuildingPeaks::Hinge::*, double BuildingPeaks::Breaking::*,
+                 std::optional<double> BuildingPeaks::Breaking::*, double (*)(const RunView&, const QuantityPlace&),
                  long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
@@ -105,6 +107,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_forces(const Quantity& quantity);
 /// Whether it is told only of buildings that have hinges, or of hinges.
 [[nodiscard]] bool is_of_hinges(const Quantity& quantity);
+/// Whether it is told only of columns that can break.
+[[nodiscard]] bool is_of_breaking(const Quantity& quantity);
 /// Whether it is told only of contact points where a floor strikes a column.
 [[nodiscard]] bool is_of_columns(const Quantity& quantity);
 /// Whether a quantity of columns has a value at a contact point: a column is struck there and, of demand over capacity,
@@ -158,8 +162,9 @@ struct TableColumn {
                                                              std::size_t language = 0);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
-/// The hinges of a building, in their order.
+/// The hinges of a building, in their order, and its columns that can break.
 [[nodiscard]] std::vector<QuantityPlace> hinges_of(const Problem& problem, Eigen::Index building);
+[[nodiscard]] std::vector<QuantityPlace> breaking_columns_of(const Problem& problem, Eigen::Index building);
 /// From the top down, as it stands.
 [[nodiscard]] std::vector<QuantityPlace> floors_from_top(const Problem& problem, Eigen::Index building);
 /// The first `count` items as places.

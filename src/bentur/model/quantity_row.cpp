@@ -32,14 +32,16 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
     const Eigen::Index hinges = std::ssize(building.model.hinges.places);
-    for (const Owner owner : {Owner::floor, Owner::building, Owner::hinge}) {
+    const Eigen::Index columns = std::ssize(building.model.hinges.columns);
+    for (const Owner owner : {Owner::floor, Owner::building, Owner::hinge, Owner::column}) {
       for (const Quantity* quantity : quantities_of(owner)) {
         if (is_of_yielding(*quantity) && !is_of_yielding(*quantity, building)) continue;
         if (is_of_foundation(*quantity) && !building.model.foundation) continue;
-        if (is_of_hinges(*quantity) && hinges == 0) continue;
-        RowPart& part = add(*quantity, owner == Owner::floor   ? building.model.floors()
-                                       : owner == Owner::hinge ? hinges
-                                                               : 1);
+        if ((is_of_hinges(*quantity) && hinges == 0) || (is_of_breaking(*quantity) && columns == 0)) continue;
+        RowPart& part = add(*quantity, owner == Owner::floor    ? building.model.floors()
+                                       : owner == Owner::hinge  ? hinges
+                                       : owner == Owner::column ? columns
+                                                                : 1);
         part.name += fmt::format("_{}", b + 1);
         part.long_name += fmt::format(", building \"{}\"", building.name);
         part.building = b;
@@ -67,7 +69,8 @@ bool same_places(const Problem& a, const Problem& b) {
   const auto floors = [](const Building& x, const Building& y) {
     return x.model.floors() == y.model.floors() && x.storeys_yield() == y.storeys_yield() &&
            x.model.foundation.has_value() == y.model.foundation.has_value() &&
-           x.model.hinges.places.size() == y.model.hinges.places.size();
+           x.model.hinges.places.size() == y.model.hinges.places.size() &&
+           x.model.hinges.columns.size() == y.model.hinges.columns.size();
   };
   const auto left = [&](const ContactPoint& x, const ContactPoint& y) {
     return x.left == y.left && struck_column(a, x).has_value() == struck_column(b, y).has_value();
@@ -87,7 +90,8 @@ void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<d
     throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
   }
   for (const RowPart& part : parts) {
-    const bool of_building = part.owner == Owner::floor || part.owner == Owner::building || part.owner == Owner::hinge;
+    const bool of_building = part.owner == Owner::floor || part.owner == Owner::building ||
+                             part.owner == Owner::hinge || part.owner == Owner::column;
     for (Eigen::Index i = 0; i < part.count; ++i) {
       const QuantityPlace at = of_building ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
       row[part.first + i] = value_of(*part.quantity, run, at);

@@ -58,6 +58,20 @@ std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vect
   return columns_of(Owner::point, is_of_columns, r, points, language);
 }
 
+std::string file_name(const Quantity& quantity) {
+  const std::string_view prefix = quantity.owner == Owner::link     ? "link_"
+                                  : quantity.owner == Owner::impact ? "impact_"
+                                  : quantity.owner == Owner::hinge  ? "hinge_"
+                                  : quantity.owner == Owner::column ? "breaking_column_"
+                                                                    : "";
+  return std::string(prefix) + std::string(quantity.key);
+}
+
+bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vector<QuantityPlace>& places) {
+  return places.empty() || std::any_of(places.begin(), places.end(),
+                                       [&](const QuantityPlace& at) { return is_told(quantity, r, at.item); });
+}
+
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
   std::vector<QuantityPlace> places;
   for (Eigen::Index i = 0; i < problem.buildings[b].model.floors(); ++i) places.push_back({b, i});
@@ -67,6 +81,12 @@ std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
 std::vector<QuantityPlace> hinges_of(const Problem& problem, Eigen::Index b) {
   std::vector<QuantityPlace> places;
   for (Eigen::Index h = 0; h < std::ssize(problem.buildings[b].model.hinges.places); ++h) places.push_back({b, h});
+  return places;
+}
+
+std::vector<QuantityPlace> breaking_columns_of(const Problem& problem, Eigen::Index b) {
+  std::vector<QuantityPlace> places;
+  for (Eigen::Index n = 0; n < std::ssize(problem.buildings[b].model.hinges.columns); ++n) places.push_back({b, n});
   return places;
 }
 

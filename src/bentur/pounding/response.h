@@ -47,6 +47,15 @@ struct BuildingPeaks {
     int half_cycles = 0;                     ///< stretches of flow in one direction
   };
   std::vector<Hinge> hinges = {};
+  /// What a column did that breaks in shear, in the order of Hinges::columns.
+  struct Breaking {
+    double peak_shear = 0;                  ///< max |Q + Q₀| [force]
+    double shear_demand_capacity = 0;       ///< that over its capacity [-]
+    std::optional<double> break_time = {};  ///< [s]; nothing: it is whole
+    double released_energy = 0;             ///< elastic, when it broke [force·length] (H-15)
+    double residual_slip = 0;               ///< v at the end [length], signed
+  };
+  std::vector<Breaking> columns = {};
   /// When hinges first made a frame movable without bending, and the storeys that drift then, from 0. (H-12)
   struct Mechanism {
     double time = 0;  ///< [s]

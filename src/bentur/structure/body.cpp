@@ -31,7 +31,8 @@ MatrixXd of_hinges(const MatrixXd& rows, Index forces) {
 Body body_of(const Building& building) {
   const StructuralModel& model = building.model;
   const Hinges& hinges = model.hinges;
-  const Index floors = model.floors(), hinge_count = hinges.rows.rows(), columns = model.column_forces.rows();
+  const Index floors = model.floors(), columns = model.column_forces.rows();
+  const Index hinge_count = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
   Index forces = std::ssize(building.elements);
   for (const CoupledElement& element : building.coupled) forces += element.rows.rows();
 
@@ -82,9 +83,9 @@ Body body_of(const Building& building) {
        .course = Course::along},
       {.kind = OutputKind::hinge_moment,
        .count = hinge_count,
-       .rows = hinges.rows,
-       .forces = of_hinges(hinges.stiffness, forces),
-       .at_rest = hinges.at_rest,
+       .rows = hinges.rows.topRows(hinge_count),
+       .forces = of_hinges(hinges.stiffness.topRows(hinge_count), forces),
+       .at_rest = hinges.at_rest.head(hinge_count),
        .has_peak = true,
        .course = Course::along},
       {.kind = OutputKind::foundation,
@@ -100,15 +101,21 @@ Body body_of(const Building& building) {
        .course = Course::along},
       {.kind = OutputKind::hinge_rotation,
        .count = hinge_count,
-       .forces = of_hinges(-MatrixXd::Identity(hinge_count, hinge_count), forces),
+       .forces = of_hinges(-MatrixXd::Identity(hinge_count, hinge_count + breaking), forces),
        .course = Course::along},
+      {.kind = OutputKind::breaking_shear,
+       .count = breaking,
+       .rows = hinges.rows.bottomRows(breaking),
+       .forces = of_hinges(hinges.stiffness.bottomRows(breaking), forces),
+       .at_rest = hinges.at_rest.tail(breaking),
+       .has_peak = true},
       {.kind = OutputKind::foundation_force,
        .count = foundation.rows(),
        .rows = springs,
        .rates = dashpots,
        .course = Course::along},
   };
-  if (hinge_count > 0 && columns > 0) {
+  if (hinges.size() > 0 && columns > 0) {
     body.outputs[static_cast<std::size_t>(OutputKind::column_force)].forces = of_hinges(-hinges.column_forces, forces);
   }
   return body;

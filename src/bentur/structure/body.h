@@ -20,6 +20,7 @@ enum class OutputKind {
   acceleration,      ///< of floors, absolute [length/s²]
   node,              ///< displacement of nodes in struck columns [length]
   hinge_rotation,    ///< [rad]
+  breaking_shear,    ///< Q + Q₀ of columns that break [force]
   foundation_force,  ///< force [force] and moment [force·length] of the springs and dashpots below
 };
 

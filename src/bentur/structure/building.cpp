@@ -59,12 +59,13 @@ std::vector<BuildingElement> storey_elements(const StructuralModel& model,
 
 std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
   const Hinges& hinges = model.hinges;
-  if (hinges.places.empty()) return {};
+  if (hinges.size() == 0) return {};
   return {{hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
                                                                         .hardening = hinges.hardening,
                                                                         .upper = hinges.clockwise - hinges.at_rest,
                                                                         .lower = hinges.anticlockwise + hinges.at_rest,
                                                                         .gram = hinges.rows * hinges.rows.transpose(),
+                                                                        .kept = hinges.kept,
                                                                         .frame_stiffness = hinges.frame_stiffness,
                                                                         .frame_rows = hinges.frame_rows})}};
 }

@@ -40,22 +40,35 @@ struct HingePlace {
 /// @throws InvalidParameter unless it is one of these.
 [[nodiscard]] HingePlace::End hinge_end(std::string_view word);
 
+/// A column of a frame that breaks in shear, or a piece of one that is struck; all numbers from 1.
+struct BreakingColumn {
+  Eigen::Index storey = 0;
+  Eigen::Index line = 0;
+  Eigen::Index piece = 0;  ///< of a struck column the number of the piece, from below; 0: the whole column
+  double capacity = 0;     ///< V [force] > 0
+};
+
 /// The plastic hinges of a frame (H-1), (H-2): moments on members' ends, clockwise positive, M = rows · x − stiffness
-/// θ.
+/// θ. After them the shears of columns that break (H-13), whose "rotation" is how far they slip [length] and whose
+/// "moment" is a force.
 struct Hinges {
   std::vector<HingePlace> places;
+  std::vector<BreakingColumn> columns = {};
   Eigen::MatrixXd rows;       ///< G over the dofs [force·length/length]
   Eigen::MatrixXd stiffness;  ///< K_hh [force·length/rad]
   Eigen::VectorXd hardening;  ///< H [force·length/rad]
   /// M⁺ and M⁻ > 0 [force·length], clockwise and anticlockwise; infinite where an end cannot be brought to flow (H-5).
   Eigen::VectorXd clockwise, anticlockwise;
-  Eigen::VectorXd at_rest;  ///< M₀ of gravity loads on beams [force·length] (H-9)
+  Eigen::VectorXd kept = {};  ///< the part of its capacity that each keeps once it has been reached [-]; 1 of hinges;
+                              ///< empty where no column breaks
+  Eigen::VectorXd at_rest;    ///< M₀ of gravity loads on beams [force·length] (H-9)
   /// Rotations of the levels IO, LS and CP of ASCE 41, hinges × 3 [rad]; NaN where they are not given.
   Eigen::MatrixXd rotation_limits;
   /// What a rotation of 1 does to StructuralModel::column_forces, those × hinges [force·length, force].
   Eigen::MatrixXd column_forces;
   /// Of the frame alone, fixed at its base and without gravity loads: K, G and the drifts of its storeys over its dofs.
   Eigen::MatrixXd frame_stiffness, frame_rows, frame_drifts;
+  [[nodiscard]] Eigen::Index size() const { return rows.rows(); }
 };
 
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:

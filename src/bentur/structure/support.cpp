@@ -83,7 +83,7 @@ void carry_rows(const Above& above, StructuralModel& model) {
     model.right_joints = model.right_joints * above.b;
   }
   if (model.column_forces.size() > 0) model.column_forces = model.column_forces * above.b;
-  if (!model.hinges.places.empty()) model.hinges.rows = model.hinges.rows * above.b;
+  if (model.hinges.size() > 0) model.hinges.rows = model.hinges.rows * above.b;
 }
 
 MatrixXd below_zero(const MatrixXd& rows) {

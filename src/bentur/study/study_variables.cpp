@@ -161,6 +161,10 @@ class StudyList {
     if (part.owner == Owner::hinge) {
       variable.dimensions.push_back({fmt::format("hinge_{}", part.building + 1), static_cast<std::size_t>(part.count)});
     }
+    if (part.owner == Owner::column) {
+      variable.dimensions.push_back(
+          {fmt::format("breaking_column_{}", part.building + 1), static_cast<std::size_t>(part.count)});
+    }
     if (part.owner == Owner::gap) variable.dimensions.push_back(places_.gaps);
     if (part.owner == Owner::point) variable.dimensions.push_back(places_.points);
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);

@@ -56,6 +56,22 @@ void read_hinges(const TableView& view, std::size_t lines, Section& section) {
   if (of_lines) view.refuse({"line_load"}, "only beams carry it");
 }
 
+/// Where it breaks. @param lines as read_hinges() takes it
+void read_shear(const TableView& view, std::size_t lines, Section& section) {
+  if (lines == 0) {
+    view.refuse({"shear_capacity", "residual_shear"}, "only columns break");
+    return;
+  }
+  const auto capacity = view.get("shear_capacity");
+  if (!capacity) view.refuse({"residual_shear"}, "goes with shear_capacity, which is not given");
+  section.shear_capacity = view.numbers("shear_capacity");
+  const std::size_t given = section.shear_capacity.size();
+  if (given > 1 && given != lines) {
+    capacity->error(fmt::format("has {} entries, must be a number or have one per column line ({})", given, lines));
+  }
+  section.residual_shear = view.number("residual_shear").value_or(0);
+}
+
 /// From a density a member weighs by its own length. @param lines of columns; 0: it is a beam
 Section read_section(const TomlView& given, double gravity, std::size_t lines) {
   Section section;
@@ -63,6 +79,7 @@ Section read_section(const TomlView& given, double gravity, std::size_t lines) {
   if (!view) return section;
   read_shape(*view, section);
   read_hinges(*view, lines, section);
+  read_shear(*view, lines, section);
   const auto basis = view->exactly_one("weight");
   if (!basis) return section;
   const double amount = view->number(*basis).value_or(0);
@@ -154,12 +171,13 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   if (condensation == "none") frame.condensation = Condensation::none;
   frame.base_coupling = view.flag("base_coupling");
   const auto yields = [](const Section& section) {
-    return std::any_of(section.moment_capacity.begin(), section.moment_capacity.end(),
-                       [](double capacity) { return std::isfinite(capacity); });
+    const auto finite = [](double capacity) { return std::isfinite(capacity); };
+    return std::any_of(section.moment_capacity.begin(), section.moment_capacity.end(), finite) ||
+           std::any_of(section.shear_capacity.begin(), section.shear_capacity.end(), finite);
   };
   if (frame.condensation == Condensation::dynamic && (std::any_of(frame.columns.begin(), frame.columns.end(), yields) ||
                                                       std::any_of(frame.beams.begin(), frame.beams.end(), yields))) {
-    view.get("condensation")->error_value("must be \"static\" or \"none\" where hinges may form");
+    view.get("condensation")->error_value("must be \"static\" or \"none\" where hinges may form or columns break");
   }
 
   if (storeys > 0) {

@@ -209,6 +209,27 @@ void read_strikes_columns(const TableView& gap, GapSpec& spec) {
   if (!gap.has("elevations")) gap.error_missing("elevations", "strikes_columns = true needs to know where");
 }
 
+/// That the sections of struck columns say nothing else.
+void check_column_capacity(const TableView& capacity, const GapSides& sides, const GapSpec& spec) {
+  const std::size_t given = spec.column_capacity->shear.size();
+  if (given == 0 || given != spec.elevations.size() || !sides.left.model || !sides.right.model) return;
+  const SpecAndModel left{sides.left.spec, *sides.left.model}, right{sides.right.spec, *sides.right.model};
+  const std::vector<LevelPair> floors = floors_of_points(spec, left, right);
+  for (std::size_t i = 0; i < given; ++i) {
+    try {
+      static_cast<void>(column_shear_capacity(spec, i, left, right, floors[i]));
+    } catch (const InvalidParameter& fault) {
+      const auto value = capacity.find("shear");
+      if (value->is(TomlValue::Kind::list)) {
+        value->item(i).error_value(fault.rule());
+        continue;
+      }
+      value->error_value(fault.rule());
+      return;  // the other points would say the same
+    }
+  }
+}
+
 /// What the columns bear that are struck.
 void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& spec) {
   const auto capacity = spec.strikes_columns ? gap.table("column_capacity") : std::nullopt;
@@ -219,6 +240,7 @@ void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& 
     return given ? given->as_number_for_each(capacity->key(key).range, sides.points()) : std::vector<double>();
   };
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
+  check_column_capacity(*capacity, sides, spec);
 }
 
 GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuilding& right,

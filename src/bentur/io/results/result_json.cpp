@@ -111,6 +111,21 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   }
 }
 
+/// What the columns of a frame did that can break in shear.
+void put_breaking_columns(Json& json, const RunView& run, Eigen::Index b) {
+  const std::vector<BreakingColumn>& columns = run.problem.buildings[b].model.hinges.columns;
+  if (columns.empty()) return;
+  json["breaking_columns"] = Json::array();
+  for (const QuantityPlace& at : breaking_columns_of(run.problem, b)) {
+    const BreakingColumn& place = columns[at.floor];
+    Json column = {{"storey", place.storey}, {"line", place.line}};
+    if (place.piece > 0) column["piece"] = place.piece;
+    column["shear_capacity"] = place.capacity;
+    put_quantities(column, Owner::column, run, at.item, at.floor);
+    json["breaking_columns"].push_back(std::move(column));
+  }
+}
+
 /// What the hinges of a frame did: each, in which order they began to yield, and when the frame could first move
 /// without bending.
 void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
@@ -123,6 +138,8 @@ void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
       json["mechanism"]["storeys"].push_back(run.problem.buildings[b].model.storey_number(storey));
     }
   }
+  put_breaking_columns(json, run, b);
+  if (hinges.places.empty()) return;
   json["hinge_order"] = hinge_order(peaks, run.problem.duration);
   json["hinges"] = Json::array();
   for (const QuantityPlace& at : hinges_of(run.problem, b)) {
@@ -181,7 +198,7 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   }
   put_quantities(json, Owner::building, run, b);
   put_quantities(json, Owner::floor, run, b);
-  if (!building.model.hinges.places.empty()) put_hinges(json, run, b);
+  if (!building.model.hinges.places.empty() || !building.model.hinges.columns.empty()) put_hinges(json, run, b);
   return json;
 }
 

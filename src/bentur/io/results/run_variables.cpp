@@ -22,7 +22,8 @@ using PartOf = std::conditional_t<File::reads, Part, const Part>;
 template <class File, class Run>
 class RunList : private PlaceList<File, PartOf<File, Problem>> {
   using List = PlaceList<File, PartOf<File, Problem>>;
-  using List::each, List::file_, List::fit, List::made, List::mechanism, List::pass, List::problem_, List::single;
+  using List::breaking_places, List::each, List::file_, List::fit, List::hinge_places, List::made, List::mechanism,
+      List::pass, List::problem_, List::single;
   using List::gaps, List::links, List::places, List::points;
 
  public:
@@ -75,7 +76,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       std::vector<double> values;
       if constexpr (File::reads) {
         const bool of_some = is_of_yielding(*quantity) || is_of_foundation(*quantity) || is_of_forces(*quantity) ||
-                             is_of_columns(*quantity) || is_of_hinges(*quantity);
+                             is_of_columns(*quantity) || is_of_hinges(*quantity) || is_of_breaking(*quantity);
         if (!is_kept(*quantity) || (of_some && !file_.has(variable.name, false))) continue;
         made(variable, values);
         for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], at[i], response_);
@@ -132,6 +133,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     nodes(b, number, owner);
     column_forces("", time_, histories_.column_forces, b);
     hinges(b, number, owner);
+    breaking_columns(b, number, owner);
     modes(building, floors, number, owner);
     foundation("", time_, histories_.foundation, b);
   }
@@ -189,24 +191,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
         list->emplace_back(static_cast<Eigen::Index>(hinges.size), static_cast<Eigen::Index>(time_.size));
     }
     if (hinges.size == 0) return;
-    std::vector<std::string> members, ends;
-    std::vector<int> levels, numbers;
-    for (const HingePlace& place : places) {
-      members.emplace_back(place.of_beam ? "beam" : "column");
-      levels.push_back(static_cast<int>(place.level));
-      numbers.push_back(static_cast<int>(place.number));
-      ends.emplace_back(word_of(place.end));
-    }
     const std::string of = " of the hinges of " + owner;
-    made({"hinge_member" + number, {hinges}, "", "members" + of}, members);
-    made({"hinge_level" + number, {hinges}, "", "storeys of columns, floors of beams" + of}, levels);
-    made({"hinge_number" + number, {hinges}, "", "lines of columns, bays of beams" + of}, numbers);
-    made({"hinge_end" + number, {hinges}, "", "ends of the members" + of}, ends);
-    if constexpr (File::reads) {
-      for (std::size_t h = 0; h < places.size(); ++h) {
-        places[h] = {members[h] == "beam", levels[h], numbers[h], hinge_end(ends[h])};
-      }
-    }
+    hinge_places(hinges, places, number, of);
     if (auto& limits = problem_.buildings[b].model.hinges.rotation_limits;
         file_.has("hinge_limit" + number, limits.size() > 0 && !limits.array().isNaN().all())) {
       if constexpr (File::reads) limits.resize(static_cast<Eigen::Index>(hinges.size), 3);
@@ -214,11 +200,21 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
            limits);
     }
     quantities(Owner::hinge, hinges, hinges_of(problem_, static_cast<Eigen::Index>(b)), number, of);
-    mechanism(problem_.buildings[b].model.floors(), response_.buildings[b].mechanism, number, owner);
     if (time_.size == 0) return;
     pass({"hinge_moment" + number, {time_, hinges}, moment_, "moments, that at rest included," + of},
          histories_.hinge_moment[b]);
     pass({"hinge_rotation" + number, {time_, hinges}, "rad", "rotations" + of}, histories_.hinge_rotation[b]);
+  }
+
+  /// Columns that can break in shear, and what they did; of hinges and of these the mechanism.
+  void breaking_columns(std::size_t b, const std::string& number, const std::string& owner) {
+    auto& model = problem_.buildings[b].model;
+    const ResultDimension columns = breaking_places(model.hinges.columns, number, owner, force_);
+    if (columns.size + model.hinges.places.size() == 0) return;
+    mechanism(model.floors(), response_.buildings[b].mechanism, number, owner);
+    if (columns.size == 0) return;
+    quantities(Owner::column, columns, breaking_columns_of(problem_, static_cast<Eigen::Index>(b)), number,
+               " of the columns that can break of " + owner);
   }
 
   /// None of a building that moves with the ground.

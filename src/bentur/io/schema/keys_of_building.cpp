@@ -212,6 +212,14 @@ const KeyTable& section_keys() {
            .optional("none"),
        Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
                    "on a beam, downwards: the moments that its hinges bear at rest")
+           .by_default(0),
+       Key::number("shear_capacity", dimension::force, Range::positive_or_infinite,
+                   {"Shear capacity", "Kapasitas geser"}, "shear at which a column [breaks](#columns-that-break)")
+           .for_each("one per column line")
+           .optional("it does not break"),
+       Key::number("residual_shear", dimension::none, Range::ratio, {"Residual shear", "Gaya geser sisa"},
+                   "the part of it that a broken column keeps")
+           .goes_with("shear_capacity")
            .by_default(0)}};
   return table;
 }

@@ -78,8 +78,26 @@ void check_columns(const RunResults& run, Checks& checks) {
       const std::string& building = run.problem.buildings[struck_column(run.problem, point)->building].name;
       checks.add(shear ? "check.column_shear" : "check.column_moment", "column_capacity",
                  building + ", " + with_unit(point.elevation, run.c.units.length), with_unit(demand, unit),
-                 most > 0 ? with_unit(demand / most, unit) : "–", !(most > 1));
+                 most > 0 ? with_unit(demand / most, unit) : "–", !(most > 1 - story::reached));
     }
+  }
+}
+
+/// Of the columns of each building that can break the most loaded one.
+void check_shears(const RunResults& run, Checks& checks) {
+  const RunView view = run.view();
+  const std::string unit = unit_text("F", view.shown.units);
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const std::vector<BuildingPeaks::Breaking>& columns = run.response.buildings[b].columns;
+    if (columns.empty()) continue;
+    const auto less = [](const auto& one, const auto& other) {
+      return one.shear_demand_capacity < other.shear_demand_capacity;
+    };
+    const BuildingPeaks::Breaking& worst = *std::max_element(columns.begin(), columns.end(), less);
+    const bool broken = std::any_of(columns.begin(), columns.end(), [](const auto& one) { return one.break_time; });
+    const double demand = view.shown.factor("F") * worst.peak_shear;
+    checks.add("check.shear_capacity", "shear_capacity", run.problem.buildings[b].name, with_unit(demand, unit),
+               worst.peak_shear > 0 ? with_unit(demand / worst.shear_demand_capacity, unit) : "–", !broken);
   }
 }
 
@@ -264,7 +282,7 @@ std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity
     if (place < c.gaps.size() && c.gaps[place].column_capacity) continue;
     for (const Index i : gap.points) {
       const ContactPoint& point = facts.problem.points[i];
-      if (struck_column(facts.problem, point)) {
+      if (struck_column(facts.problem, point) && point.column_shear_capacity == 0) {
         bare += (bare.empty() ? "" : "; ") + level_text(facts, gap.left, point.elevation);
       }
     }
@@ -295,6 +313,7 @@ HandIn hand_in(const GapFacts& facts, Checks checks, const RunResults* run) {
 HandIn hand_in(const RunResults& run) {
   Checks checks;
   check_columns(run, checks);
+  check_shears(run, checks);
   check_hinges(run, checks);
   check_stability(run, checks);
   HandIn made = hand_in(story::facts_of(run), std::move(checks), &run);

@@ -41,9 +41,21 @@ std::string storeys_text(const Building& building, const std::vector<Index>& sto
   return text;
 }
 
+/// What lets a frame sway without bending: hinges, columns that have broken, or both.
+std::string causes(const BuildingPeaks& peaks, double time) {
+  const bool hinges = std::any_of(peaks.hinges.begin(), peaks.hinges.end(), [&](const BuildingPeaks::Hinge& hinge) {
+    return hinge.first_yield && *hinge.first_yield <= time;
+  });
+  const bool columns = std::any_of(
+      peaks.columns.begin(), peaks.columns.end(),
+      [&](const BuildingPeaks::Breaking& column) { return column.break_time && *column.break_time <= time; });
+  return columns && hinges ? "story.by_both" : columns ? "story.by_breaks" : "story.by_hinges";
+}
+
 void tell_mechanism(const Building& building, Index b, const BuildingPeaks& peaks, std::vector<Statement>& statements) {
   if (!peaks.mechanism) return;
   const std::vector<Index>& storeys = peaks.mechanism->storeys;
+  if (storeys.empty()) return;  // a struck column between its ends alone
   const bool whole = std::ssize(storeys) == building.model.floors() - building.model.first_storey();
   Statement statement{.kind = whole                 ? "mechanism"
                               : storeys.size() == 1 ? "soft_storey"
@@ -51,7 +63,8 @@ void tell_mechanism(const Building& building, Index b, const BuildingPeaks& peak
                       .severity = Severity::warning,
                       .buildings = {b}};
   statement.values = {text_of("building", building.name), value_in("time", peaks.mechanism->time, "s"),
-                      text_of("storeys", storeys_text(building, storeys))};
+                      text_of("storeys", storeys_text(building, storeys)),
+                      word_of("by", causes(peaks, peaks.mechanism->time))};
   statements.push_back(std::move(statement));
 }
 
@@ -91,6 +104,38 @@ void tell_rotations(const Building& building, Index b, const BuildingPeaks& peak
   }
 }
 
+/// Columns that have broken, in order of time.
+std::vector<Index> by_time(const std::vector<BuildingPeaks::Breaking>& columns) {
+  std::vector<Index> broken(columns.size());
+  std::iota(broken.begin(), broken.end(), 0);
+  std::erase_if(broken, [&](Index n) { return !columns[n].break_time; });
+  std::stable_sort(broken.begin(), broken.end(),
+                   [&](Index a, Index b) { return *columns[a].break_time < *columns[b].break_time; });
+  return broken;
+}
+
+StoryTable breaking_table(const Building& building, const std::vector<BuildingPeaks::Breaking>& columns,
+                          const std::vector<Index>& broken, const ShownUnits& shown, const std::string& length) {
+  const std::string of_energy = unit_text("F L", shown.units);
+  StoryColumn storey{.label = "column.of_storey", .are_counts = true};
+  StoryColumn line{.label = "column.line", .are_counts = true}, piece{.label = "column.piece", .are_counts = true};
+  StoryColumn time{"column.breaks", "s"}, capacity{"column.shear_capacity", unit_text("F", shown.units)};
+  StoryColumn energy{"column.set_free", of_energy}, slip{"column.slip", length};
+  for (const Index n : broken) {
+    const BreakingColumn& place = building.model.hinges.columns[n];
+    storey.texts.push_back(std::to_string(place.storey));
+    line.texts.push_back(std::to_string(place.line));
+    piece.texts.push_back(place.piece > 0 ? std::to_string(place.piece) : "–");
+    time.numbers.push_back(*columns[n].break_time);
+    capacity.numbers.push_back(shown.factor("F") * place.capacity);
+    energy.numbers.push_back(shown.factor("F L") * columns[n].released_energy);
+    slip.numbers.push_back(columns[n].residual_slip);
+  }
+  StoryTable table{.kind = "broken_columns", .values = {text_of("building", building.name)}};
+  table.columns = {storey, line, piece, time, capacity, energy, slip};
+  return table;
+}
+
 StoryTable hinge_table(const RunResults& run, const Building& building, const BuildingPeaks& peaks,
                        const std::vector<Index>& turned) {
   const ShownUnits shown = shown_units(run.c.units, run.response);
@@ -123,13 +168,42 @@ StoryTable hinge_table(const RunResults& run, const Building& building, const Bu
 
 }  // namespace
 
+void tell_breaking(const RunResults& run, Story& told) {
+  const ShownUnits shown = shown_units(run.c.units, run.response);
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const Building& building = run.problem.buildings[b];
+    const std::vector<BreakingColumn>& places = building.model.hinges.columns;
+    const std::vector<BuildingPeaks::Breaking>& columns = run.response.buildings[b].columns;
+    if (places.empty() || columns.empty()) continue;
+    const std::vector<Index> broken = by_time(columns);
+    Statement statement{.kind = broken.empty() ? "columns_whole" : "columns_break",
+                        .severity = broken.empty() ? Severity::finding : Severity::danger,
+                        .buildings = {b}};
+    statement.values = {text_of("building", building.name), count_of("count", std::ssize(places))};
+    if (broken.empty()) {
+      const auto most = std::max_element(columns.begin(), columns.end(), [](const auto& one, const auto& other) {
+        return one.shear_demand_capacity < other.shear_demand_capacity;
+      });
+      statement.values.push_back(value_in("ratio", most->shear_demand_capacity));
+    } else {
+      const BreakingColumn& first = places[broken.front()];
+      statement.values.push_back(count_of("broken", std::ssize(broken)));
+      statement.values.push_back(count_of("storey", static_cast<long>(first.storey)));
+      statement.values.push_back(count_of("line", static_cast<long>(first.line)));
+      statement.values.push_back(value_in("time", *columns[broken.front()].break_time, "s"));
+      told.tables.push_back(breaking_table(building, columns, broken, shown, run.c.units.length));
+    }
+    told.statements.push_back(std::move(statement));
+  }
+}
+
 void tell_hinges(const RunResults& run, Story& told) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const Building& building = run.problem.buildings[b];
     const BuildingPeaks& peaks = run.response.buildings[b];
+    tell_mechanism(building, b, peaks, told.statements);
     if (building.model.hinges.places.empty() || peaks.hinges.empty()) continue;
     const std::vector<Index> turned = by_rotation(peaks);
-    tell_mechanism(building, b, peaks, told.statements);
     tell_rotations(building, b, peaks, turned, told.statements);
     if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
   }

@@ -334,8 +334,12 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     if (!(building.first_omega() > 0)) continue;  // a free body
-    if (building.can_yield()) continue;           // both say what the linear elastic model overlooks
     const BuildingPeaks& peaks = response.buildings.at(b);
+    const auto broken = std::count_if(peaks.columns.begin(), peaks.columns.end(),
+                                      [](const BuildingPeaks::Breaking& column) { return column.break_time; });
+    list.most("broken_columns", building.name, static_cast<double>(broken), "", 0, 0);
+    // Both say what the linear elastic model overlooks.
+    if (building.storeys_yield() || !building.model.hinges.places.empty()) continue;
     double drift = 0;
     for (const double ratio : peaks.drift_ratio) drift = std::fmax(drift, ratio);  // a slab has none
     list.most("drift", building.name, 100 * drift, "%", most_drift, most_drift);

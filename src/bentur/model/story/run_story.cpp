@@ -99,11 +99,11 @@ void tell_columns(const RunResults& run, Index gap, std::vector<Statement>& stat
     const Quantity& ratio =
         quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
     Index worst = -1;
-    double most = 1;
+    double most = 1 + story::reached;
     long beyond = 0;
     for (const Index i : gap_at(run.problem, gap).points) {
       const double value = value_of(ratio, view, {i, 0});
-      beyond += value > 1 ? 1 : 0;
+      beyond += value > 1 + story::reached ? 1 : 0;
       if (!(value > most)) continue;
       most = value;
       worst = i;
@@ -395,6 +395,7 @@ Story run_story(const RunResults& run) {
   for (const GapOutcome& found : all) tell_unmodelled(run, found, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
+  story::tell_breaking(run, told);
   tell_row(run, all, told);
   for (const GapOutcome& found : all) {
     tell_impacts(run, found, told.statements);

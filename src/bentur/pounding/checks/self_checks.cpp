@@ -109,9 +109,14 @@ void Checks::numbers() {
     finite(peaks.column_forces, "column force", b, never);
     finite(peaks.column_forces_no_contact, "column force without contact", b, never);
     finite(peaks.foundation, "movement of the foundation", b, never);
+    for (const BuildingPeaks::Breaking& one : peaks.columns) {
+      finite({one.peak_shear, one.break_time.value_or(0), one.released_energy, one.residual_slip},
+             [&] { return "a column of " + building.name; });
+    }
     for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
       finite(yielding->ductility, "ductility", b, [&](Eigen::Index i) { return building.storey_law(i) == nullptr; });
-      finite(yielding->residual_drift_ratio, "residual drift", b, [&](Eigen::Index i) { return slab == i; });
+      finite(yielding->residual_drift_ratio, "residual drift", b,
+             [&](Eigen::Index i) { return slab == i || !building.model.hinges.columns.empty(); });
       finite(yielding->hysteretic_energy, "hysteretic energy", b, never);
     }
   }

@@ -1,6 +1,7 @@
 #include "bentur/pounding/internal/summaries.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,27 +55,68 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
   return yielding;
 }
 
+constexpr double still = 1e-6;  // of the largest part of a shape that does not bend: a storey that has none in it
+
+/// Drifts of the storeys of a frame when nothing acts on it, with what hinges have turned; what has broken and keeps
+/// nothing slips along (H-11). NaN of a storey that nothing holds any more.
+Eigen::VectorXd unloaded_drifts(const Hinges& hinges, const HingeLaw& law, const CoupledState& state,
+                                Eigen::VectorXd theta) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index h = 0; h < law.size(); ++h) {
+    if (!law.is_free(state, h)) continue;
+    free.push_back(h);
+    theta(h) = 0.0;
+  }
+  const Eigen::MatrixXd& k = hinges.frame_stiffness;
+  Eigen::VectorXd pushed = hinges.frame_rows.transpose() * theta;
+  if (free.empty()) return hinges.frame_drifts * k.llt().solve(pushed);
+  // Their forces Q = G x − K_hh θ are those at rest, −Q₀.
+  const Eigen::MatrixXd rows = hinges.frame_rows(free, Eigen::all);
+  const Eigen::LLT<Eigen::MatrixXd> of_free(hinges.stiffness(free, free));
+  const Eigen::VectorXd fixed = hinges.at_rest(free) - hinges.stiffness(free, Eigen::all) * theta;
+  pushed += rows.transpose() * of_free.solve(fixed);
+  const Eigen::MatrixXd left = k - rows.transpose() * of_free.solve(rows);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shapes(0.5 * (left + left.transpose()), k);
+  Eigen::VectorXd drifts = Eigen::VectorXd::Zero(hinges.frame_drifts.rows());
+  for (Eigen::Index n = 0; n < k.rows(); ++n) {
+    const Eigen::VectorXd shape = shapes.eigenvectors().col(n);
+    const Eigen::VectorXd of_storeys = hinges.frame_drifts * shape;
+    if (shapes.eigenvalues()(n) > HingeLaw::bends) {
+      drifts += of_storeys * (shape.dot(pushed) / shapes.eigenvalues()(n));
+      continue;
+    }
+    const double least = still * shape.cwiseAbs().maxCoeff();
+    drifts = (of_storeys.array().abs() > least).select(std::numeric_limits<double>::quiet_NaN(), drifts);
+  }
+  return drifts;
+}
+
 /// Of one building.
 void summarise_hinges(const Building& building, const HingeLaw& law, const CoupledState& state, BuildingPeaks& peaks) {
-  constexpr double still = 1e-6;  // of the largest drift of a mechanism: a storey that has no part in it
   const Hinges& hinges = building.model.hinges;
   Eigen::VectorXd theta(law.size());
   for (Eigen::Index h = 0; h < law.size(); ++h) {
     const HingeLaw::Record record = law.record(state, h);
-    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
     theta(h) = record.rotation;
+    if (const Eigen::Index column = h - std::ssize(peaks.hinges); column >= 0) {
+      BuildingPeaks::Breaking& breaking = peaks.columns[column];
+      breaking.break_time = record.broke;
+      breaking.released_energy = record.released;
+      breaking.residual_slip = record.rotation;
+      continue;
+    }
+    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
     hinge.peak_rotation = record.peak_rotation;
     hinge.residual_rotation = record.rotation;
     hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
     hinge.first_yield = record.first_yield;
     hinge.half_cycles = record.half_cycles;
   }
-  const Eigen::VectorXd left = hinges.frame_stiffness.llt().solve(hinges.frame_rows.transpose() * theta);
   const Eigen::Index storeys = hinges.frame_drifts.rows();
   const Eigen::Index first = building.model.floors() - storeys;  // above a slab
   Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
   residual.setConstant(building.model.floors(), std::numeric_limits<double>::quiet_NaN());
-  residual.tail(storeys) = hinges.frame_drifts * left;
+  residual.tail(storeys) = unloaded_drifts(hinges, law, state, theta);
   for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= building.model.storey_heights[j];
   peaks.mechanism.reset();
   const std::optional<HingeLaw::Mechanism> mechanism = law.mechanism(state);
@@ -83,7 +125,7 @@ void summarise_hinges(const Building& building, const HingeLaw& law, const Coupl
   const Eigen::VectorXd drifts = (hinges.frame_drifts * *shape).cwiseAbs();
   peaks.mechanism = BuildingPeaks::Mechanism{.time = mechanism->time, .storeys = {}};
   for (Eigen::Index j = 0; j < storeys; ++j) {
-    if (drifts(j) > still * drifts.maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
+    if (drifts(j) > still * shape->cwiseAbs().maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
   }
 }
 
@@ -97,6 +139,10 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
   peaks.column_forces = peak(OutputKind::column_force);
   peaks.foundation = peak(OutputKind::foundation);
   for (const double moment : peak(OutputKind::hinge_moment)) peaks.hinges.push_back({.peak_moment = moment});
+  for (const double shear : peak(OutputKind::breaking_shear)) {
+    const double capacity = building.model.hinges.columns[peaks.columns.size()].capacity;
+    peaks.columns.push_back({.peak_shear = shear, .shear_demand_capacity = shear / capacity});
+  }
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
   return peaks;
 }

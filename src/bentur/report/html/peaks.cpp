@@ -173,7 +173,7 @@ PageSection peaks_section(const Report& report) {
                floors_table(report, b, "peaks.yielding", yielding_columns(report.run, floors, language));
   }
   for (const StoryTable& table : report.story.tables) {
-    if (table.kind != "hinges") continue;
+    if (table.kind != "hinges" && table.kind != "broken_columns") continue;
     const SaidTable shown = said(table, say);
     content += element("h3", shown.heading) + table_of(shown);
   }

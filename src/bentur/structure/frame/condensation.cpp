@@ -45,7 +45,7 @@ StructuralModel with_mass_and_load(const StructuralModel& model, const Eigen::Ma
   reduced.node_masses = model.node_masses;
   if (model.column_forces.size() > 0) reduced.column_forces = model.column_forces * t;
   reduced.hinges = model.hinges;
-  if (!model.hinges.places.empty()) reduced.hinges.rows = model.hinges.rows * t;
+  if (model.hinges.size() > 0) reduced.hinges.rows = model.hinges.rows * t;
   reduced.rigid_body = model.rigid_body;
   if (model.rigid_body.rocking.size() > 0) reduced.rigid_body.rocking = t.transpose() * model.rigid_body.rocking;
   reduced.mass = symmetric_part(t.transpose() * model.mass * t);
@@ -80,7 +80,7 @@ StructuralModel condense_statically(const StructuralModel& model, Eigen::Index p
   StructuralModel reduced = with_mass_and_load(model, transformation(bottom));
   reduced.stiffness = symmetric_part(model.stiffness.topLeftCorner(primary, primary) +
                                      model.stiffness.topRightCorner(primary, secondary) * bottom);
-  if (!model.hinges.places.empty()) {  // what turns while the primary ones are held (H-2)
+  if (model.hinges.size() > 0) {  // what turns while the primary ones are held (H-2)
     const Eigen::MatrixXd of_secondary = model.hinges.rows.rightCols(secondary);
     const Eigen::MatrixXd turned = cholesky.solve(of_secondary.transpose());
     reduced.hinges.stiffness -= symmetric_part(of_secondary * turned);

@@ -58,6 +58,11 @@ std::string name_of(const HingePlace& place) {
                        : fmt::format("{} of the column of line {}, storey {}", end, place.number, place.level);
 }
 
+std::string name_of(const BreakingColumn& column) {
+  const std::string whole = fmt::format("column of line {}, storey {}", column.line, column.storey);
+  return column.piece == 0 ? whole : fmt::format("piece {} of the {}", column.piece, whole);
+}
+
 Index FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
                        const std::optional<End>& second) {
   Piece piece{dofs, stiffness};
@@ -71,6 +76,19 @@ Index FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness
   return std::ssize(pieces_) - 1;
 }
 
+void FrameHinges::add_shear(Index piece, const BreakingColumn& column, double kept) {
+  pieces_[piece].shear = std::ssize(shears_);
+  shears_.push_back({column, kept});
+}
+
+std::vector<std::pair<Index, Index>> FrameHinges::places_of(const Piece& piece) const {
+  std::vector<std::pair<Index, Index>> places;
+  if (piece.first >= 0) places.emplace_back(piece.first, 1);
+  if (piece.second >= 0) places.emplace_back(piece.second, 3);
+  if (piece.shear >= 0) places.emplace_back(std::ssize(ends_) + piece.shear, 2);
+  return places;
+}
+
 void FrameHinges::add_column_force(Index row, Index piece, Index force) {
   column_forces_.push_back({row, piece, force});
 }
@@ -82,31 +100,32 @@ void FrameHinges::add_fixed_end_moments(double first, double second) {
 
 Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
   Hinges all;
-  if (std::none_of(ends_.begin(), ends_.end(), yields)) return all;
-  const Index count = std::ssize(ends_);
+  if (shears_.empty() && std::none_of(ends_.begin(), ends_.end(), yields)) return all;
+  const Index ends_count = std::ssize(ends_), count = ends_count + std::ssize(shears_);
   all.rows = MatrixXd::Zero(count, stiffness.rows());
   all.stiffness = MatrixXd::Zero(count, count);
   for (const Piece& piece : pieces_) {
-    for (const auto& [end, moment] : {std::pair{piece.first, 1}, std::pair{piece.second, 3}}) {
-      if (end < 0) continue;
+    const auto places = places_of(piece);
+    for (const auto& [place, force] : places) {
       for (Index j = 0; j < 4; ++j) {
-        if (piece.dofs[j] >= 0) all.rows(end, piece.dofs[j]) += piece.stiffness(moment, j);
+        if (piece.dofs[j] >= 0) all.rows(place, piece.dofs[j]) += piece.stiffness(force, j);
       }
-      if (piece.first >= 0) all.stiffness(end, piece.first) += piece.stiffness(moment, 1);
-      if (piece.second >= 0) all.stiffness(end, piece.second) += piece.stiffness(moment, 3);
+      for (const auto& [other, freedom] : places) all.stiffness(place, other) += piece.stiffness(force, freedom);
     }
   }
   all.column_forces = MatrixXd::Zero(std::ssize(column_forces_), count);
   for (const ColumnForce& of : column_forces_) {
     const Piece& piece = pieces_[of.piece];
-    if (piece.first >= 0) all.column_forces(of.row, piece.first) -= piece.stiffness(of.force, 1);
-    if (piece.second >= 0) all.column_forces(of.row, piece.second) -= piece.stiffness(of.force, 3);
+    for (const auto& [place, freedom] : places_of(piece)) {
+      all.column_forces(of.row, place) -= piece.stiffness(of.force, freedom);
+    }
   }
   // M₀ = G u + M_F, K u = −(moments that fixed ends put on joints). (H-9)
-  VectorXd at_rest = Eigen::Map<const VectorXd>(fixed_end_moments_.data(), count);
+  VectorXd at_rest = VectorXd::Zero(count);
+  at_rest.head(ends_count) = Eigen::Map<const VectorXd>(fixed_end_moments_.data(), ends_count);
   if (!at_rest.isZero(0.0)) {
     VectorXd on_joints = VectorXd::Zero(stiffness.rows());
-    for (Index end = 0; end < count; ++end) {
+    for (Index end = 0; end < ends_count; ++end) {
       if (ends_[end].joint >= 0) on_joints(ends_[end].joint) += at_rest(end);
     }
     at_rest -= all.rows * stiffness.llt().solve(on_joints);
@@ -114,18 +133,28 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
   std::vector<End> ends = ends_;
   hold_ends_that_never_flow(ends);
   std::vector<Index> kept;
-  for (Index end = 0; end < count; ++end) {
+  for (Index end = 0; end < ends_count; ++end) {
     if (yields(ends_[end])) kept.push_back(end);
   }
+  const Index hinges = std::ssize(kept);
+  for (Index shear = ends_count; shear < count; ++shear) kept.push_back(shear);
   all.rows = all.rows(kept, Eigen::all).eval();
   all.stiffness = all.stiffness(kept, kept).eval();
   all.column_forces = all.column_forces(Eigen::all, kept).eval();
   all.at_rest = at_rest(kept);
-  const Index hinges = std::ssize(kept);
   all.rotation_limits.setConstant(hinges, 3, std::numeric_limits<double>::quiet_NaN());
-  for (VectorXd* list : {&all.hardening, &all.clockwise, &all.anticlockwise}) list->resize(hinges);
-  Index worst = 0;
-  double worst_share = 0;
+  all.hardening.setZero(std::ssize(kept));
+  for (VectorXd* list : {&all.clockwise, &all.anticlockwise}) list->resize(std::ssize(kept));
+  if (!shears_.empty()) all.kept.setOnes(std::ssize(kept));
+  std::string worst;
+  double worst_moment = 0, worst_share = 0;
+  const auto bears = [&](double moment, double most, const std::string& where) {
+    const double share = std::abs(moment) / most;
+    if (!(share > worst_share * (1 + 1e-9))) return;  // of equals the first
+    worst_share = share;
+    worst_moment = std::abs(moment);
+    worst = where;
+  };
   for (Index h = 0; h < hinges; ++h) {
     const End& end = ends[kept[h]];
     all.places.push_back(end.place);
@@ -136,17 +165,19 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
     all.clockwise(h) = end.clockwise;
     all.anticlockwise(h) = end.anticlockwise;
     const double moment = all.at_rest(h);
-    const double share = std::abs(moment) / (moment > 0 ? ends_[kept[h]].clockwise : ends_[kept[h]].anticlockwise);
-    if (share > worst_share * (1 + 1e-9)) {  // of equals the first
-      worst_share = share;
-      worst = h;
-    }
+    bears(moment, moment > 0 ? ends_[kept[h]].clockwise : ends_[kept[h]].anticlockwise, name_of(all.places[h]));
+  }
+  for (const Shear& shear : shears_) {
+    const Index h = hinges + std::ssize(all.columns);
+    all.columns.push_back(shear.column);
+    all.kept(h) = shear.kept;
+    all.clockwise(h) = all.anticlockwise(h) = shear.column.capacity;
+    bears(all.at_rest(h), shear.column.capacity, name_of(shear.column));
   }
   if (worst_share >= 1) {
-    const double moment = std::abs(all.at_rest(worst));
     throw InvalidParameter("line_load", "loads on beams",
-                           fmt::format("must not bring a member to yield by itself: {}, {:.4g} of {:.4g}",
-                                       name_of(all.places[worst]), moment, moment / worst_share));
+                           fmt::format("must not bring a member to yield by itself: {}, {:.4g} of {:.4g}", worst,
+                                       worst_moment, worst_moment / worst_share));
   }
   return all;
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/structure/building.h"
@@ -27,6 +29,8 @@ class FrameHinges {
   /// Returns the number of the piece.
   Eigen::Index add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
                    const std::optional<End>& second);
+  /// The shear of the piece number `piece`, which breaks and keeps `kept` of its capacity. (H-13)
+  void add_shear(Eigen::Index piece, const BreakingColumn& column, double kept);
   /// Row `row` of the forces in columns is end force `force` (of y₁, φ₁, y₂, φ₂) of the piece number `piece`.
   void add_column_force(Eigen::Index row, Eigen::Index piece, Eigen::Index force);
   /// Moments on the two ends added last, of a load on a member whose joints do not turn [force·length].
@@ -41,8 +45,16 @@ class FrameHinges {
     ElementDofs dofs;
     Eigen::Matrix4d stiffness;
     Eigen::Index first = -1, second = -1;  ///< of ends_
+    Eigen::Index shear = -1;               ///< of shears_
   };
   std::vector<End> ends_;
+  struct Shear {
+    BreakingColumn column;
+    double kept;
+  };
+  /// Those of a piece that turn or slip, after all ends its shear, with the end force that each is.
+  [[nodiscard]] std::vector<std::pair<Eigen::Index, Eigen::Index>> places_of(const Piece& piece) const;
+  std::vector<Shear> shears_;
   std::vector<Piece> pieces_;
   std::vector<double> fixed_end_moments_;  ///< per end
   struct ColumnForce {
@@ -53,5 +65,7 @@ class FrameHinges {
 
 /// "left end of the beam of bay 1, floor 2", "bottom of the column of line 3, storey 1".
 [[nodiscard]] std::string name_of(const HingePlace& place);
+/// "column of line 3, storey 1", "piece 2 of the column of line 3, storey 1".
+[[nodiscard]] std::string name_of(const BreakingColumn& column);
 
 }  // namespace bentur

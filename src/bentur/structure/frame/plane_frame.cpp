@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -72,6 +73,16 @@ void check_sections(const std::string& name, const std::vector<Section>& section
       throw InvalidParameter(indexed(name, i) + ".hardening", fmt::format("{}", hardening), "must be in [0, 1)");
     }
     require_not_negative(indexed(name, i) + ".line_load", sections[i].line_load);
+    const std::vector<double>& shear = sections[i].shear_capacity;
+    const std::string of_shear = indexed(name, i) + ".shear_capacity";
+    if (shear.size() > 1) require_size(of_shear, shear.size(), most);
+    for (std::size_t n = 0; n < shear.size(); ++n) {
+      if (!(shear[n] > 0)) throw InvalidParameter(indexed(of_shear, n), fmt::format("{}", shear[n]), "must be > 0");
+    }
+    const double residual = sections[i].residual_shear;
+    if (!(residual >= 0 && residual < 1)) {
+      throw InvalidParameter(indexed(name, i) + ".residual_shear", fmt::format("{}", residual), "must be in [0, 1)");
+    }
   }
 }
 
@@ -215,6 +226,11 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
         place.end = ends_at_joint ? HingePlace::End::top : HingePlace::End::node;
         pieces.back().number = hinges.add(of, pieces.back().stiffness, lower,
                                           end_of(frame, column, height, place, ends_at_joint ? top.rotation : fixed));
+        const double capacity = column.shear_capacity_of(line);
+        if (std::isfinite(capacity)) {
+          const Eigen::Index piece = ends.size() == 2 ? 0 : static_cast<Eigen::Index>(i) + 1;
+          hinges.add_shear(pieces.back().number, {floor + 1, line + 1, piece, capacity}, column.residual_shear);
+        }
         const bool at_base = floor == 0 && i == 0;
         const Eigen::Matrix4d inertia = element_mass(mass, length);
         if (consistent) {
@@ -322,8 +338,9 @@ StructuralModel reduced(const PlaneFrame& frame, const StructuralModel& model) {
   const bool massless = model.mass.bottomRightCorner(rotations, rotations).isZero(0);
   if (massless || frame.condensation == Condensation::static_) return condense_statically(model, sways);
   if (frame.condensation == Condensation::dynamic) {
-    if (!model.hinges.places.empty()) {
-      throw InvalidParameter("condensation", "\"dynamic\"", "must be \"static\" or \"none\" where hinges may form");
+    if (model.hinges.size() > 0) {
+      throw InvalidParameter("condensation", "\"dynamic\"",
+                             "must be \"static\" or \"none\" where hinges may form or columns break");
     }
     return condense_dynamically(model, sways);
   }
@@ -337,7 +354,7 @@ StructuralModel reduced(const PlaneFrame& frame, const StructuralModel& model) {
 
 StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation) {
   StructuralModel model = reduced(frame, assemble_plane_frame(frame, base_elevation));
-  if (!model.hinges.places.empty()) {
+  if (model.hinges.size() > 0) {
     model.hinges.frame_stiffness = model.stiffness;
     model.hinges.frame_rows = model.hinges.rows;
     model.hinges.frame_drifts = drift_rows(model);

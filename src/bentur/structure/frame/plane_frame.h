@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "bentur/structure/building.h"
@@ -19,9 +20,18 @@ struct Section {
   /// Rotations [rad] > 0, ascending, that a hinge's are told as parts of; three, or none.
   std::vector<double> rotation_limits = {};
   double line_load = 0;  ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass
+  /// Shear at which columns break [force] > 0, infinite where they do not: one for all, or one per column line. Empty:
+  /// none does.
+  std::vector<double> shear_capacity = {};
+  double residual_shear = 0;  ///< the part of it that they keep then [-], in [0, 1) (H-14)
 
   /// Of a member of this length [length].
   [[nodiscard]] double mass_of(double length) const { return mass + line_mass * length; }
+  /// Of a column in this line, from 0 [force].
+  [[nodiscard]] double shear_capacity_of(Eigen::Index line) const {
+    if (shear_capacity.empty()) return std::numeric_limits<double>::infinity();
+    return shear_capacity.size() == 1 ? shear_capacity.front() : shear_capacity.at(static_cast<std::size_t>(line));
+  }
 };
 
 /// A node in an outer column between two floors, where a neighbour's floor may strike it: a sway and a rotation of that

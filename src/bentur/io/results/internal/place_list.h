@@ -74,6 +74,55 @@ class PlaceList : protected VariablePass<File> {
     }
   }
 
+  /// Which ends of members are hinges.
+  template <class Hinges>
+  void hinge_places(const ResultDimension& hinges, Hinges& places, const std::string& number, const std::string& of) {
+    std::vector<std::string> members, ends;
+    std::vector<int> levels, numbers;
+    for (const HingePlace& place : places) {
+      members.emplace_back(place.of_beam ? "beam" : "column");
+      levels.push_back(static_cast<int>(place.level));
+      numbers.push_back(static_cast<int>(place.number));
+      ends.emplace_back(word_of(place.end));
+    }
+    this->made({"hinge_member" + number, {hinges}, "", "members" + of}, members);
+    this->made({"hinge_level" + number, {hinges}, "", "storeys of columns, floors of beams" + of}, levels);
+    this->made({"hinge_number" + number, {hinges}, "", "lines of columns, bays of beams" + of}, numbers);
+    this->made({"hinge_end" + number, {hinges}, "", "ends of the members" + of}, ends);
+    if constexpr (File::reads) {
+      for (std::size_t h = 0; h < places.size(); ++h) {
+        places[h] = {members[h] == "beam", levels[h], numbers[h], hinge_end(ends[h])};
+      }
+    }
+  }
+
+  /// Which columns of a building can break, along the dimension that is returned.
+  template <class Columns>
+  ResultDimension breaking_places(Columns& all, const std::string& number, const std::string& owner,
+                                  const std::string& force) {
+    const std::string name = "breaking_column", of = " of the columns that can break of " + owner;
+    const ResultDimension columns = this->file_.dimension({name + number, all.size()});
+    this->fit(all, columns.size);
+    if (columns.size == 0) return columns;
+    std::vector<int> storeys, lines, pieces;
+    std::vector<double> capacities;
+    for (const BreakingColumn& column : all) {
+      storeys.push_back(static_cast<int>(column.storey));
+      lines.push_back(static_cast<int>(column.line));
+      pieces.push_back(static_cast<int>(column.piece));
+      capacities.push_back(column.capacity);
+    }
+    this->made({name + "_storey" + number, {columns}, "", "storeys" + of}, storeys);
+    this->made({name + "_line" + number, {columns}, "", "column lines" + of}, lines);
+    this->made({name + "_piece" + number, {columns}, "", "pieces of struck columns from below, 0: whole," + of},
+               pieces);
+    this->made({name + "_capacity" + number, {columns}, force, "shear capacities" + of}, capacities);
+    if constexpr (File::reads) {
+      for (std::size_t n = 0; n < all.size(); ++n) all[n] = {storeys[n], lines[n], pieces[n], capacities[n]};
+    }
+    return columns;
+  }
+
   Problem& problem_;
 };
 

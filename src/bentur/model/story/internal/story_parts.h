@@ -9,6 +9,8 @@
 
 namespace bentur::story {
 
+inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it has come to it
+
 /// What the gaps of a story are told from, of a run or by a spectrum.
 struct GapFacts {
   const Case& c;
@@ -46,6 +48,9 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
+
+/// Of frames whose columns can break in shear: how many have and which first, with a table of them in order of time.
+void tell_breaking(const RunResults& run, Story& told);
 
 /// Of a run, which must outlive them.
 [[nodiscard]] GapFacts facts_of(const RunResults& run);
