@@ -78,7 +78,7 @@ ModalSystem::Block make_block(const Body& body, Index begin) {
   return block;
 }
 
-/// A row of one body, which may be left out.
+/// A row over the modes and the ground of one body, which may be left out.
 struct Side {
   Index body = 0, begin = 0, size = 0;
   VectorXd row = {};
@@ -86,7 +86,8 @@ struct Side {
 
 Side side_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Body>& bodies, const BodyRow& of) {
   const ModalSystem::Block& block = blocks[of.body];
-  Side side{of.body, block.begin, block.padded_size, VectorXd::Zero(block.padded_size)};
+  const Index size = padded(block.modes + 1);
+  Side side{of.body, block.begin, size, VectorXd::Zero(size)};
   side.row.head(block.modes) = bodies[of.body].modes.shapes.transpose() * of.row;
   side.row(block.modes) = of.ground;
   return side;

@@ -78,7 +78,7 @@ struct ModalSystem {
   /// δ as a row over the coordinates of one body or of two, and what a unit force does to them.
   struct Relation {
     Eigen::Index left = 0, right = 0;  ///< bodies; the same one where there is one alone
-    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks, or 0
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< modes and ground, in fours; or 0
     Eigen::VectorXd left_row, right_row;
     Eigen::VectorXd left_push, right_push;  ///< columns of (T-1), zero on ground coordinates; empty where watched
 
