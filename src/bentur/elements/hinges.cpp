@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +21,6 @@ namespace {
 
 constexpr double on_line = 1e-10;  // of upper + lower: a hinge that is so near its line is on it
 constexpr double no_flow = 1e-12;  // of (upper + lower)/K_hh: a flow that counts nowhere
-constexpr double no_part = 1e-9;   // of a row over x: it does not depend on x
 constexpr double no_slope = 1e-9;  // of what it is a sum of: a rate that is zero
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -43,30 +40,24 @@ enum Column : Index {
   columns
 };
 
-/// y_h = M_h − H_h θ_h of a hinge at rest, which its lines bound, as a row over δ and what does not depend on δ.
-struct Resting {
-  VectorXd row;
-  double constant = 0;
-  double size = 0;  ///< of what the constant is a sum of
-};
-
 }  // namespace
 
 /// The hinges that flow, and what their rotations follow from: θ_A = Q⁻¹ (δ_A − b), Q = (K_hh + H)_AA.
 struct HingeLaw::Flow {
-  std::vector<Index> at;
+  std::shared_ptr<const FlowingSet> set;
   VectorXd b;
-  MatrixXd inverse;  ///< Q⁻¹
+  VectorXd resting;  ///< θ of those that rest, zero of others
+
+  [[nodiscard]] const std::vector<Index>& at() const { return set->seen.moving; }
 };
 
-HingeLaw::HingeLaw(Parameters parameters) : of_(std::move(parameters)) {
+HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters)), sets_(kept) {
   const Index n = size();
   require_size("upper", of_.upper.size(), n);
   require_size("lower", of_.lower.size(), n);
   require_size("stiffness", of_.stiffness.rows(), n);
   require_size("stiffness", of_.stiffness.cols(), n);
-  require_size("gram", of_.gram.rows(), n);
-  require_size("gram", of_.gram.cols(), n);
+  require_size("rows", of_.rows.rows(), n);
   for (Index h = 0; h < n; ++h) {
     require_not_negative(indexed("hardening", h), of_.hardening(h));
     require_finite(indexed("stiffness", h), of_.stiffness(h, h));
@@ -90,28 +81,25 @@ double HingeLaw::width(Index h) const {
 }
 
 HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
-  Flow flow;
-  for (Index h = 0; h < size(); ++h) {
-    if (state.memory(h, side) != 0.0) flow.at.push_back(h);
-  }
-  const Index count = std::ssize(flow.at);
-  flow.b.resize(count);
+  std::vector<Index> at;
   VectorXd resting = state.memory.col(rotation);
-  for (const Index h : flow.at) resting(h) = 0.0;
-  for (Index n = 0; n < count; ++n) {
-    const Index h = flow.at[n];
-    flow.b(n) = state.memory(h, side) * line(h, state.memory(h, side)) + of_.stiffness.row(h).dot(resting);
+  for (Index h = 0; h < size(); ++h) {
+    if (state.memory(h, side) == 0.0) continue;
+    at.push_back(h);
+    resting(h) = 0.0;
   }
-  MatrixXd q = of_.stiffness(flow.at, flow.at);
-  q.diagonal() += of_.hardening(flow.at);
-  flow.inverse = q.llt().solve(MatrixXd::Identity(count, count));
-  return flow;
+  VectorXd b(std::ssize(at));
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    const double s = state.memory(at[n], side);
+    b(static_cast<Index>(n)) = s * line(at[n], s) + of_.stiffness.col(at[n]).dot(resting);
+  }
+  return {sets_.of(of_, at), std::move(b), std::move(resting)};
 }
 
 VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformation) const {
   VectorXd theta = state.memory.col(rotation);
   const Flow now = flow(state);
-  theta(now.at) = now.inverse * (deformation(now.at) - now.b);
+  theta(now.at()) = now.set->inverse * (deformation(now.at()) - now.b);
   return theta;
 }
 
@@ -157,55 +145,39 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   return state;
 }
 
-namespace {
-
-/// y of a hinge that rests while others flow.
-Resting resting_line(const MatrixXd& stiffness, double hardening, const VectorXd& theta, const std::vector<Index>& at,
-                     const VectorXd& b, const MatrixXd& inverse, Index h) {
-  Resting y;
-  y.row = VectorXd::Unit(theta.size(), h);
-  VectorXd turned = theta;
-  for (const Index moving : at) turned(moving) = 0.0;
-  const VectorXd coupling = stiffness(h, at);
-  const VectorXd factors = inverse * coupling;
-  for (std::size_t n = 0; n < at.size(); ++n) y.row(at[n]) = -factors(static_cast<Index>(n));
-  const VectorXd of_resting = stiffness.row(h).transpose().cwiseProduct(turned);
-  y.constant = factors.dot(b) - of_resting.sum() - hardening * theta(h);
-  y.size = factors.cwiseAbs().dot(b.cwiseAbs()) + of_resting.cwiseAbs().sum() + std::abs(hardening * theta(h));
-  return y;
-}
-
-}  // namespace
-
 CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   const Index n = size();
   const Flow now = flow(state);
-  const VectorXd theta = state.memory.col(rotation);
-  CoupledBranch branch;
-  branch.base = -theta;
-  branch.base(now.at) = now.inverse * now.b;
-  branch.moving = now.at;
-  branch.stiffness = -0.5 * (now.inverse + now.inverse.transpose());
-  Index flowing = 0;
+  const CoupledSet& seen = now.set->seen;
+  CoupledBranch branch{{now.set, &seen}, -state.memory.col(rotation), {}};
+  branch.base(now.at()) = now.set->inverse * now.b;
+  // y of those at rest beyond their rows, and what it is a sum of.
+  VectorXd constant = VectorXd::Zero(n), sizes = VectorXd::Zero(n);
+  const auto take = [&](const auto& column, double factor) {
+    for (Index h = 0; h < n && factor != 0.0; ++h) {
+      const double term = column(h) * factor;
+      constant(h) -= term;
+      sizes(h) += std::abs(term);
+    }
+  };
+  for (Index j = 0; j < now.b.size(); ++j) take(seen.over.col(j), now.b(j));
+  for (Index j = 0; j < n; ++j) take(of_.stiffness.col(j), now.resting(j));
+  take(of_.hardening.cwiseProduct(state.memory.col(rotation)), 1.0);
+  branch.guards.reserve(2 * n);
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
     const int zeros = static_cast<int>(state.memory(h, begins));
     if (s != 0.0) {
-      CoupledGuard guard{.of = h, .deformation = {}, .speed = {}, .zeros = zeros};
-      guard.speed.setZero(n);
-      guard.speed(now.at) = s * now.inverse.row(flowing++).transpose();
-      branch.guards.push_back(std::move(guard));
+      branch.guards.push_back({.of = h, .sense = s, .speed = h, .zeros = zeros});
       continue;
     }
-    const Resting y = resting_line(of_.stiffness, of_.hardening(h), theta, now.at, now.b, now.inverse, h);
-    const bool still = y.row.dot(of_.gram * y.row) <= no_part * no_part * of_.gram(h, h);
     for (const double to : {1.0, -1.0}) {
-      if (still || !std::isfinite(line(h, to))) continue;
+      if (now.set->still[h] != 0 || !std::isfinite(line(h, to))) continue;
       branch.guards.push_back({.of = h,
-                               .constant = line(h, to) - to * y.constant,
-                               .size = line(h, to) + y.size,
-                               .deformation = -to * y.row,
-                               .speed = {},
+                               .constant = line(h, to) - to * constant(h),
+                               .size = line(h, to) + sizes(h),
+                               .sense = -to,
+                               .deformation = h,
                                .zeros = std::max(0, static_cast<int>(to) * zeros)});
     }
   }
@@ -231,10 +203,9 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
   return now;
 }
 
-CoupledState HingeLaw::next(const CoupledState& state, std::size_t guard, double time,
+CoupledState HingeLaw::next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard, double time,
                             const CoupledMotion& motion) const {
-  const CoupledBranch ended = branch(state);
-  return settle(state, time, motion, &ended.guards[guard]);
+  return settle(state, time, motion, &branch.guards[guard]);
 }
 
 CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion) const {
@@ -249,26 +220,31 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   now.since = time;
   const VectorXd theta = now.memory.col(rotation);
   const VectorXd y = motion.deformation - of_.stiffness * theta - of_.hardening.cwiseProduct(theta);
-  std::vector<Index> candidates;
+  std::vector<Index> candidates, expected;
   std::vector<double> sides;
   for (Index h = 0; h < size(); ++h) {
     double s = now.memory(h, side);
     for (const double to : {1.0, -1.0}) {
-      const bool met =
-          ended != nullptr && ended->deformation.size() > 0 && ended->of == h && to * ended->deformation(h) < 0.0;
+      const bool met = ended != nullptr && ended->deformation >= 0 && ended->of == h && to * ended->sense < 0.0;
       if (s == 0.0 && std::isfinite(line(h, to)) && (met || std::abs(y(h) - to * line(h, to)) <= on_line * width(h)))
         s = to;
     }
     if (s == 0.0) continue;
+    const bool flowed = state.memory(h, side) != 0.0, changes = ended != nullptr && ended->of == h;
+    if (flowed != changes) expected.push_back(std::ssize(candidates));
     candidates.push_back(h);
     sides.push_back(s);
   }
-  const auto s = Eigen::Map<const VectorXd>(sides.data(), std::ssize(sides));
-  MatrixXd q = of_.stiffness(candidates, candidates);
-  q.diagonal() += of_.hardening(candidates);
-  const MatrixXd both = s.asDiagonal() * q * s.asDiagonal();
-  const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates).cwiseProduct(s);
-  const VectorXd lambda = complementary(both, rate).value_or(VectorXd::Zero(std::ssize(sides)));
+  const Index count = std::ssize(candidates);
+  MatrixXd both(count, count);
+  VectorXd rate(count);
+  for (Index i = 0; i < count; ++i) {
+    const Index h = candidates[i];
+    rate(i) = sides[i] * (motion.speed(h) + motion.soon * motion.acceleration(h));
+    for (Index j = 0; j < count; ++j) both(i, j) = sides[i] * sides[j] * of_.stiffness(h, candidates[j]);
+    both(i, i) += of_.hardening(h);
+  }
+  const VectorXd lambda = complementary(both, rate, std::move(expected)).value_or(VectorXd::Zero(count));
   now.memory.col(side).setZero();
   now.memory.col(begins).setZero();
   for (std::size_t n = 0; n < candidates.size(); ++n) {
@@ -278,18 +254,15 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   Flow flows = flow(now);
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t n = 0; n < flows.at.size(); ++n) {
-      const Index h = flows.at[n];
-      const VectorXd row = flows.inverse.row(static_cast<Index>(n));
-      const double largest = no_part / (of_.stiffness(h, h) + of_.hardening(h));
-      if (row.dot(of_.gram(flows.at, flows.at) * row) > largest * largest * of_.gram(h, h)) continue;
+    for (const Index h : flows.at()) {
+      if (flows.set->still[h] == 0) continue;
       now.memory(h, side) = 0.0;
       again = true;
     }
     if (again) flows = flow(now);
   }
-  note_mechanism(now, time);
-  const VectorXd turning = flows.inverse * motion.speed(flows.at);
+  note_mechanism(now, *flows.set, time);
+  const VectorXd turning = flows.set->inverse * motion.speed(flows.at());
   const double fastest = turning.size() > 0 ? turning.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t n = 0, k = 0; n < candidates.size(); ++n) {
     const Index h = candidates[n];
@@ -299,7 +272,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
       memory(begins) = memory(side) * turning(static_cast<Index>(k++)) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
-    const VectorXd of_others = of_.stiffness(h, flows.at).transpose().cwiseProduct(turning);
+    const VectorXd of_others = of_.stiffness(h, flows.at()).transpose().cwiseProduct(turning);
     const double falls = sides[n] * (of_others.sum() - motion.speed(h));
     const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
     memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
@@ -317,15 +290,10 @@ double HingeLaw::lost_energy(const CoupledState& state, const VectorXd& deformat
 }
 
 /// That the frame can move without bending, the first time that it can.
-void HingeLaw::note_mechanism(CoupledState& state, double time) const {
-  if (of_.frame_stiffness.size() == 0 || !std::isnan(state.memory(0, mechanism_at))) return;
-  std::vector<Index> flowing;
-  for (Index h = 0; h < size(); ++h) {
-    if (state.memory(h, side) != 0.0) flowing.push_back(h);
-  }
-  if (flowing.empty() || !free_shape(of_.frame_stiffness, of_.frame_rows, of_.stiffness, flowing)) return;
+void HingeLaw::note_mechanism(CoupledState& state, const FlowingSet& set, double time) const {
+  if (!set.movable || !std::isnan(state.memory(0, mechanism_at))) return;
   state.memory(0, mechanism_at) = time;
-  for (const Index h : flowing) state.memory(h, moved) = 1.0;
+  for (const Index h : set.seen.moving) state.memory(h, moved) = 1.0;
 }
 
 std::optional<HingeLaw::Mechanism> HingeLaw::mechanism(const CoupledState& state) const {
@@ -335,22 +303,6 @@ std::optional<HingeLaw::Mechanism> HingeLaw::mechanism(const CoupledState& state
     if (state.memory(h, moved) != 0.0) mechanism.hinges.push_back(h);
   }
   return mechanism;
-}
-
-std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const MatrixXd& frame_rows,
-                                   const MatrixXd& hinge_stiffness, const std::vector<Index>& flowing) {
-  constexpr double singular = 1e-12;  // of the largest eigenvalue: a spin
-  constexpr double movable = 1e-9;
-  const MatrixXd rows = frame_rows(flowing, Eigen::all);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_hinges(hinge_stiffness(flowing, flowing));
-  const VectorXd& values = of_hinges.eigenvalues();
-  const VectorXd inverse = (values.array() > singular * values.maxCoeff()).select(values.cwiseInverse(), 0.0);
-  const MatrixXd turned = of_hinges.eigenvectors().transpose() * rows;
-  const MatrixXd tangent = frame_stiffness - turned.transpose() * inverse.asDiagonal() * turned;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shapes(0.5 * (tangent + tangent.transpose()),
-                                                                  frame_stiffness);
-  if (!(shapes.eigenvalues()(0) < movable)) return std::nullopt;
-  return shapes.eigenvectors().col(0);
 }
 
 HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const {
