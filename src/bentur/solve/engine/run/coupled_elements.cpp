@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double soon_part = 1e-7;        // of 1/ω of the fastest mode: an instant after an event
+constexpr double soon_part = 1e-7;       // of 1/ω of the fastest mode: an instant after an event
 constexpr std::size_t most_known = 512;  // sets at a time
-constexpr double begins_band = 0x1p-40;   // of a guard's coefficients, where it has been divided by powers of time
+constexpr double begins_band = 0x1p-40;  // of a guard's coefficients, where it has been divided by powers of time
 
 /// The deformation that is all a guard depends on; −1: there are others.
 Index only_one(const CoupledBranch& branch, const CoupledGuard& guard) {
