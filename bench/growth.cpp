@@ -1,6 +1,7 @@
 // bentur_growth FOLDER CASES: how the time of `exact` grows with duration, storeys, impacts and buildings, beside a
-// count of its arithmetic, and the rate at which this machine does arithmetic. Writes growth.csv and rates.csv into
-// FOLDER; CASES is the folder of cases. What the counts mean: bench/README.md.
+// count of its arithmetic, and the rate at which this machine does arithmetic; and how it grows with hinges. Writes
+// growth.csv, rates.csv and hinges.csv into FOLDER; CASES is the folder of cases. What the counts mean:
+// bench/README.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@
 
 #include "bench/arithmetic.h"
 #include "bench/timing.h"
+#include "bentur/elements/hinges.h"
 #include "bentur/io/case/case_toml.h"
 
 namespace {
@@ -113,6 +115,71 @@ void growth(const std::filesystem::path& folder, const std::filesystem::path& ca
   }
 }
 
+/// Hinges that count how often the set that flows has changed.
+class CountedHinges final : public HingeLaw {
+ public:
+  using HingeLaw::HingeLaw;
+  [[nodiscard]] CoupledState next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard,
+                                  double time, const CoupledMotion& motion) const override {
+    ++events_;
+    return HingeLaw::next(state, branch, guard, time, motion);
+  }
+  [[nodiscard]] long events() const { return events_; }
+
+ private:
+  mutable long events_ = 0;
+};
+
+/// With laws of its own, which have met no set that flows and keep so many numbers of them.
+Problem with_fresh_laws(Problem problem, Eigen::Index kept) {
+  for (Building& building : problem.buildings) {
+    for (CoupledElement& element : building.coupled) {
+      const auto& law = dynamic_cast<const HingeLaw&>(*element.law);
+      element.law = std::make_shared<CountedHinges>(law.parameters(), kept);
+    }
+  }
+  return problem;
+}
+
+/// Pairs of frames with hinges, of more and more storeys and bays, beside the same frames without.
+void hinges(const std::filesystem::path& folder, const std::filesystem::path& cases) {
+  const File file = open_for_writing(folder / "hinges.csv");
+  fmt::print(file.get(), "bays,storeys,hinges,events,elastic,hinged,forgetful\n");
+  const Case pair = read(cases / "hinged-6-6.toml");
+  struct Size {
+    std::size_t bays, storeys;
+  };
+  for (const auto [bays, storeys] : {Size{1, 2}, {2, 3}, {2, 6}, {2, 10}, {3, 14}}) {
+    Case c = with_storeys(pair, storeys);
+    for (BuildingSpec& building : c.buildings) {
+      auto& frame = std::get<PlaneFrame>(building.structure);
+      frame.bay_widths.resize(bays, frame.bay_widths.back());
+    }
+    Case without = c;
+    for (BuildingSpec& building : without.buildings) {
+      auto& frame = std::get<PlaneFrame>(building.structure);
+      for (std::vector<Section>* sections : {&frame.columns, &frame.beams}) {
+        for (Section& section : *sections) section.moment_capacity.clear();
+      }
+    }
+    const Problem elastic = make_problem(without), hinged = make_problem(c);
+    const auto time = [](const Problem& problem, Eigen::Index kept) {
+      return time_of([&] { (void)solve(with_fresh_laws(problem, kept)); }, 0.5).minimum;
+    };
+    const Problem counted = with_fresh_laws(hinged, FlowingSets::most_kept);
+    (void)solve(counted);
+    Eigen::Index count = 0;
+    long events = 0;
+    for (const Building& building : counted.buildings) {
+      const auto& law = dynamic_cast<const CountedHinges&>(*building.coupled.at(0).law);
+      count += law.size();
+      events += law.events();
+    }
+    fmt::print(file.get(), "{},{},{},{},{:.6e},{:.6e},{:.6e}\n", bays, storeys, count, events, time(elastic, 0),
+               time(hinged, FlowingSets::most_kept), time(hinged, 0));
+  }
+}
+
 void rates(const std::filesystem::path& folder) {
   const File file = open_for_writing(folder / "rates.csv");
   fmt::print(file.get(), "instructions,flops_per_second\n");
@@ -126,6 +193,7 @@ int main(int argc, char** argv) try {
   std::filesystem::create_directories(argv[1]);
   rates(argv[1]);
   growth(argv[1], argv[2]);
+  hinges(argv[1], argv[2]);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bentur_growth: {}\n", error.what());

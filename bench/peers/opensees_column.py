@@ -12,7 +12,7 @@ import pathlib
 import tempfile
 
 import openseespylinux.opensees as ops
-from opensees_steps import envelope, per_entry, rayleigh, record, tell, transient
+from opensees_steps import PlaneModel, envelope, per_entry, rayleigh, tell
 
 ROUND_OFF = 1e-9
 
@@ -94,11 +94,9 @@ class Frame:
         raise KeyError(elevation)
 
 
-class Model:
+class Model(PlaneModel):
     def __init__(self, case, folder):
-        ops.wipe()
-        ops.model("basic", "-ndm", 2, "-ndf", 3)
-        self.tag = 0
+        super().__init__()
         gap = case["gap"][0]
         elevations = gap["elevations"]
         assert len(case["building"]) == 2 and gap["contact"]["law"] == "linear"
@@ -107,29 +105,8 @@ class Model:
             own = [sum(building["frame"]["storey_heights"][:n + 1]) for n in range(len(building["frame"]["storey_heights"]))]
             struck = [z for z in elevations if all(abs(z - floor) > 1e-6 for floor in own)]
             self.frames.append(Frame(self, building, struck, b == 1))
-        stiffness = gap["contact"]["stiffness"]
-        self.contacts = []
-        for z in elevations:
-            tag = self.new()
-            ops.uniaxialMaterial("ElasticPPGap", tag, stiffness, -1e7 * stiffness, -gap["width"], 0.0, "noDamage")
-            ops.element("zeroLength", tag, self.frames[0].node_at(z), self.frames[1].node_at(z), "-mat", tag, "-dir", 1)
-            self.contacts.append(tag)
-        step, acceleration = record(case, folder)
-        series = self.new()
-        ops.timeSeries("Path", series, "-dt", step, "-values", *acceleration)
-        ops.pattern("UniformExcitation", series, 1, "-accel", series)
-        transient("Transformation", 1e-12)
-
-    def new(self):
-        self.tag += 1
-        return self.tag
-
-    def node(self, x, z, fixed):
-        tag = self.new()
-        ops.node(tag, x, z)
-        if any(fixed):
-            ops.fix(tag, *fixed)
-        return tag
+        self.contacts = [self.contact(self.frames[0].node_at(z), self.frames[1].node_at(z), gap) for z in elevations]
+        self.shake(case, folder)
 
 
 def run(case, folder, step):

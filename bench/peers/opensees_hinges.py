@@ -3,7 +3,7 @@
 CASE is a case of frames with lumped masses and mass-proportional damping (hinged-frame.toml beside this file), ANSWERS what
 `bentur run CASE --json` printed. Members are elasticBeamColumn elements without vertical displacement, a hinge a zeroLength
 spring of Steel01 between the end of a member and its joint, a contact one zeroLength element of ElasticPPGap that does not
-yield; walls are left out, with the gaps beside them. OpenSees has no rigid hinge: its springs are 100, 200 and 400 times as
+yield; walls are left out, with the gaps beside them. OpenSees has no rigid hinge: its springs are 100 to 800 times as
 stiff as 6EI/L of the member, with the yield moment and, beyond it, the hardening of the hinge. Newmark's constant average
 acceleration, Newton's iteration, steps [s] from coarse to fine. Prints a table in Markdown: the processor time of the
 solution, and the largest error of any peak displacement, contact force and rotation of a hinge, each over the largest
@@ -19,26 +19,10 @@ import time
 import tomllib
 
 import openseespylinux.opensees as ops
-from opensees_steps import envelope, error, per_entry, transient
+from opensees_steps import PlaneModel, envelope, error, per_entry
 
-STIFFNESSES = [100, 200, 400]  # of springs, over 6EI/L
+STIFFNESSES = [100, 200, 400, 800]  # of springs, over 6EI/L
 STEPS = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4]  # [s]
-PARALLEL = 1e-7  # of a contact, over its stiffness: what it yields at is far away
-
-
-def motion(case, folder):
-    """Accelerations in the units of the case, and their time step."""
-    excitation, units = case["excitation"], case["units"]
-    rows = []
-    for line in (folder / excitation["file"]).read_text().splitlines():
-        try:
-            rows.append([float(word) for word in line.replace(",", " ").split()])
-        except ValueError:
-            continue  # a heading
-    gravity = 9.80665 * {"m": 1, "cm": 100, "mm": 1000}[units["length"]]
-    factor = {"g": gravity, "m/s2": gravity / 9.80665}[excitation["unit"]] * excitation.get("scale", 1.0)
-    times, values = zip(*(row for row in rows if len(row) == 2))
-    return times[1] - times[0], [factor * value for value in values]
 
 
 class Frame:
@@ -121,37 +105,17 @@ class Frame:
                     self.transformation)
 
 
-class Model:
+class Model(PlaneModel):
     def __init__(self, case, answers, folder, stiffness):
-        ops.wipe()
-        ops.model("basic", "-ndm", 2, "-ndf", 3)
-        self.tag, self.contacts = 0, []
+        super().__init__()
+        self.contacts = []
         periods = [building.get("periods") for building in answers["buildings"]]
         self.frames = [Frame(self, building, period[0], stiffness) if not building.get("rigid") else None
                        for building, period in zip(case["building"], periods)]
         for gap, (left, right) in zip(case["gap"], zip(self.frames, self.frames[1:])):
-            points = []
-            for floor in range(min(len(left.floors), len(right.floors)) if left and right else 0):
-                tag, k = self.new(), gap["contact"]["stiffness"]
-                ops.uniaxialMaterial("ElasticPPGap", tag, k, -k / PARALLEL, -gap["width"], 0.0, "noDamage")
-                ops.element("zeroLength", tag, left.floors[floor], right.floors[floor], "-mat", tag, "-dir", 1)
-                points.append(tag)
-            self.contacts.append(points)
-        step, acceleration = motion(case, folder)
-        series = self.new()
-        ops.timeSeries("Path", series, "-dt", step, "-values", *acceleration)
-        ops.pattern("UniformExcitation", series, 1, "-accel", series)
-        transient("Transformation", 1e-12)
-
-    def new(self):
-        self.tag += 1
-        return self.tag
-
-    def node(self, x, z, fixed):
-        tag = self.new()
-        ops.node(tag, x, z)
-        ops.fix(tag, *fixed)
-        return tag
+            count = min(len(left.floors), len(right.floors)) if left and right else 0
+            self.contacts.append([self.contact(left.floors[floor], right.floors[floor], gap) for floor in range(count)])
+        self.shake(case, folder)
 
 
 def run(case, answers, folder, stiffness, step):

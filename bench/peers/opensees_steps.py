@@ -1,4 +1,5 @@
-"""What opensees_column.py and opensees_yielding.py share: a case is solved at ever smaller steps, a table told of it."""
+"""What opensees_column.py, opensees_hinges.py and opensees_yielding.py share: a case is solved at ever smaller steps, a
+table told of it."""
 
 import json
 import math
@@ -19,12 +20,48 @@ def per_entry(value, count):
 
 
 def record(case, folder):
-    """Accelerations [m/s²] and their time step: a file of two columns under a heading."""
+    """Accelerations in the units of the case, and their time step: a file of two columns under a heading."""
     excitation = case["excitation"]
     rows = (folder / excitation["file"]).read_text().split("\n")[1:]
     times, values = zip(*(map(float, row.split(",")) for row in rows if row.strip()))
-    factor = {"g": case.get("units", {}).get("gravity", 9.80665), "m/s2": 1.0}[excitation["unit"]]
+    units = case.get("units", {})
+    metre = {"m": 1.0, "cm": 100.0, "mm": 1000.0}[units.get("length", "m")]
+    factor = {"g": units.get("gravity", 9.80665 * metre), "m/s2": metre}[excitation["unit"]] * excitation.get("scale", 1.0)
     return times[1] - times[0], [factor * value for value in values]
+
+
+class PlaneModel:
+    """Frames in a plane: nodes that sway, rise and turn, and contacts between them."""
+
+    def __init__(self):
+        ops.wipe()
+        ops.model("basic", "-ndm", 2, "-ndf", 3)
+        self.tag = 0
+
+    def new(self):
+        self.tag += 1
+        return self.tag
+
+    def node(self, x, z, fixed):
+        tag = self.new()
+        ops.node(tag, x, z)
+        if any(fixed):
+            ops.fix(tag, *fixed)
+        return tag
+
+    def contact(self, left, right, gap):
+        """Between two nodes. What it yields at is far away."""
+        tag, stiffness = self.new(), gap["contact"]["stiffness"]
+        ops.uniaxialMaterial("ElasticPPGap", tag, stiffness, -1e7 * stiffness, -gap["width"], 0.0, "noDamage")
+        ops.element("zeroLength", tag, left, right, "-mat", tag, "-dir", 1)
+        return tag
+
+    def shake(self, case, folder):
+        step, acceleration = record(case, folder)
+        series = self.new()
+        ops.timeSeries("Path", series, "-dt", step, "-values", *acceleration)
+        ops.pattern("UniformExcitation", series, 1, "-accel", series)
+        transient("Transformation", 1e-12)
 
 
 def rayleigh(damping):

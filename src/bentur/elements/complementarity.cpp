@@ -10,12 +10,37 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& b) {
+namespace {
+
+/// Those of a set that push where no other does, found by leaving out what would pull; `p` becomes what they push with.
+/// None where A hardly tells them apart.
+std::vector<Index> pushing_alone(const Eigen::MatrixXd& a, const VectorXd& b, std::vector<Index> set, VectorXd& p) {
+  constexpr double apart = 1e-9;  // of the largest pivot
+  while (!set.empty()) {
+    const Eigen::LDLT<Eigen::MatrixXd> factors(a(set, set));
+    const VectorXd wanted = factors.solve(b(set));
+    if (!(factors.vectorD().minCoeff() > apart * factors.vectorD().maxCoeff())) return {};
+    std::vector<Index> push;
+    for (Index n = 0; n < wanted.size(); ++n) {
+      if (wanted(n) > 0.0) push.push_back(set[n]);
+    }
+    if (push.size() == set.size()) {
+      p(set) = wanted;
+      break;
+    }
+    set = std::move(push);
+  }
+  return set;
+}
+
+}  // namespace
+
+std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& b, std::vector<Index> guess) {
   const Index count = b.size();
   VectorXd p = VectorXd::Zero(count);
   if (count == 0) return p;
   const double round_off = 0x1p-48 * b.cwiseAbs().maxCoeff();
-  std::vector<Index> pushed;                          // ascending
+  std::vector<Index> pushed = pushing_alone(a, b, std::move(guess), p);
   std::vector<char> refused(b.size(), 0);             // what has been tried from this p, and pushes by round-off alone
   const Index most_sets = 100 * count * count + 100;  // far more than have been seen to be taken
   for (Index sets = 0; sets < most_sets; ++sets) {

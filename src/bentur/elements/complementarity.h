@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace bentur {
 
@@ -10,8 +11,9 @@ namespace bentur {
 /// met. Where A is singular any p serves that has no more entries above zero than A can tell apart; A p is unique.
 /// Minimises ½ pᵀA p − bᵀp by active sets [LawsonHanson1974], which ends as each set is better than the one before; of
 /// y less than 2⁻⁴⁸ of b's largest entry is round-off. Nothing where that does not end, as A is not positive
-/// semidefinite. (E-1), (H-7)
-[[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// semidefinite. `guess`: those that may push, ascending, to begin with. (E-1), (H-7)
+[[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                                           std::vector<Eigen::Index> guess = {});
 
 /// The same with the last `free` of p of either sign, for which a p = b.
 [[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,

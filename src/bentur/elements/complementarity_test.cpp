@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <optional>
 #include <random>
+#include <vector>
 
 namespace bentur {
 namespace {
@@ -60,6 +61,11 @@ TEST(Complementarity, IsWhatIsFoundByTryingAllSets) {
       ASSERT_GE(y(i), -1e-12 * b.norm());
       ASSERT_NEAR(p(i) * y(i), 0, 1e-11 * (1 + p.norm()) * b.norm());
     }
+    std::vector<Index> guess;
+    for (Index i = 0; i < size; ++i) {
+      if (normal(random) > 0) guess.push_back(i);
+    }
+    ASSERT_EQ(*complementary(a, b, guess), p) << "whatever it begins with";
     const auto pushed = (p.array() > 0).count();
     mixed += pushed > 0 && pushed < size ? 1 : 0;
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -21,24 +22,40 @@ struct CoupledMotion {
   double soon = 0;  ///< a time [s] so short that nothing vibrates in it
 };
 
-/// A branch lasts while  constant + deformation · δ + speed · δ̇ + acceleration · δ̈ ≥ 0, with the tolerance of Guard.
-/// All terms have one dimension [X].
+/// What all branches of a law have in common in which the same deformations move.
+struct CoupledSet {
+  std::vector<Eigen::Index> moving;    ///< those whose force is not constant: K and C are of these
+  Eigen::MatrixXd stiffness, damping;  ///< K, C; C empty: none
+  /// What guards look at, sums of deformations, a row each: δ of `own` (−1: none) + `over` · δ of those that move.
+  std::vector<Eigen::Index> own;
+  Eigen::MatrixXd over;
+
+  /// A row as factors of all `size` deformations.
+  [[nodiscard]] Eigen::VectorXd row(Eigen::Index of, Eigen::Index size) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(size);
+    if (own[of] >= 0) result(own[of]) = 1.0;
+    for (std::size_t n = 0; n < moving.size(); ++n) result(moving[n]) += over(of, static_cast<Eigen::Index>(n));
+    return result;
+  }
+};
+
+/// A branch lasts while  constant + sense · (δ + δ̇ + δ̈ of a row each) ≥ 0, with the tolerance of Guard. All terms have
+/// one dimension [X].
 struct CoupledGuard {
-  Eigen::Index of = 0;                ///< which deformation it is about, for the law
-  double constant = 0;                ///< [X]
-  double size = 0;                    ///< of what `constant` is a sum of [X]
-  Eigen::VectorXd deformation = {};   ///< factors of δ; empty: none
-  Eigen::VectorXd speed = {};         ///< factors of δ̇; empty: none
-  Eigen::VectorXd acceleration = {};  ///< factors of δ̈, which may jump where another force does; empty: none
-  int zeros = 0;                      ///< it begins the branch at zero, and so do that many less one of its derivatives
+  Eigen::Index of = 0;  ///< which deformation it is about, for the law
+  double constant = 0;  ///< [X]
+  double size = 0;      ///< of what `constant` is a sum of [X]
+  double sense = 1;     ///< 1 or −1
+  /// Rows of the branch's CoupledSet; −1: none. δ̈ may jump where another force does.
+  Eigen::Index deformation = -1, speed = -1, acceleration = -1;
+  int zeros = 0;  ///< it begins the branch at zero, and so do that many less one of its derivatives
 };
 
 /// Between two events an element is in one branch of its law: F = base + K δ + C δ̇.
 struct CoupledBranch {
-  Eigen::VectorXd base;                ///< [force] of each deformation
-  std::vector<Eigen::Index> moving;    ///< those whose force is not constant: K and C are of these
-  Eigen::MatrixXd stiffness, damping;  ///< K, C; C empty: none
-  std::vector<CoupledGuard> guards;  ///< what ends the branch: the first to fail; if several at once, the first listed
+  std::shared_ptr<const CoupledSet> set;  ///< what of it is the same in others
+  Eigen::VectorXd base;                   ///< [force] of each deformation
+  std::vector<CoupledGuard> guards;       ///< what ends it: the first to fail; if several at once, the first listed
 };
 
 /// A law whose deformations act on one another: a machine of branches like Law, with matrices in place of numbers. The
@@ -59,9 +76,9 @@ class CoupledLaw {
 
   [[nodiscard]] virtual CoupledBranch branch(const CoupledState& state) const = 0;
 
-  /// The state after guard number `guard` of its branch has come down to zero at `time` [s].
-  [[nodiscard]] virtual CoupledState next(const CoupledState& state, std::size_t guard, double time,
-                                          const CoupledMotion& motion) const = 0;
+  /// The state after guard number `guard` of its branch, which is given, has come down to zero at `time` [s].
+  [[nodiscard]] virtual CoupledState next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard,
+                                          double time, const CoupledMotion& motion) const = 0;
   /// The state after speeds have jumped at `time` [s]: `motion` is that after it.
   [[nodiscard]] virtual CoupledState settle(const CoupledState& state, double time,
                                             const CoupledMotion& motion) const = 0;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +21,6 @@ namespace {
 
 constexpr double on_line = 1e-10;  // of upper + lower: a hinge that is so near its line is on it
 constexpr double no_flow = 1e-12;  // of (upper + lower)/K_hh: a flow that counts nowhere
-constexpr double no_part = 1e-9;   // of a row over x: it does not depend on x
 constexpr double no_slope = 1e-9;  // of what it is a sum of: a rate that is zero
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,34 +42,28 @@ enum Column : Index {
   columns
 };
 
-/// y_h = M_h − H_h θ_h of a hinge at rest, which its lines bound, as a row over δ and what does not depend on δ.
-struct Resting {
-  VectorXd row;
-  double constant = 0;
-  double size = 0;  ///< of what the constant is a sum of
-};
-
 }  // namespace
 
 /// The hinges that flow, and what their rotations follow from: θ_A = Q⁻¹ (δ_A − b), Q = (K_hh + H)_AA.
 struct HingeLaw::Flow {
-  std::vector<Index> at;
+  std::shared_ptr<const FlowingSet> set;
   VectorXd b;
-  MatrixXd inverse;  ///< Q⁻¹
+  VectorXd resting;  ///< θ of those that rest, zero of others
+
+  [[nodiscard]] const std::vector<Index>& at() const { return set->seen.moving; }
 };
 
-HingeLaw::HingeLaw(Parameters parameters) : of_(std::move(parameters)) {
+HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters)), sets_(kept) {
   const Index n = size();
   require_size("upper", of_.upper.size(), n);
   require_size("lower", of_.lower.size(), n);
   require_size("stiffness", of_.stiffness.rows(), n);
   require_size("stiffness", of_.stiffness.cols(), n);
-  require_size("gram", of_.gram.rows(), n);
-  require_size("gram", of_.gram.cols(), n);
+  require_size("rows", of_.rows.rows(), n);
   if (of_.kept.size() > 0) require_size("kept", of_.kept.size(), n);
   for (Index h = 0; h < of_.kept.size(); ++h) {
-    const double kept = of_.kept(h);
-    if (!(kept >= 0 && kept <= 1)) throw InvalidParameter(indexed("kept", h), fmt::format("{}", kept), "must be 0 … 1");
+    const double part = of_.kept(h);
+    if (!(part >= 0 && part <= 1)) throw InvalidParameter(indexed("kept", h), fmt::format("{}", part), "must be 0 … 1");
   }
   for (Index h = 0; h < n; ++h) {
     require_not_negative(indexed("hardening", h), of_.hardening(h));
@@ -110,28 +102,25 @@ double HingeLaw::width(Index h) const {
 }
 
 HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
-  Flow flow;
-  for (Index h = 0; h < size(); ++h) {
-    if (state.memory(h, side) != 0.0) flow.at.push_back(h);
-  }
-  const Index count = std::ssize(flow.at);
-  flow.b.resize(count);
+  std::vector<Index> at;
   VectorXd resting = state.memory.col(rotation);
-  for (const Index h : flow.at) resting(h) = 0.0;
-  for (Index n = 0; n < count; ++n) {
-    const Index h = flow.at[n];
-    flow.b(n) = state.memory(h, side) * line(state, h, state.memory(h, side)) + of_.stiffness.row(h).dot(resting);
+  for (Index h = 0; h < size(); ++h) {
+    if (state.memory(h, side) == 0.0) continue;
+    at.push_back(h);
+    resting(h) = 0.0;
   }
-  MatrixXd q = of_.stiffness(flow.at, flow.at);
-  q.diagonal() += of_.hardening(flow.at);
-  flow.inverse = q.llt().solve(MatrixXd::Identity(count, count));
-  return flow;
+  VectorXd b(std::ssize(at));
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    const double s = state.memory(at[n], side);
+    b(static_cast<Index>(n)) = s * line(state, at[n], s) + of_.stiffness.col(at[n]).dot(resting);
+  }
+  return {sets_.of(of_, at), std::move(b), std::move(resting)};
 }
 
 VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformation) const {
   VectorXd theta = state.memory.col(rotation);
   const Flow now = flow(state);
-  theta(now.at) = now.inverse * (deformation(now.at) - now.b);
+  theta(now.at()) = now.set->inverse * (deformation(now.at()) - now.b);
   return theta;
 }
 
@@ -156,9 +145,10 @@ struct Sides {
 
   /// λ ≥ 0 with w = S a S λ − b ≥ 0 complementary, w = 0 of those that move either way. (H-7), (H-8)
   /// `mixed`: rotations and slips, so that each is measured by its own stiffness.
-  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, VectorXd b, bool mixed) const {
+  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, VectorXd b, bool mixed,
+                                              std::vector<Index> guess = {}) const {
     const auto s = Eigen::Map<const VectorXd>(side.data(), std::ssize(side));
-    if (!mixed) return complementary(s.asDiagonal() * a(of, of) * s.asDiagonal(), b);
+    if (!mixed) return complementary(s.asDiagonal() * a(of, of) * s.asDiagonal(), b, std::move(guess));
     const VectorXd sizes = a.diagonal()(of).cwiseMax(0.0);
     const VectorXd unit = (sizes.array() > 0.0).select(sizes.cwiseSqrt().cwiseInverse(), 1.0);
     const VectorXd scale = s.cwiseProduct(unit);
@@ -239,59 +229,40 @@ void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double tim
   }
 }
 
-namespace {
-
-/// y of a hinge that rests while others flow.
-Resting resting_line(const MatrixXd& stiffness, double hardening, const VectorXd& theta, const std::vector<Index>& at,
-                     const VectorXd& b, const MatrixXd& inverse, Index h) {
-  Resting y;
-  y.row = VectorXd::Unit(theta.size(), h);
-  VectorXd turned = theta;
-  for (const Index moving : at) turned(moving) = 0.0;
-  const VectorXd coupling = stiffness(h, at);
-  const VectorXd factors = inverse * coupling;
-  for (std::size_t n = 0; n < at.size(); ++n) y.row(at[n]) = -factors(static_cast<Index>(n));
-  const VectorXd of_resting = stiffness.row(h).transpose().cwiseProduct(turned);
-  y.constant = factors.dot(b) - of_resting.sum() - hardening * theta(h);
-  y.size = factors.cwiseAbs().dot(b.cwiseAbs()) + of_resting.cwiseAbs().sum() + std::abs(hardening * theta(h));
-  return y;
-}
-
-}  // namespace
-
 CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   const Index n = size();
   const Flow now = flow(state);
-  const VectorXd theta = state.memory.col(rotation);
-  CoupledBranch branch;
-  branch.base = -theta;
-  branch.base(now.at) = now.inverse * now.b;
-  branch.moving = now.at;
-  branch.stiffness = -0.5 * (now.inverse + now.inverse.transpose());
-  Index flowing = 0;
+  const CoupledSet& seen = now.set->seen;
+  CoupledBranch branch{{now.set, &seen}, -state.memory.col(rotation), {}};
+  branch.base(now.at()) = now.set->inverse * now.b;
+  // y of those at rest beyond their rows, and what it is a sum of.
+  VectorXd constant = VectorXd::Zero(n), sizes = VectorXd::Zero(n);
+  const auto take = [&](const auto& column, double factor) {
+    for (Index h = 0; h < n && factor != 0.0; ++h) {
+      const double term = column(h) * factor;
+      constant(h) -= term;
+      sizes(h) += std::abs(term);
+    }
+  };
+  for (Index j = 0; j < now.b.size(); ++j) take(seen.over.col(j), now.b(j));
+  for (Index j = 0; j < n; ++j) take(of_.stiffness.col(j), now.resting(j));
+  take(of_.hardening.cwiseProduct(state.memory.col(rotation)), 1.0);
+  branch.guards.reserve(2 * n);
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
     const int zeros = static_cast<int>(state.memory(h, begins));
-    if (is_free(state, h)) {
-      ++flowing;
-      continue;
-    }
+    if (is_free(state, h)) continue;
     if (s != 0.0) {
-      CoupledGuard guard{.of = h, .deformation = {}, .speed = {}, .zeros = zeros};
-      guard.speed.setZero(n);
-      guard.speed(now.at) = s * now.inverse.row(flowing++).transpose();
-      branch.guards.push_back(std::move(guard));
+      branch.guards.push_back({.of = h, .sense = s, .speed = h, .zeros = zeros});
       continue;
     }
-    const Resting y = resting_line(of_.stiffness, of_.hardening(h), theta, now.at, now.b, now.inverse, h);
-    const bool still = y.row.dot(of_.gram * y.row) <= no_part * no_part * of_.gram(h, h);
     for (const double to : {1.0, -1.0}) {
-      if (still || !std::isfinite(line(state, h, to))) continue;
+      if (now.set->still[h] != 0 || !std::isfinite(line(state, h, to))) continue;
       branch.guards.push_back({.of = h,
-                               .constant = line(state, h, to) - to * y.constant,
-                               .size = std::abs(line(state, h, to)) + y.size,
-                               .deformation = -to * y.row,
-                               .speed = {},
+                               .constant = line(state, h, to) - to * constant(h),
+                               .size = std::abs(line(state, h, to)) + sizes(h),
+                               .sense = -to,
+                               .deformation = h,
                                .zeros = std::max(0, static_cast<int>(to) * zeros)});
     }
   }
@@ -317,10 +288,9 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
   return now;
 }
 
-CoupledState HingeLaw::next(const CoupledState& state, std::size_t guard, double time,
+CoupledState HingeLaw::next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard, double time,
                             const CoupledMotion& motion) const {
-  const CoupledBranch ended = branch(state);
-  return settle(state, time, motion, &ended.guards[guard]);
+  return settle(state, time, motion, &branch.guards[guard]);
 }
 
 CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion) const {
@@ -331,7 +301,7 @@ namespace {
 
 /// Whether a guard that has come down to zero says that a hinge is on its line of side `to`.
 bool is_met(const CoupledGuard* ended, Index h, double to) {
-  return ended != nullptr && ended->deformation.size() > 0 && ended->of == h && to * ended->deformation(h) < 0.0;
+  return ended != nullptr && ended->deformation >= 0 && ended->of == h && to * ended->sense < 0.0;
 }
 
 }  // namespace
@@ -375,6 +345,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   break_at_lines(now, time, motion.deformation, ended);
   const VectorXd y = borne(now, motion.deformation);
   Sides candidates;
+  std::vector<Index> expected;  // to flow: those that did, and what has met its line, but not what has ceased to
   for (const bool of_free : {false, true}) {
     for (Index h = 0; h < size(); ++h) {
       if (is_free(now, h) != of_free) continue;
@@ -385,6 +356,8 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
         if (s == 0.0 && std::isfinite(limit) && (met || std::abs(y(h) - to * limit) <= on_line * width(h))) s = to;
       }
       if (s == 0.0) continue;
+      const bool flowed = state.memory(h, side) != 0.0, changes = ended != nullptr && ended->of == h;
+      if (flowed != changes && !of_free) expected.push_back(std::ssize(candidates.of));
       candidates.of.push_back(h);
       candidates.side.push_back(s);
       candidates.free += of_free ? 1 : 0;
@@ -395,7 +368,8 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   MatrixXd q = of_.stiffness;
   q.diagonal() += of_.hardening;
   const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
-  const VectorXd lambda = candidates.solve(q, rate, of_.kept.size() > 0).value_or(VectorXd::Zero(std::ssize(sides)));
+  const VectorXd lambda =
+      candidates.solve(q, rate, of_.kept.size() > 0, std::move(expected)).value_or(VectorXd::Zero(std::ssize(sides)));
   now.memory.col(side).setZero();
   now.memory.col(begins).setZero();
   // Rotations and slips side by side, by what they would do to the energy.
@@ -405,7 +379,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   const double nil = no_slope * weights(candidates.of).dot(lambda.cwiseAbs());
   for (Index n = 0; n < lambda.size(); ++n) {
     const Index h = candidates.of[n];
-    const bool stopped = mixed && ended != nullptr && ended->of == h && ended->speed.size() > 0;
+    const bool stopped = mixed && ended != nullptr && ended->of == h && ended->speed >= 0;
     const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
     if (flows_on || is_free(now, h)) now.memory(h, side) = sides[n];
   }
@@ -413,31 +387,27 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   Flow flows = flow(now);
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t n = 0; n < flows.at.size(); ++n) {
-      const Index h = flows.at[n];
-      if (is_free(now, h)) continue;
-      const VectorXd row = flows.inverse.row(static_cast<Index>(n));
-      const double largest = no_part / (of_.stiffness(h, h) + of_.hardening(h));
-      if (row.dot(of_.gram(flows.at, flows.at) * row) > largest * largest * of_.gram(h, h)) continue;
+    for (const Index h : flows.at()) {
+      if (is_free(now, h) || flows.set->still[h] == 0) continue;
       now.memory(h, side) = 0.0;
       again = true;
     }
     if (again) flows = flow(now);
   }
-  note_mechanism(now, time);
-  const VectorXd turning = flows.inverse * motion.speed(flows.at);
-  const VectorXd paces = turning.cwiseProduct(weights(flows.at));
+  note_mechanism(now, *flows.set, time);
+  const VectorXd turning = flows.set->inverse * motion.speed(flows.at());
+  const VectorXd paces = turning.cwiseProduct(weights(flows.at()));
   const double fastest = paces.size() > 0 ? paces.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t n = 0; n < sides.size(); ++n) {
     const Index h = candidates.of[n];
     auto memory = now.memory.row(h);
     if (memory(side) != 0.0) {
-      const Index k = std::lower_bound(flows.at.begin(), flows.at.end(), h) - flows.at.begin();
+      const Index k = std::lower_bound(flows.at().begin(), flows.at().end(), h) - flows.at().begin();
       if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
       memory(begins) = memory(side) * paces(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
-    const VectorXd of_others = of_.stiffness(h, flows.at).transpose().cwiseProduct(turning);
+    const VectorXd of_others = of_.stiffness(h, flows.at()).transpose().cwiseProduct(turning);
     const double falls = sides[n] * (of_others.sum() - motion.speed(h));
     const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
     memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
@@ -455,15 +425,10 @@ double HingeLaw::lost_energy(const CoupledState& state, const VectorXd& deformat
 }
 
 /// That the frame can move without bending, the first time that it can.
-void HingeLaw::note_mechanism(CoupledState& state, double time) const {
-  if (of_.frame_stiffness.size() == 0 || !std::isnan(state.memory(0, mechanism_at))) return;
-  std::vector<Index> flowing;
-  for (Index h = 0; h < size(); ++h) {
-    if (state.memory(h, side) != 0.0) flowing.push_back(h);
-  }
-  if (flowing.empty() || !free_shape(of_.frame_stiffness, of_.frame_rows, of_.stiffness, flowing)) return;
+void HingeLaw::note_mechanism(CoupledState& state, const FlowingSet& set, double time) const {
+  if (!set.movable || !std::isnan(state.memory(0, mechanism_at))) return;
   state.memory(0, mechanism_at) = time;
-  for (const Index h : flowing) state.memory(h, moved) = 1.0;
+  for (const Index h : set.seen.moving) state.memory(h, moved) = 1.0;
 }
 
 std::optional<HingeLaw::Mechanism> HingeLaw::mechanism(const CoupledState& state) const {

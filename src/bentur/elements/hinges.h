@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
+#include "bentur/elements/hinges/flowing_sets.h"
 
 namespace bentur {
 
@@ -15,35 +16,26 @@ namespace bentur {
 /// A branch is the set A of hinges that flow and the side s = ±1 on which each does: θ_A follows from δ (H-4), all
 /// other θ stay. After an event all hinges that are on a line are looked at together (H-7): by symmetry many yield at
 /// once. Rigid-plastic: no stiffness of its own, no damping. (docs/theory/hinges.md)
-class HingeLaw final : public CoupledLaw {
+class HingeLaw : public CoupledLaw {
  public:
-  struct Parameters {
-    Eigen::MatrixXd stiffness;  ///< K_hh [force·length/rad], symmetric positive semidefinite
-    Eigen::VectorXd hardening;  ///< H [force·length/rad] ≥ 0
-    Eigen::VectorXd upper,
-        lower;  ///< what M − H θ may rise to, and −(M − H θ) [force·length] > 0; infinite: not reached
-    Eigen::MatrixXd gram;  ///< G Gᵀ, whose entries tell what of a moment does not depend on x
-    /// Of what breaks, such as the shear of a column: the part of (upper + lower)/2 that it keeps once it has been
-    /// reached on either side [-], 0 … 1; 1: all, it yields. Empty: nothing breaks. (H-14)
-    Eigen::VectorXd kept = {};
-    /// K and G of the frame alone, which say when it can move without bending (H-12); empty: nobody asks.
-    Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
-  };
-  /// @throws InvalidParameter when sizes disagree or a value is outside its range.
-  explicit HingeLaw(Parameters parameters);
+  using Parameters = HingeParameters;
+  /// `kept`: of numbers that FlowingSets keeps. @throws InvalidParameter when sizes disagree or a value is outside its
+  /// range.
+  explicit HingeLaw(Parameters parameters, Eigen::Index kept = FlowingSets::most_kept);
 
   [[nodiscard]] std::string_view name() const noexcept override { return "hinges"; }
   [[nodiscard]] Eigen::Index size() const noexcept override { return of_.hardening.size(); }
   [[nodiscard]] bool same_as(const CoupledLaw& other) const override;
   [[nodiscard]] CoupledState begin(const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] CoupledBranch branch(const CoupledState& state) const override;
-  [[nodiscard]] CoupledState next(const CoupledState& state, std::size_t guard, double time,
-                                  const CoupledMotion& motion) const override;
+  [[nodiscard]] CoupledState next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard,
+                                  double time, const CoupledMotion& motion) const override;
   [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion) const override;
   [[nodiscard]] CoupledState at(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] double stored_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] double lost_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] bool is_odd() const noexcept override { return of_.upper == of_.lower; }
+  [[nodiscard]] const Parameters& parameters() const { return of_; }
 
   /// What one hinge has done up to the last event, or to at().
   struct Record {
@@ -59,7 +51,7 @@ class HingeLaw final : public CoupledLaw {
   [[nodiscard]] Record record(const CoupledState& state, Eigen::Index hinge) const;
 
   /// Least part of a frame's stiffness with which it still bends (H-12).
-  static constexpr double bends = 1e-9;
+  static constexpr double bends = FlowingSet::bends;
   /// When the hinges first made the frame movable without bending, and which of them flowed then.
   struct Mechanism {
     double time = 0;  ///< [s]
@@ -71,7 +63,7 @@ class HingeLaw final : public CoupledLaw {
 
  private:
   struct Flow;
-  void note_mechanism(CoupledState& state, double time) const;
+  void note_mechanism(CoupledState& state, const FlowingSet& set, double time) const;
   [[nodiscard]] Flow flow(const CoupledState& state) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   [[nodiscard]] bool breaks(Eigen::Index hinge) const { return of_.kept.size() > 0 && of_.kept(hinge) < 1.0; }
@@ -87,13 +79,7 @@ class HingeLaw final : public CoupledLaw {
                                     const CoupledGuard* ended) const;
 
   Parameters of_;
+  FlowingSets sets_;
 };
-
-/// How a frame with K and hinges G, K_hh moves if these flow without hardening, x of its dofs: the shape of the least
-/// eigenvalue of K − G_Aᵀ K_AA⁺ G_A against K, where that is below 10⁻⁹; nothing where it bends. (H-12)
-[[nodiscard]] std::optional<Eigen::VectorXd> free_shape(const Eigen::MatrixXd& frame_stiffness,
-                                                        const Eigen::MatrixXd& frame_rows,
-                                                        const Eigen::MatrixXd& hinge_stiffness,
-                                                        const std::vector<Eigen::Index>& flowing);
 
 }  // namespace bentur

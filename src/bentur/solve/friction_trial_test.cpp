@@ -40,52 +40,61 @@ class RubbingContact final : public CoupledLaw {
 
   [[nodiscard]] CoupledBranch branch(const CoupledState& state) const override {
     const Phase at = phase_of(state);
-    CoupledBranch result;
-    result.base = VectorXd::Zero(2);
+    CoupledSet set;
+    CoupledBranch result{nullptr, VectorXd::Zero(2), {}};
+    const auto row = [&set](double of_penetration, double of_slip) {
+      set.own.push_back(-1);
+      set.over.conservativeResize(std::ssize(set.own), 2);
+      set.over.row(set.over.rows() - 1) << of_penetration, of_slip;
+      return set.over.rows() - 1;
+    };
     if (at.friction == Friction::apart) {
-      result.guards.push_back({.deformation = pair(-1, 0)});
+      set.own = {0};
+      set.over.resize(1, 0);
+      result.guards.push_back({.sense = -1, .deformation = 0});
+      result.set = std::make_shared<const CoupledSet>(std::move(set));
       return result;
     }
     const double k = p_.stiffness, c = at.closes ? p_.damping : 0.0, mu = p_.friction, kt = p_.tangential;
-    result.moving = {0, 1};
-    result.stiffness = MatrixXd::Zero(2, 2);
-    result.damping = MatrixXd::Zero(2, 2);
-    result.stiffness(0, 0) = k;
-    result.damping(0, 0) = c;
+    set.moving = {0, 1};
+    set.stiffness = MatrixXd::Zero(2, 2);
+    set.damping = MatrixXd::Zero(2, 2);
+    set.stiffness(0, 0) = k;
+    set.damping(0, 0) = c;
     // Parting, and the change from closing to opening where there is a dashpot.
-    result.guards.push_back({.deformation = pair(1, 0), .zeros = at.touches ? 1 : 0});
+    const Index penetration = row(1, 0);
+    result.guards.push_back({.deformation = penetration, .zeros = at.touches ? 1 : 0});
     if (p_.damping > 0.0) {
-      const double sense = at.closes ? 1.0 : -1.0;
-      result.guards.push_back({.deformation = {}, .speed = pair(sense, 0), .zeros = at.turns ? 1 : 0});
+      result.guards.push_back({.sense = at.closes ? 1.0 : -1.0, .speed = penetration, .zeros = at.turns ? 1 : 0});
     }
     if (at.friction == Friction::sticks) {
       result.base(1) = -kt * at.origin;
-      result.stiffness(1, 1) = kt;
+      set.stiffness(1, 1) = kt;
       for (const int sense : {1, -1}) {
         const int zeros = at.slid == sense ? 2 : (at.touches && c == 0.0 ? 1 : 0);
         result.guards.push_back({.of = sense,
                                  .constant = sense * kt * at.origin,
                                  .size = kt * std::abs(at.origin),
-                                 .deformation = pair(mu * k, -sense * kt),
-                                 .speed = pair(mu * c, 0),
+                                 .deformation = row(mu * k, -sense * kt),
+                                 .speed = row(mu * c, 0),
                                  .zeros = zeros});
       }
     } else {
       const double sense = at.friction == Friction::slides_up ? 1.0 : -1.0;
-      result.stiffness(1, 0) = sense * mu * k;
-      result.damping(1, 0) = sense * mu * c;
-      result.guards.push_back(
-          {.deformation = {}, .speed = pair(-mu * k / kt, sense), .acceleration = pair(-mu * c / kt, 0)});
-      if (c == 0.0) result.guards.back().acceleration.resize(0);
+      set.stiffness(1, 0) = sense * mu * k;
+      set.damping(1, 0) = sense * mu * c;
+      result.guards.push_back({.speed = row(-mu * k / kt, sense)});
+      if (c != 0.0) result.guards.back().acceleration = row(-mu * c / kt, 0);
     }
+    result.set = std::make_shared<const CoupledSet>(std::move(set));
     return result;
   }
 
-  [[nodiscard]] CoupledState next(const CoupledState& state, std::size_t guard, double time,
-                                  const CoupledMotion& motion) const override {
+  [[nodiscard]] CoupledState next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard,
+                                  double time, const CoupledMotion& motion) const override {
     Phase at = phase_of(state);
     const bool was_apart = at.friction == Friction::apart;
-    const CoupledGuard failed = branch(state).guards[guard];
+    const CoupledGuard& failed = branch.guards[guard];
     at.touches = at.turns = false;
     at.slid = 0;
     const double slip = motion.deformation(1), slips = motion.speed(1), closes = motion.speed(0);
@@ -137,7 +146,6 @@ class RubbingContact final : public CoupledLaw {
     double origin = 0;                    ///< s where the spring has no force
   };
   static Friction sliding(double sense) { return sense > 0.0 ? Friction::slides_up : Friction::slides_down; }
-  static VectorXd pair(double first, double second) { return Eigen::Vector2d(first, second); }
   static CoupledState state_of(const Phase& at, double time) {
     MatrixXd memory(2, 3);
     memory << static_cast<double>(at.friction), at.closes, at.touches, at.turns, at.slid, at.origin;

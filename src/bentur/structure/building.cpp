@@ -64,7 +64,7 @@ std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
                                                                         .hardening = hinges.hardening,
                                                                         .upper = hinges.clockwise - hinges.at_rest,
                                                                         .lower = hinges.anticlockwise + hinges.at_rest,
-                                                                        .gram = hinges.rows * hinges.rows.transpose(),
+                                                                        .rows = hinges.rows,
                                                                         .kept = hinges.kept,
                                                                         .frame_stiffness = hinges.frame_stiffness,
                                                                         .frame_rows = hinges.frame_rows})}};

@@ -46,8 +46,8 @@ struct Push {
   };
   [[nodiscard]] std::optional<Line> line(const VectorXd& loads) const {
     const CoupledBranch branch = element.law->branch(state);
-    const MatrixXd rows = element.rows(branch.moving, Eigen::all);
-    const MatrixXd tangent = stiffness + rows.transpose() * branch.stiffness * rows;
+    const MatrixXd rows = element.rows(branch.set->moving, Eigen::all);
+    const MatrixXd tangent = stiffness + rows.transpose() * branch.set->stiffness * rows;
     const Eigen::FullPivLU<MatrixXd> lu(tangent);
     const double smallest = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
     if (smallest < 1e-9 * stiffness.cwiseAbs().maxCoeff()) return std::nullopt;
@@ -66,13 +66,15 @@ struct Push {
       std::size_t ends = 0;
       for (std::size_t g = 0; g < branch.guards.size(); ++g) {
         const CoupledGuard& guard = branch.guards[g];
-        if (guard.deformation.size() == 0) {
-          EXPECT_GE(guard.speed.dot(moving), -1e-9 * guard.speed.norm() * moving.norm()) << "nobody unloads";
+        const bool flows = guard.deformation < 0;
+        const VectorXd row = guard.sense * branch.set->row(flows ? guard.speed : guard.deformation, moving.size());
+        if (flows) {
+          EXPECT_GE(row.dot(moving), -1e-9 * row.norm() * moving.norm()) << "nobody unloads";
           continue;
         }
-        const double falls = -guard.deformation.dot(moving);
-        const double left = guard.constant + guard.deformation.dot(fixed);
-        if (falls <= 1e-12 * guard.deformation.norm() * moving.norm()) continue;
+        const double falls = -row.dot(moving);
+        const double left = guard.constant + row.dot(fixed);
+        if (falls <= 1e-12 * row.norm() * moving.norm()) continue;
         if (left / falls < first) {
           first = left / falls;
           ends = g;
@@ -81,7 +83,7 @@ struct Push {
       if (!(first < infinite)) return infinite;
       factor = first;
       const VectorXd none = VectorXd::Zero(moving.size());
-      state = element.law->next(state, ends, factor, {fixed + factor * moving, moving, none, 0});
+      state = element.law->next(state, branch, ends, factor, {fixed + factor * moving, moving, none, 0});
     }
     return infinite;
   }

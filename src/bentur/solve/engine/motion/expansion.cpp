@@ -35,6 +35,7 @@ void Expansion::fill_forces(const ElementForces& forces) {
   for (const Index i : forces.pressing) {
     const Index at = system_->elements[i].force;
     if (at < 0) continue;
+    moving_.push_back(at);
     const Polynomial& delta = deformation(i);
     const double stiffness = forces.linear[i].stiffness;
     c_(at, 0) = forces.linear[i].base + stiffness * delta[0];
@@ -44,15 +45,17 @@ void Expansion::fill_forces(const ElementForces& forces) {
 }
 
 void Expansion::fill_coupled(const ElementForces::Coupled& of) {
+  const Eigen::MatrixXd& pull = of.modal->pull;
+  const double* begin = c_.data() + of.modal->begin;
   for (Index n = 0; n < std::ssize(of.at); ++n) {
     const Index to = system_->elements[of.at[n]].force;
     if (to < 0) continue;
-    c_.row(to).head(degree_ + 1).setZero();
-    c_(to, 0) = of.base(n);
-    for (Index m = 0; m < std::ssize(of.at); ++m) {
-      const Polynomial& delta = deformation(of.at[m]);
-      for (int k = 0; k <= degree_; ++k) c_(to, k) += of.stiffness(n, m) * delta[k];
-    }
+    moving_.push_back(to);
+    Polynomial force;
+    kernels::row_series({0, nullptr, begin}, {pull.rows(), pull.col(n).data(), begin}, c_.rows(), degree_,
+                        force.coefficients.data());
+    force[0] += of.base(n);
+    for (int k = 0; k <= degree_; ++k) c_(to, k) = force[k];
   }
 }
 
@@ -61,21 +64,54 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
   count_ = count;
   h_ = h;
   degree_ = degree | 3;
+  moving_.clear();
 }
 
 void Expansion::set_resting_force(Index element, const Polynomial& force) { resting_force_[element] = force; }
 
+/// Hands on all coordinates that were filled, in fours that are all constant or not.
+template <class Take>
+void Expansion::in_ranges(const Take& take) const {
+  constexpr Index four = 4;
+  for (const ModalSystem::Block& block : system_->blocks) {
+    if (block.begin < first_ || block.begin >= first_ + count_) continue;
+    take(block.begin, block.moving_size, true);
+    for (Index j = block.begin + block.moving_size; j < block.begin + block.padded_size; j += four) {
+      const auto in = [j](Index at) { return at >= j && at < j + four; };
+      take(j, four, std::any_of(moving_.begin(), moving_.end(), in));
+    }
+  }
+}
+
 bool Expansion::find_end(State& state, Eigen::VectorXd& acceleration) {
-  return std::isfinite(
-      kernels::end_of_step(count_, c_.data() + first_, c_.rows(), degree_, h_,
-                           {state.q.data() + first_, state.v.data() + first_, acceleration.data() + first_},
-                           rise_.data() + first_, acceleration_rise_.data() + first_));
+  double sum = 0.0;
+  in_ranges([&](Index at, Index count, bool moves) {
+    if (moves) {
+      sum += kernels::end_of_step(count, c_.data() + at, c_.rows(), degree_, h_,
+                                  {state.q.data() + at, state.v.data() + at, acceleration.data() + at},
+                                  rise_.data() + at, acceleration_rise_.data() + at);
+      return;
+    }
+    std::copy_n(c_.data() + at, count, state.q.data() + at);
+    for (Eigen::VectorXd* of : {&state.v, &acceleration, &rise_, &acceleration_rise_}) {
+      std::fill_n(of->data() + at, count, 0.0);
+    }
+  });
+  return std::isfinite(sum);
 }
 
 void Expansion::evaluate(double s, State& state, Eigen::VectorXd* acceleration) const {
-  kernels::evaluate(count_, c_.data() + first_, c_.rows(), degree_, s, h_,
-                    {state.q.data() + first_, state.v.data() + first_,
-                     acceleration == nullptr ? nullptr : acceleration->data() + first_});
+  in_ranges([&](Index at, Index count, bool moves) {
+    double* bent = acceleration == nullptr ? nullptr : acceleration->data() + at;
+    if (moves) {
+      kernels::evaluate(count, c_.data() + at, c_.rows(), degree_, s, h_,
+                        {state.q.data() + at, state.v.data() + at, bent});
+      return;
+    }
+    std::copy_n(c_.data() + at, count, state.q.data() + at);
+    std::fill_n(state.v.data() + at, count, 0.0);
+    if (bent != nullptr) std::fill_n(bent, count, 0.0);
+  });
 }
 
 const Polynomial& Expansion::deformation(Index i) const {

@@ -60,6 +60,8 @@ class Expansion {
 
  private:
   void fill_coupled(const ElementForces::Coupled& of);
+  template <class Take>
+  void in_ranges(const Take& take) const;
 
   const ModalSystem* system_;
   std::vector<double> offsets_;
@@ -68,6 +70,7 @@ class Expansion {
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd rise_, acceleration_rise_;
+  std::vector<Eigen::Index> moving_;  ///< force coordinates that are no constants
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for
   mutable std::vector<char> deformation_known_;

@@ -63,6 +63,7 @@ ModalSystem::Block make_block(const Body& body, Index begin) {
   block.size += std::ssize(body.elements);
   for (const CoupledElement& element : body.coupled) block.size += element.rows.rows();
   block.padded_size = padded(block.size);
+  block.moving_size = padded(modes + 1);
   for (const Outputs& outputs : body.outputs) block.outputs.push_back(over_coordinates(body, outputs, block.size));
 
   MatrixXd off_diagonal = body.modal_damping;
@@ -78,7 +79,7 @@ ModalSystem::Block make_block(const Body& body, Index begin) {
   return block;
 }
 
-/// A row of one body, which may be left out.
+/// A row over the modes and the ground of one body, which may be left out.
 struct Side {
   Index body = 0, begin = 0, size = 0;
   VectorXd row = {};
@@ -86,7 +87,7 @@ struct Side {
 
 Side side_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Body>& bodies, const BodyRow& of) {
   const ModalSystem::Block& block = blocks[of.body];
-  Side side{of.body, block.begin, block.padded_size, VectorXd::Zero(block.padded_size)};
+  Side side{of.body, block.begin, block.moving_size, VectorXd::Zero(block.moving_size)};
   side.row.head(block.modes) = bodies[of.body].modes.shapes.transpose() * of.row;
   side.row(block.modes) = of.ground;
   return side;
@@ -231,24 +232,11 @@ double ModalSystem::rate(const ElementForces& forces) const {
   };
   Sides stiffness = largest(&ElementForces::Linear::stiffness);
   Sides damping = largest(&ElementForces::Linear::damping);
-  // Rᵀ X R of coupled rows R has the norm of Lᵀ X L, R Rᵀ = L Lᵀ.
-  const auto add = [](const MatrixXd& x, const MatrixXd& l, Sides& sides) {
-    if (x.size() == 0) return;
-    const MatrixXd inner = l.transpose() * x * l;
-    if (x == x.transpose()) {
-      const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(inner, Eigen::EigenvaluesOnly).eigenvalues();
-      sides.above += std::max(values.maxCoeff(), 0.0);
-      sides.below += std::max(-values.minCoeff(), 0.0);
-    } else {
-      sides.above += inner.norm();
-      sides.below += inner.norm();
-    }
-  };
   for (const ElementForces::Coupled& of : forces.coupled) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> rows(coupling(of.at, of.at));
-    const MatrixXd l = rows.eigenvectors() * rows.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-    add(of.stiffness, l, stiffness);
-    add(of.damping, l, damping);
+    stiffness.above += of.modal->stiffer;
+    stiffness.below += of.modal->softer;
+    damping.above += of.modal->damped;
+    damping.below += of.modal->driven;
   }
   double half_damping = 0.0;
   double omega = nu;
@@ -259,6 +247,41 @@ double ModalSystem::rate(const ElementForces& forces) const {
   half_damping = std::max(half_damping + 0.5 * damping.above, 0.5 * damping.below);
   const double stiffest = std::max(omega * omega + stiffness.above, stiffness.below);
   return std::max(half_damping + std::sqrt(half_damping * half_damping + stiffest), forces.fading);
+}
+
+ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at, const MatrixXd& stiffness,
+                                                    const MatrixXd& damping) const {
+  ElementForces::Coupled::Modal of;
+  const Relation& first = elements[at.front()].relation;
+  of.begin = first.left_begin;
+  MatrixXd rows(first.left_size, std::ssize(at));
+  of.push.resizeLike(rows);
+  for (Index n = 0; n < rows.cols(); ++n) {
+    rows.col(n) = elements[at[n]].relation.left_row;
+    of.push.col(n) = elements[at[n]].relation.left_push;
+  }
+  of.pull = rows * stiffness.transpose();
+  if (rows.rows() <= 2 * rows.cols()) of.tied = of.push * of.pull.transpose();
+  const auto norms = [](const MatrixXd& inner, bool symmetric, double& above, double& below) {
+    above = below = inner.norm();
+    if (!symmetric) return;
+    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(inner, Eigen::EigenvaluesOnly).eigenvalues();
+    above = std::max(values.maxCoeff(), 0.0);
+    below = std::max(-values.minCoeff(), 0.0);
+  };
+  const bool symmetric = stiffness == stiffness.transpose();
+  if (symmetric && of.tied.size() > 0 && damping.size() == 0) {
+    norms(-of.tied, true, of.stiffer, of.softer);
+    return of;
+  }
+  // Rᵀ X R of coupled rows R has the norm of Lᵀ X L, R Rᵀ = L Lᵀ.
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(coupling(at, at));
+  const MatrixXd l = gram.eigenvectors() * gram.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  norms(l.transpose() * stiffness * l, symmetric, of.stiffer, of.softer);
+  if (damping.size() > 0) {
+    norms(l.transpose() * damping * l, damping == damping.transpose(), of.damped, of.driven);
+  }
+  return of;
 }
 
 void ModalSystem::acceleration(const State& state, const std::vector<GroundInput>& inputs, const VectorXd& forces,

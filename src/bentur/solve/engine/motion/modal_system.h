@@ -32,6 +32,17 @@ struct ElementForces {
     std::vector<Eigen::Index> at;
     Eigen::VectorXd base;
     Eigen::MatrixXd stiffness, damping;  ///< damping empty: none
+    /// The same over what moves of their body.
+    struct Modal {
+      Eigen::Index begin = 0;  ///< first coordinate
+      Eigen::MatrixXd push;    ///< a column each
+      Eigen::MatrixXd pull;    ///< forces beyond `base`, a column each: F − base = pullᵀ q
+      Eigen::MatrixXd tied;    ///< push · pullᵀ where that is less than both; else empty
+      // Norms of what they add and take away, of stiffness and damping [1/s²], [1/s]:
+      double stiffer = 0, softer = 0, damped = 0, driven = 0;
+    };
+    std::shared_ptr<const Modal> modal;
+    Eigen::VectorXd steady;  ///< what `base` does to those coordinates
   };
   std::vector<Coupled> coupled;
   Eigen::VectorXd load;  ///< what the constant ones do to every coordinate …
@@ -57,6 +68,7 @@ struct ModalSystem {
     Eigen::Index modes = 0;        ///< the ground coordinate comes after them
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
+    Eigen::Index moving_size = 0;  ///< modes and ground likewise: all that (T-1) moves by itself
     /// Outputs over these coordinates q, their speeds and their accelerations; what is not needed is empty.
     struct Group {
       Eigen::MatrixXd of_position, of_speed, of_acceleration;  ///< outputs × size
@@ -78,7 +90,7 @@ struct ModalSystem {
   /// δ as a row over the coordinates of one body or of two, and what a unit force does to them.
   struct Relation {
     Eigen::Index left = 0, right = 0;  ///< bodies; the same one where there is one alone
-    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< padded_size of the blocks, or 0
+    Eigen::Index left_begin = 0, left_size = 0, right_begin = 0, right_size = 0;  ///< moving_size of the blocks, or 0
     Eigen::VectorXd left_row, right_row;
     Eigen::VectorXd left_push, right_push;  ///< columns of (T-1), zero on ground coordinates; empty where watched
 
@@ -148,6 +160,11 @@ struct ModalSystem {
   /// more is assumed: no matrix has to be symmetric or positive. What makes softer makes none larger than it was: with
   /// X ≥ 0 and Y ≤ 0, symmetric, and any Z added, the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) + ‖Z‖ at most.              (T-7)
   [[nodiscard]] double rate(const ElementForces& forces) const;
+
+  /// What some coupled elements of one body do to it, by their stiffness and damping (empty: none).
+  [[nodiscard]] ElementForces::Coupled::Modal modal_of(const std::vector<Eigen::Index>& at,
+                                                       const Eigen::MatrixXd& stiffness,
+                                                       const Eigen::MatrixXd& damping) const;
 
   /// q̈ by (T-1) at the given state, ground input and force of each element [force] (empty: none).
   void acceleration(const State& state, const std::vector<GroundInput>& inputs, const Eigen::VectorXd& forces,

@@ -1,5 +1,6 @@
 #include "bentur/solve/engine/motion/series.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -29,7 +30,7 @@ int needed_degree(double rate_times_h) {
 
 kernels::GroundSeries Series::ground(std::size_t b, const GroundInput& input, double h) const {
   const auto& block = system_->blocks[b];
-  return {block.begin, block.padded_size, input.value * h * h, input.slope * h * h * h,
+  return {block.begin, block.moving_size, input.value * h * h, input.slope * h * h * h,
           (system_->nu * h) * (system_->nu * h)};
 }
 
@@ -69,17 +70,22 @@ void Series::add_pressing(Index i, const ElementForces::Linear& linear, int k) {
 /// The same of several elements, whose deformations act on one another.
 void Series::add_coupled(const ElementForces::Coupled& of, int k) {
   const Index count = std::ssize(of.at);
-  Eigen::VectorXd along(count);
-  for (Index n = 0; n < count; ++n) {
-    along(n) = system_->elements[of.at[n]].relation.along(c_->col(k).data()) + (k == 0 ? offsets_[of.at[n]] : 0.0);
+  along_.resize(count);
+  const auto take = [&](int power) {
+    for (Index n = 0; n < count; ++n) along_(n) = system_->elements[of.at[n]].relation.along(c_->col(power).data());
+  };
+  take(k);
+  if (k == 0) {
+    for (Index n = 0; n < count; ++n) along_(n) += offsets_[of.at[n]];
   }
-  Eigen::VectorXd force = h_ * h_ * (of.stiffness * along);
-  if (k == 0) force += h_ * h_ * of.base;
+  pushes_.noalias() = of.stiffness * along_;
+  pushes_ *= h_ * h_;
+  if (k == 0) pushes_ += h_ * h_ * of.base;
   if (of.damping.size() > 0) {
-    for (Index n = 0; n < count; ++n) along(n) = system_->elements[of.at[n]].relation.along(c_->col(k + 1).data());
-    force += h_ * (k + 1.0) * (of.damping * along);
+    take(k + 1);
+    pushes_ += h_ * (k + 1.0) * (of.damping * along_);
   }
-  for (Index n = 0; n < count; ++n) system_->push(of.at[n], force(n), force_);
+  for (Index n = 0; n < count; ++n) system_->push(of.at[n], pushes_(n), force_);
 }
 
 /// Changes c_{k+2} so that δ of the resting elements has no coefficient k + 2.
@@ -98,13 +104,26 @@ void Series::hold(const std::vector<Index>& resting, int k) {
   c_->col(k + 2) = force_;
 }
 
+/// Force coordinates of some bodies as they are while all forces are constant.
+void Series::hold_forces(std::size_t first, std::size_t end, int degree) {
+  for (std::size_t b = first; b < end; ++b) {
+    const auto& block = system_->blocks[b];
+    const Index count = block.padded_size - block.moving_size;
+    for (int k = 2; k <= degree && count > 0; ++k) {
+      std::fill_n(c_->col(k).data() + block.begin + block.moving_size, count, 0.0);
+    }
+  }
+}
+
 void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
                     Expansion& motion) {
   begin(0, system_->size, state, h, forces.rate, motion);
   grounds_.clear();
   for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
   const double* load = scaled(forces.load_or_null(), 0, system_->size);
-  if (!system_->classical || !forces.resting.empty() || !forces.coupled.empty()) {
+  const bool damped = std::any_of(forces.coupled.begin(), forces.coupled.end(),
+                                  [](const ElementForces::Coupled& of) { return of.damping.size() > 0; });
+  if (!system_->classical || !forces.resting.empty() || damped) {
     expand_term_by_term(0, system_->size, load, forces, motion);
   } else {
     pressing_.clear();
@@ -116,8 +135,16 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                            linear.base * h * h, linear.stiffness * h * h, linear.damping * h,
                            motion.fill_deformation(i).coefficients.data()});
     }
-    kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, pressing_, motion.degree(),
-                    system_->size, c_->data());
+    tied_.clear();
+    for (const ElementForces::Coupled& of : forces.coupled) {
+      const ElementForces::Coupled::Modal& modal = *of.modal;
+      tied_.push_back({modal.begin, modal.push.rows(), modal.push.cols(),
+                       modal.tied.size() > 0 ? modal.tied.data() : nullptr, modal.pull.data(), modal.push.data(),
+                       of.steady.data(), h * h});
+    }
+    kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, pressing_, tied_,
+                    motion.degree(), system_->size, c_->data());
+    hold_forces(0, system_->blocks.size(), motion.degree());
   }
   motion.fill_forces(forces);
 }
@@ -127,6 +154,7 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
                                  Expansion& motion) {
   resting_force_.resize(forces.resting.size());
   for (int k = 0; k + 2 <= motion.degree(); ++k) {
+    force_.segment(first, count).setZero();
     for (kernels::GroundSeries& ground : grounds_) {
       const double a = ground.next(k);
       force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
@@ -161,8 +189,9 @@ void Series::expand_block(std::size_t b, const State& state, const GroundInput& 
     expand_term_by_term(block.begin, block.padded_size, load, {}, motion);
     return;
   }
-  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, {}, motion.degree(),
+  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, {}, {}, motion.degree(),
                   system_->size, c_->data());
+  hold_forces(b, b + 1, motion.degree());
 }
 
 }  // namespace bentur::engine

@@ -38,6 +38,7 @@ class Series {
   [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces,
                            Expansion& motion);
+  void hold_forces(std::size_t first, std::size_t end, int degree);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_pressing(Eigen::Index element, const ElementForces::Linear& force, int k);
   void add_coupled(const ElementForces::Coupled& of, int k);
@@ -50,8 +51,10 @@ class Series {
   Eigen::VectorXd stiff_, damp_;                ///< h²Ω², h · diagonal of D
   Eigen::VectorXd force_;                       ///< γ a_k h² and elements, for one k
   Eigen::VectorXd load_;                        ///< scratch: constant load, then h² times that
+  Eigen::VectorXd along_, pushes_;              ///< scratch: of coupled elements, for one k
   std::vector<kernels::GroundSeries> grounds_;  ///< scratch
   std::vector<kernels::Pressing> pressing_;
+  std::vector<kernels::Tied> tied_;
   std::vector<Polynomial> resting_force_;  ///< of the elements held, in their order
 };
 

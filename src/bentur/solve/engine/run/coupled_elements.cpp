@@ -5,41 +5,35 @@
 #include <numeric>
 #include <utility>
 
+#include "bentur/solve/engine/motion/kernels/series.h"
+
 namespace bentur::engine {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
 
 constexpr double soon_part = 1e-7;       // of 1/ω of the fastest mode: an instant after an event
+constexpr std::size_t most_known = 512;  // sets at a time
 constexpr double begins_band = 0x1p-40;  // of a guard's coefficients, where it has been divided by powers of time
 
-/// The deformation that is all a guard depends on.
-Index only_one(const CoupledGuard& guard) {
-  if (guard.speed.size() > 0 || guard.acceleration.size() > 0 || guard.deformation.size() == 0) return -1;
-  Index found = -1;
-  for (Index n = 0; n < guard.deformation.size(); ++n) {
-    if (guard.deformation(n) == 0.0) continue;
-    if (found >= 0) return -1;
-    found = n;
-  }
-  return found;
+/// The deformation that is all a guard depends on; −1: there are others.
+Index only_one(const CoupledBranch& branch, const CoupledGuard& guard) {
+  if (guard.deformation < 0 || guard.speed >= 0 || guard.acceleration >= 0 || !branch.set->moving.empty()) return -1;
+  return branch.set->own[guard.deformation];
 }
 
 /// What guards that depend on one deformation alone say of each.
 std::vector<Branch> branches_of(const CoupledBranch& branch, Index count) {
   std::vector<Branch> branches(count);
   for (const CoupledGuard& guard : branch.guards) {
-    const Index n = only_one(guard);
+    const Index n = only_one(branch, guard);
     if (n < 0 || branches[n].guard_count == Branch::most_guards) continue;
-    branches[n] = branches[n].guarded_by({{.constant = guard.constant, .deformation = guard.deformation(n)}});
+    branches[n] = branches[n].guarded_by({{.constant = guard.constant, .deformation = guard.sense}});
   }
   return branches;
-}
-
-double sum_of(const VectorXd& factors, const VectorXd& values) {
-  return factors.size() > 0 ? factors.dot(values) : 0.0;
 }
 
 }  // namespace
@@ -61,6 +55,10 @@ CoupledElements::CoupledElements(const ModalSystem& system, const std::vector<do
   for (const ModalSystem::Coupled& of : system.coupled) {
     std::vector<Index>& at = all_.emplace_back(of.count);
     std::iota(at.begin(), at.end(), of.first);
+    const ModalSystem::Relation& first = system.elements[of.first].relation;
+    MatrixXd& rows = rows_.emplace_back(first.left_size, of.count);
+    for (Index n = 0; n < of.count; ++n) rows.col(n) = system.elements[of.first + n].relation.left_row;
+    sizes_.emplace_back(rows.cwiseAbs());
     states_.push_back(of.law->begin(deformation(all_.size() - 1, state)));
   }
 }
@@ -70,32 +68,55 @@ void CoupledElements::watch(GuardMonitor& monitor) {
   for (std::size_t e = 0; e < states_.size(); ++e) enter(e);
 }
 
+std::shared_ptr<const CoupledElements::Known> CoupledElements::known(std::size_t e,
+                                                                     const std::shared_ptr<const CoupledSet>& of) {
+  if (const auto found = known_.find({e, of.get()}); found != known_.end()) return found->second;
+  if (known_.size() >= most_known) known_.clear();
+  const CoupledSet& set = *of;
+  const auto result = std::make_shared<Known>();
+  result->set = of;
+  for (const Index n : set.moving) result->at.push_back(system_->coupled[e].first + n);
+  const MatrixXd moving = rows_[e](Eigen::all, set.moving);
+  result->rows = moving * set.over.transpose();
+  for (std::size_t r = 0; r < set.own.size(); ++r) {
+    if (set.own[r] >= 0) result->rows.col(static_cast<Index>(r)) += rows_[e].col(set.own[r]);
+  }
+  result->packed = kernels::PackedRows(result->rows.transpose(), result->rows.rows());
+  if (!result->at.empty()) {
+    result->modal = std::make_shared<const ElementForces::Coupled::Modal>(
+        system_->modal_of(result->at, set.stiffness, set.damping));
+  }
+  known_.emplace(std::pair{e, of.get()}, result);
+  return result;
+}
+
 /// Works out the branch of a state.
 void CoupledElements::enter(std::size_t e) {
   const ModalSystem::Coupled& of = system_->coupled[e];
   Now& now = now_[e];
   now.branch = of.law->branch(states_[e]);
   now.begins = true;
-  now.only.clear();
-  now.at.clear();
-  for (const Index n : now.branch.moving) now.at.push_back(of.first + n);
-  now.may_fly = now.branch.moving.empty();
+  now.known = known(e, now.branch.set);
+  now.may_fly = now.known->at.empty();
+  if (!now.may_fly) return;
   const std::vector<Branch> branches = branches_of(now.branch, of.count);
   std::vector<char> watched(of.count, 0);
   for (Index n = 0; n < of.count; ++n) watched[n] = monitor_->enter(of.first + n, branches[n]) ? 1 : 0;
   for (const CoupledGuard& guard : now.branch.guards) {
-    const Index only = only_one(guard);
-    now.only.push_back(only >= 0 && watched[only] != 0 ? only : -1);
-    now.may_fly = now.may_fly && now.only.back() >= 0;
+    const Index only = only_one(now.branch, guard);
+    now.may_fly = now.may_fly && only >= 0 && watched[only] != 0;
   }
 }
 
 VectorXd CoupledElements::deformation(std::size_t e, const State& state) const {
-  return system_->deformations(all_[e], offsets_, state.q);
+  return rows_[e].transpose() * state.q.segment(begin_of(e), rows_[e].rows());
 }
 
 CoupledMotion CoupledElements::motion_of(std::size_t e, const State& state, const VectorXd& acceleration) const {
-  return {deformation(e, state), system_->speeds(all_[e], state.v), system_->speeds(all_[e], acceleration), soon_};
+  const auto along = [&](const VectorXd& x) -> VectorXd {
+    return rows_[e].transpose() * x.segment(begin_of(e), rows_[e].rows());
+  };
+  return {along(state.q), along(state.v), along(acceleration), soon_};
 }
 
 bool CoupledElements::gather(ElementForces& forces, State& state) const {
@@ -113,15 +134,22 @@ bool CoupledElements::gather(ElementForces& forces, State& state) const {
       state.v(element.force) = 0.0;
     }
     std::vector<char> moves(system_->coupled[e].count, 0);
-    for (const Index n : now.branch.moving) moves[n] = 1;
+    for (const Index n : now.branch.set->moving) moves[n] = 1;
     for (std::size_t n = 0; n < moves.size(); ++n) {
       if (moves[n] == 0 && now.branch.base(static_cast<Index>(n)) != 0.0) {
         forces.constant.push_back(first + static_cast<Index>(n));
       }
     }
-    if (now.at.empty()) continue;
-    forces.coupled.push_back({now.at, now.branch.base(now.branch.moving), now.branch.stiffness, now.branch.damping});
-    system_->fill_forces(forces.coupled.back(), offsets_, state);
+    if (now.known->at.empty()) continue;
+    const CoupledSet& set = *now.branch.set;
+    ElementForces::Coupled& of = forces.coupled.emplace_back();
+    of.at = now.known->at;
+    of.base = now.branch.base(set.moving);
+    of.stiffness = set.stiffness;
+    of.damping = set.damping;
+    of.modal = now.known->modal;
+    of.steady = of.modal->push * of.base;
+    system_->fill_forces(of, offsets_, state);
   }
   return may_fly;
 }
@@ -130,87 +158,126 @@ void CoupledElements::add_forces(const State& state, VectorXd& forces) const {
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const Now& now = now_[e];
     forces.segment(system_->coupled[e].first, system_->coupled[e].count) = now.branch.base;
-    if (now.at.empty()) continue;
-    const CoupledBranch& branch = now.branch;
-    forces(now.at) += branch.stiffness * system_->deformations(now.at, offsets_, state.q);
-    if (branch.damping.size() > 0) forces(now.at) += branch.damping * system_->speeds(now.at, state.v);
+    if (now.known->at.empty()) continue;
+    const CoupledSet& set = *now.branch.set;
+    forces(now.known->at) += set.stiffness * system_->deformations(now.known->at, offsets_, state.q);
+    if (set.damping.size() > 0) forces(now.known->at) += set.damping * system_->speeds(now.known->at, state.v);
   }
 }
 
 double CoupledElements::band(std::size_t e, const CoupledGuard& guard, const State& state, const Bands& bands) const {
-  double result = bands.part * std::max(std::abs(guard.constant), guard.size);
   const Index first = system_->coupled[e].first;
-  for (Index n = 0; n < guard.deformation.size(); ++n) {
-    result += std::abs(guard.deformation(n)) * bands.displacement[first + n];
-  }
-  for (Index n = 0; n < guard.speed.size(); ++n) {
-    if (guard.speed(n) == 0.0) continue;
-    result += bands.part * std::abs(guard.speed(n)) * system_->elements[first + n].relation.along_abs(state.v);
+  const CoupledSet& set = *now_[e].branch.set;
+  const auto sum = [&](Index row, const auto& of) {
+    double result = set.own[row] >= 0 ? of(set.own[row]) : 0.0;
+    for (std::size_t n = 0; n < set.moving.size(); ++n) {
+      result += std::abs(set.over(row, static_cast<Index>(n))) * of(set.moving[n]);
+    }
+    return result;
+  };
+  double result = bands.part * std::max(std::abs(guard.constant), guard.size);
+  if (guard.deformation >= 0) result += sum(guard.deformation, [&](Index n) { return bands.displacement[first + n]; });
+  if (guard.speed >= 0) {
+    result += bands.part *
+              sum(guard.speed, [&](Index n) { return system_->elements[first + n].relation.along_abs(state.v); });
   }
   return result;
 }
 
+/// A row of an element's guards over the expanded step.
+Polynomial CoupledElements::row_of(std::size_t e, Index row, const Expansion& motion) const {
+  const MatrixXd& rows = now_[e].known->rows;
+  const MatrixXd& c = motion.coefficients();
+  const double* begin = c.data() + begin_of(e);
+  Polynomial p;
+  p.degree = motion.degree();
+  kernels::row_series({0, nullptr, begin}, {rows.rows(), rows.col(row).data(), begin}, c.rows(), p.degree,
+                      p.coefficients.data());
+  return p;
+}
+
+/// Where in the expanded step a guard ends its branch.
+std::optional<double> CoupledElements::end_of(std::size_t e, const CoupledGuard& guard, const Expansion& motion,
+                                              const State& from, const Bands& bands) const {
+  const int zeros = now_[e].begins ? guard.zeros : 0;
+  Polynomial p;
+  p.degree = motion.degree();
+  double size = 0.0;
+  const auto add = [&](int k, double term) {
+    p[k] += guard.sense * term;
+    size += std::abs(term);
+  };
+  if (guard.deformation >= 0) {
+    const Polynomial delta = row_of(e, guard.deformation, motion);
+    for (int k = 0; k <= p.degree; ++k) add(k, delta[k]);
+  }
+  if (guard.speed >= 0) {
+    const Polynomial delta = row_of(e, guard.speed, motion);
+    for (int k = 0; k < p.degree; ++k) add(k, (k + 1.0) * delta[k + 1] / motion.h());
+  }
+  if (guard.acceleration >= 0) {
+    const Polynomial bent = second_derivative(row_of(e, guard.acceleration, motion), 1.0 / (motion.h() * motion.h()));
+    for (int k = 0; k <= bent.degree; ++k) add(k, bent[k]);
+  }
+  if (zeros > 0) {
+    for (int k = 0; k <= p.degree; ++k) p[k] = k + zeros <= p.degree ? p[k + zeros] : 0.0;
+  } else {
+    p[0] += guard.constant;
+  }
+  if (!first_negative(p)) return std::nullopt;  // whatever the band
+  double slack = band(e, guard, from, bands);
+  if (guard.acceleration >= 0) slack += bands.part * size;
+  if (zeros > 0) return first_negative(p, 1.0, begins_band * size + slack);
+  const bool at_zero = p[0] + slack < 0.0 && p[0] + slack >= -bands.start_slack * slack;
+  return first_negative(p, 1.0, at_zero ? -p[0] : slack);
+}
+
 std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansion& motion, const State& from,
-                                                                  const Bands& bands,
-                                                                  const GuardMonitor& monitor) const {
+                                                                  const State& to, const Bands& bands) const {
   std::optional<Event> found;
+  VectorXd low, high;
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const Now& now = now_[e];
-    const Index first = system_->coupled[e].first;
+    low.resize(now.known->packed.rows());
+    high.resize(now.known->packed.rows());
+    kernels::ranges_of_rows(now.known->packed, from.q.data() + begin_of(e), to.q.data() + begin_of(e),
+                            motion.rise().data() + begin_of(e), low.data(), high.data());
     for (std::size_t g = 0; g < now.branch.guards.size(); ++g) {
       const CoupledGuard& guard = now.branch.guards[g];
-      const int zeros = now.begins ? guard.zeros : 0;
-      if (zeros == 0 && now.only[g] >= 0 && monitor.stays(first + now.only[g])) continue;
-      Polynomial p;
-      p.degree = motion.degree();
-      double size = 0.0;
-      const auto add = [&](int k, double term) {
-        p[k] += term;
-        size += std::abs(term);
-      };
-      for (Index n = 0; n < guard.deformation.size(); ++n) {
-        if (guard.deformation(n) == 0.0) continue;
-        const Polynomial& delta = motion.deformation(first + n);
-        for (int k = 0; k <= p.degree; ++k) add(k, guard.deformation(n) * delta[k]);
+      if (guard.deformation >= 0 && guard.speed < 0 && guard.acceleration < 0 && !(now.begins && guard.zeros > 0)) {
+        const double least = guard.sense > 0.0 ? low(guard.deformation) : -high(guard.deformation);
+        if (guard.constant + least >= 0.0) continue;
       }
-      for (Index n = 0; n < guard.speed.size(); ++n) {
-        if (guard.speed(n) == 0.0) continue;
-        const Polynomial& delta = motion.deformation(first + n);
-        for (int k = 0; k < p.degree; ++k) add(k, guard.speed(n) * (k + 1.0) * delta[k + 1] / motion.h());
-      }
-      for (Index n = 0; n < guard.acceleration.size(); ++n) {
-        if (guard.acceleration(n) == 0.0) continue;
-        const Polynomial bent = second_derivative(motion.deformation(first + n), 1.0 / (motion.h() * motion.h()));
-        for (int k = 0; k <= bent.degree; ++k) add(k, guard.acceleration(n) * bent[k]);
-      }
-      double slack = band(e, guard, from, bands);
-      if (guard.acceleration.size() > 0) slack += bands.part * size;
-      std::optional<double> s;
-      if (zeros > 0) {
-        for (int k = 0; k <= p.degree; ++k) p[k] = k + zeros <= p.degree ? p[k + zeros] : 0.0;
-        s = first_negative(p, 1.0, begins_band * size + slack);
-      } else {
-        p[0] += guard.constant;
-        const bool at_zero = p[0] + slack < 0.0 && p[0] + slack >= -bands.start_slack * slack;
-        s = first_negative(p, 1.0, at_zero ? -p[0] : slack);
-      }
+      const auto s = end_of(e, guard, motion, from, bands);
       if (s && (!found || *s < found->s)) found = Event{e, g, *s};
     }
   }
   return found;
 }
 
+void CoupledElements::gauge(const State& state, double part, std::vector<double>& displacement) const {
+  for (std::size_t e = 0; e < now_.size(); ++e) {
+    const VectorXd sizes = sizes_[e].transpose() * state.q.segment(begin_of(e), sizes_[e].rows()).cwiseAbs();
+    for (Index n = 0; n < sizes.size(); ++n) {
+      double& of = displacement[system_->coupled[e].first + n];
+      of = std::max(of, part * sizes(n));
+    }
+  }
+}
+
 std::optional<CoupledElements::Event> CoupledElements::due(const State& state, const VectorXd& acceleration,
                                                            const Bands& bands) const {
   for (std::size_t e = 0; e < now_.size(); ++e) {
-    const VectorXd delta = deformation(e, state);
-    const VectorXd speed = system_->speeds(all_[e], state.v);
-    const VectorXd bent = system_->speeds(all_[e], acceleration);
-    for (std::size_t g = 0; g < now_[e].branch.guards.size(); ++g) {
-      const CoupledGuard& guard = now_[e].branch.guards[g];
-      const double value = guard.constant + sum_of(guard.deformation, delta) + sum_of(guard.speed, speed) +
-                           sum_of(guard.acceleration, bent);
-      if (value < -band(e, guard, state, bands)) return Event{e, g, 1.0};
+    const Now& now = now_[e];
+    const Index begin = begin_of(e);
+    const auto along = [&](Index row, const VectorXd& x) {
+      return row < 0 ? 0.0 : kernels::dot(now.known->rows.rows(), now.known->rows.col(row).data(), x.data() + begin);
+    };
+    for (std::size_t g = 0; g < now.branch.guards.size(); ++g) {
+      const CoupledGuard& guard = now.branch.guards[g];
+      const double sum =
+          along(guard.deformation, state.q) + along(guard.speed, state.v) + along(guard.acceleration, acceleration);
+      if (guard.constant + guard.sense * sum < -band(e, guard, state, bands)) return Event{e, g, 1.0};
     }
   }
   return std::nullopt;
@@ -222,7 +289,8 @@ void CoupledElements::go_on() {
 
 void CoupledElements::change(const Event& event, double time, const State& state, const VectorXd& acceleration) {
   const std::size_t e = event.element;
-  states_[e] = system_->coupled[e].law->next(states_[e], event.guard, time, motion_of(e, state, acceleration));
+  states_[e] =
+      system_->coupled[e].law->next(states_[e], now_[e].branch, event.guard, time, motion_of(e, state, acceleration));
   enter(e);
 }
 

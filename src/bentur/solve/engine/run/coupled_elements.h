@@ -1,6 +1,9 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
@@ -35,12 +38,14 @@ class CoupledElements {
     double part = 0;                          ///< of speeds and constants [-]
     double start_slack = 0;                   ///< bands: what begins so far below zero begins at zero
   };
-  /// The first change in the expanded step, which began with the state `from`.
-  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const Bands& bands,
-                                                const GuardMonitor& monitor) const;
+  /// The first change in the expanded step from one state to another.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
+                                                const Bands& bands) const;
   /// A change that is due at a state; `acceleration` is q̈ there.
   [[nodiscard]] std::optional<Event> due(const State& state, const Eigen::VectorXd& acceleration,
                                          const Bands& bands) const;
+  /// Takes in how large the displacements of a state are.
+  void gauge(const State& state, double part, std::vector<double>& displacement) const;
   /// A step that lasts has been taken: nothing is at its beginning any more.
   void go_on();
 
@@ -59,10 +64,17 @@ class CoupledElements {
   [[nodiscard]] double lost_energy(const State& state) const;
 
  private:
+  /// What a set of an element's law is over the coordinates.
+  struct Known {
+    std::shared_ptr<const CoupledSet> set;
+    Eigen::MatrixXd rows;          ///< what guards look at, over what moves of the body: a column each
+    kernels::PackedRows packed;    ///< the same
+    std::vector<Eigen::Index> at;  ///< of ModalSystem::elements, those that move
+    std::shared_ptr<const ElementForces::Coupled::Modal> modal;  ///< of these; none where none moves
+  };
   struct Now {
     CoupledBranch branch;
-    std::vector<Eigen::Index> only;  ///< per guard: the deformation that is all it depends on; −1: there are others
-    std::vector<Eigen::Index> at;    ///< of ModalSystem::elements, those of the branch that move
+    std::shared_ptr<const Known> known;
     bool may_fly = false;
     bool begins = true;
   };
@@ -71,11 +83,21 @@ class CoupledElements {
                                         const Eigen::VectorXd& acceleration) const;
   [[nodiscard]] double band(std::size_t element, const CoupledGuard& guard, const State& state,
                             const Bands& bands) const;
+  [[nodiscard]] Eigen::Index begin_of(std::size_t element) const {
+    return system_->elements[system_->coupled[element].first].relation.left_begin;
+  }
+  [[nodiscard]] Polynomial row_of(std::size_t element, Eigen::Index row, const Expansion& motion) const;
+  [[nodiscard]] std::optional<double> end_of(std::size_t element, const CoupledGuard& guard, const Expansion& motion,
+                                             const State& from, const Bands& bands) const;
+  [[nodiscard]] std::shared_ptr<const Known> known(std::size_t element, const std::shared_ptr<const CoupledSet>& set);
   void enter(std::size_t element);
 
   const ModalSystem* system_;
   std::vector<double> offsets_;
   std::vector<std::vector<Eigen::Index>> all_;  ///< per element: of ModalSystem::elements
+  std::vector<Eigen::MatrixXd> rows_, sizes_;   ///< δ of each over what moves of its body: a column each; |δ|
+  /// Of sets that have been met, per element: two may share a law.
+  std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const Known>> known_;
   std::vector<CoupledState> states_;
   std::vector<Now> now_;
   GuardMonitor* monitor_ = nullptr;

@@ -163,13 +163,15 @@ Polynomial Elements::guarded(Index i, const Guard& guard, const Polynomial& defo
 }
 
 void Elements::gauge(const State& to) {
-  for (Index i = idle_; i < std::ssize(tolerances_); ++i) {
-    if (monitor_.stays(i) && !(i < count() && resting(i))) continue;
+  for (Index i = idle_; i < count(); ++i) {
+    if (monitor_.stays(i) && !resting(i)) continue;
     tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
   }
+  coupled_.gauge(to, round_off_band, tolerances_);
 }
 
-std::optional<Elements::Event> Elements::next_event(const Expansion& motion, const State& from, double time) {
+std::optional<Elements::Event> Elements::next_event(const Expansion& motion, const State& from, const State& to,
+                                                    double time) {
   std::optional<Event> first;
   const auto take = [&first](Index element, std::size_t guard, const std::optional<double>& s) {
     if (s && (!first || *s < first->s)) first = Event{element, guard, *s};
@@ -201,7 +203,7 @@ std::optional<Elements::Event> Elements::next_event(const Expansion& motion, con
     }
   }
   if (coupled_.none()) return first;
-  if (const auto found = coupled_.next_event(motion, from, bands(), monitor_)) {
+  if (const auto found = coupled_.next_event(motion, from, to, bands())) {
     take(count() + static_cast<Index>(found->element), found->guard, found->s);
   }
   return first;

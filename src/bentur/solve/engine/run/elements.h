@@ -74,12 +74,13 @@ class Elements {
   /// Looks at an interval between two states, whose coordinates leave their chords by `rise` at most. What follows is
   /// told of the interval last looked at.
   void look(const State& from, const State& to, const Eigen::VectorXd& rise) {
-    (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, std::ssize(bodies_));
+    (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, count());
   }
   /// Takes in how large the displacements are at its end. To be called before events are looked for.
   void gauge(const State& to);
-  /// The first change in the expanded step, which began at `time` with the state `from`.
-  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, double time);
+  /// The first change in the expanded step from one state to another, which began at `time`.
+  [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
+                                                double time);
 
   /// A change that is due at a state, looking at nothing before it.
   [[nodiscard]] std::optional<Event> due(const State& state, const std::vector<GroundInput>& inputs, double time) const;

@@ -137,6 +137,16 @@ bool reach_of_rows(Peaks of, const PackedRows& rows, const double* offset, const
 }
 
 BENTUR_FOR_ALL_PROCESSORS
+void ranges_of_rows(const PackedRows& rows, const double* start, const double* end, const double* rise, double* low,
+                    double* high) {
+  for (Index r = 0; r < rows.rows(); r += four) {
+    const Ends at = ends_of_rows(rows.columns(), rows.from(r), all(0.0), start, end, rise);
+    store(low + r, -max(-at.start, -at.end) - at.beyond);
+    store(high + r, max(at.start, at.end) + at.beyond);
+  }
+}
+
+BENTUR_FOR_ALL_PROCESSORS
 bool reach_of_samples(const PackedRows& rows, const double* offset, int count, const double* x, const double* rise,
                       double* peak, const double* reach_before, double* reach) {
   const Index columns = rows.columns();

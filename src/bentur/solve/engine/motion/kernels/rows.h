@@ -62,6 +62,10 @@ enum class Peaks { of_abs, of_values };
 bool reach_of_rows(Peaks of, const PackedRows& weights, const double* offset, const double* start, const double* end,
                    const double* rise, double* peak, const double* before, double* reach);
 
+/// How low and how high each row can come so.
+void ranges_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise, double* low,
+                    double* high);
+
 /// For every row r: the largest |Σ_j w_rj x_j + offset_r| over `count` vectors x, one after the other, raises `peak`;
 /// and `reach` is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four
 /// rows whose reaches were not above their peaks `before` are left alone. Returns whether no reach exceeds its peak.

@@ -5,12 +5,23 @@
 namespace bentur::engine::kernels {
 namespace {
 
+/// Adds term k of the force of such elements, times `scale`, to c_{k+2}.
+BENTUR_INLINE void add_tied(const Tied& of, int k, Four scale, const double* c0, double* c2) {
+  const Four by = scale * all(of.h_squared);
+  const auto add = [&](Four factor, const double* column) __attribute__((always_inline)) {
+    for (Index j = 0; j < of.size; j += four) store(c2 + j, load(c2 + j) + factor * load(column + j));
+  };
+  for (Index n = 0; of.matrix != nullptr && n < of.size; ++n) add(by * all(c0[n]), of.matrix + n * of.size);
+  for (Index n = 0; of.matrix == nullptr && n < of.count; ++n) {
+    add(by * all(sum(product(of.size, of.pull + n * of.size, c0))), of.push + n * of.size);
+  }
+  if (k == 0) add(by, of.base);
+}
+
 /// (T-2) for any number of bodies and elements.
-BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven of, std::span<GroundSeries> grounds,
-                              int degree, Index stride, double* c) {
+BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, std::span<const Tied> tied, const Driven of,
+                              std::span<GroundSeries> grounds, int degree, Index stride, double* c) {
   const bool driven = grounds.front().nu_squared > 0.0;
-  const Index begin = grounds.front().begin;
-  const Index end = grounds.back().begin + grounds.back().size;
   // row · x, summed as ModalSystem::Relation::along does.
   const auto along = [](const Pressing& p, const double* x) __attribute__((always_inline)) {
     return sum_of_both(product(p.right_size, p.right_row, x + p.right_begin),
@@ -29,19 +40,20 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, const Driven o
     const auto own = [&](Index j) __attribute__((always_inline)) {
       return load(of.stiff + j) * load(c0 + j) + step * load(of.damp + j) * load(c1 + j);
     };
-    if (k < 2 || driven) {
-      for (GroundSeries& ground : grounds) {
+    for (GroundSeries& ground : grounds) {
+      const Index last = ground.begin + ground.size;
+      if (k < 2 || driven) {
         const Four a = all(ground.next(k));
-        for (Index j = ground.begin, last = j + ground.size; j < last; j += four) {
+        for (Index j = ground.begin; j < last; j += four) {
           store(c2 + j, (load(of.gamma + j) * a - own(j)) * scale);
         }
+      } else {
+        for (Index j = ground.begin; j < last; j += four) store(c2 + j, -own(j) * scale);
       }
-    } else {
-      for (Index j = begin; j < end; j += four) store(c2 + j, -own(j) * scale);
+      if (k > 0 || of.load == nullptr) continue;
+      for (Index j = ground.begin; j < last; j += four) store(c2 + j, load(c2 + j) + load(of.load + j) * scale);
     }
-    if (k == 0 && of.load != nullptr) {
-      for (Index j = begin; j < end; j += four) store(c2 + j, load(c2 + j) + load(of.load + j) * scale);
-    }
+    for (const Tied& t : tied) add_tied(t, k, scale, c0 + t.begin, c2 + t.begin);
     for (const Pressing& p : pressing) {
       double force = p.stiffness * p.deformation[k] + p.damping * step[0] * p.deformation[k + 1];
       if (k == 0) force += p.base;
@@ -231,13 +243,13 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
-            Index stride, double* c) {
-  const bool small = grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
+void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing,
+            std::span<const Tied> tied, int degree, Index stride, double* c) {
+  const bool small = tied.empty() && grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
   if (small && pressing.size() <= most_small) {
     expand_small(pressing, of, grounds, degree, stride, c);
   } else {
-    expand_all(pressing, of, grounds, degree, stride, c);
+    expand_all(pressing, tied, of, grounds, degree, stride, c);
   }
 }
 

@@ -18,6 +18,15 @@ struct Pressing {
   double* deformation;              ///< δ_k, filled on the way: degree + 1 of them
 };
 
+/// Elements whose deformations act on one another: their force on `size` coordinates, from `begin` on, as a power
+/// series over a step of h is F_k h² = h² matrix c_k, or, without that, h² push pullᵀ c_k of columns of as many
+/// entries; `base` h² more for k = 0.
+struct Tied {
+  Index begin, size, count;
+  const double *matrix, *pull, *push, *base;
+  double h_squared;
+};
+
 /// The ground acceleration of one body as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
 struct GroundSeries {
   Index begin, size;
@@ -44,8 +53,8 @@ struct Driven {
   const double *stiff, *damp, *gamma, *load;
 };
 /// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled, `stride` apart.
-void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing, int degree,
-            Index stride, double* c);
+void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing,
+            std::span<const Tied> tied, int degree, Index stride, double* c);
 
 /// Where q, q̇ and q̈ of n coordinates at one instant are written; no q̈ where that is null.
 struct Instant {

@@ -30,7 +30,7 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   std::vector<GroundSeries> again = grounds;
   const Pressing pressing{0,   4,   4,   4,   row.data(),        row.data() + 4, push.data(), push.data() + 4,
                           0.2, 0.1, 1.3, 0.4, deformation.data()};
-  expand({stiff.data(), damp.data(), gamma.data(), nullptr}, grounds, {&pressing, 1}, degree, n, c.data());
+  expand({stiff.data(), damp.data(), gamma.data(), nullptr}, grounds, {&pressing, 1}, {}, degree, n, c.data());
 
   const auto deformation_at = [&](int k) {
     const double* x = expected.data() + k * n;
@@ -52,6 +52,33 @@ TEST(Kernels, ExpandIsThePowerSeriesToTheBit) {
   }
   EXPECT_EQ(c, expected);
   for (int k = 0; k <= degree; ++k) EXPECT_EQ(deformation[static_cast<std::size_t>(k)], deformation_at(k)) << k;
+}
+
+TEST(Kernels, ExpandTakesTiedElementsAsAMatrixOrByTheirRows) {
+  constexpr Index n = 4, count = 3;
+  constexpr int degree = 27;
+  const Numbers stiff = random_numbers(n, 1), damp = random_numbers(n, 2), gamma = random_numbers(n, 3);
+  const Numbers pull = random_numbers(n * count, 4), push = random_numbers(n * count, 5), base = random_numbers(n, 6);
+  Numbers matrix(n * n, 0.0);
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < n; ++j) {
+      for (Index k = 0; k < count; ++k) matrix[j * n + i] += push[k * n + i] * pull[k * n + j];
+    }
+  }
+  const auto expanded = [&](const double* as_matrix) {
+    Numbers c = random_numbers(n * (degree + 1), 7);
+    std::vector<GroundSeries> grounds = {{0, n, 0.3, -0.2, 0.0}};
+    const Tied tied{0, n, count, as_matrix, pull.data(), push.data(), base.data(), 0.7};
+    expand({stiff.data(), damp.data(), gamma.data(), nullptr}, grounds, {}, {&tied, 1}, degree, n, c.data());
+    return c;
+  };
+  const Numbers one = expanded(matrix.data()), other = expanded(nullptr), start = random_numbers(n * (degree + 1), 7);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], other[i], 1e-14 * (1 + std::abs(one[i]))) << i;
+  for (Index i = 0; i < n; ++i) {  // the first term by hand
+    double force = gamma[i] * 0.3 - stiff[i] * start[i] - damp[i] * start[n + i] + 0.7 * base[i];
+    for (Index j = 0; j < n; ++j) force += 0.7 * matrix[j * n + i] * start[j];
+    EXPECT_NEAR(one[2 * n + i], force / 2, 1e-14);
+  }
 }
 
 TEST(Kernels, EvaluateAndSampleAreHornersRuleToTheBit) {

@@ -1,0 +1,86 @@
+#include "bentur/elements/hinges/flowing_sets.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace bentur {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double no_part = 1e-9;  // of a row over x: it does not depend on x
+
+FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowing) {
+  const Index count = hinges.hardening.size(), moving = std::ssize(flowing);
+  FlowingSet set;
+  MatrixXd q = hinges.stiffness(flowing, flowing);
+  q.diagonal() += hinges.hardening(flowing);
+  set.inverse = q.llt().solve(MatrixXd::Identity(moving, moving));
+  set.seen.moving = flowing;
+  set.seen.stiffness = -0.5 * (set.inverse + set.inverse.transpose());
+  set.seen.own.resize(count);
+  const MatrixXd coupling = hinges.stiffness(Eigen::all, flowing), rows = hinges.rows(flowing, Eigen::all);
+  set.seen.over = -coupling * set.inverse;
+  MatrixXd over_x = hinges.rows + set.seen.over * rows;
+  for (Index h = 0; h < count; ++h) set.seen.own[h] = h;
+  for (Index n = 0; n < moving; ++n) {
+    set.seen.own[flowing[n]] = -1;
+    set.seen.over.row(flowing[n]) = set.inverse.row(n);
+    over_x.row(flowing[n]) = set.inverse.row(n) * rows;
+  }
+  set.still.resize(count);
+  for (Index h = 0; h < count; ++h) {
+    const double unit = set.seen.own[h] >= 0 ? 1.0 : hinges.stiffness(h, h) + hinges.hardening(h);
+    const bool moves = unit * over_x.row(h).norm() > no_part * hinges.rows.row(h).norm();
+    set.still[h] = moves ? 0 : 1;
+  }
+  set.movable = hinges.frame_stiffness.size() > 0 && moving > 0 &&
+                free_shape(hinges.frame_stiffness, hinges.frame_rows, hinges.stiffness, flowing).has_value();
+  return set;
+}
+
+}  // namespace
+
+std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges,
+                                                  const std::vector<Index>& flowing) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = sets_.find(flowing); found != sets_.end()) return found->second;
+  }
+  auto set = std::make_shared<const FlowingSet>(set_of(hinges, flowing));
+  const Index size = set->seen.over.size() + 2 * set->inverse.size() + 2 * std::ssize(set->still);
+  const std::lock_guard lock(mutex_);
+  if (numbers_ + size > kept_) {
+    sets_.clear();
+    numbers_ = 0;
+  }
+  if (size <= kept_ && sets_.emplace(flowing, set).second) numbers_ += size;
+  return set;
+}
+
+std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const MatrixXd& frame_rows,
+                                   const MatrixXd& hinge_stiffness, const std::vector<Index>& flowing) {
+  constexpr double singular = 1e-12;  // of the largest eigenvalue: a spin
+  constexpr double spin_near = 1e-6;  // of the largest pivot
+  const MatrixXd rows = frame_rows(flowing, Eigen::all);
+  // Where no spin is near, and K − G_Aᵀ K_AA⁻¹ G_A − 10⁻⁹ K is positive definite, nothing is as soft as that.
+  const Eigen::LDLT<MatrixXd> factors(hinge_stiffness(flowing, flowing));
+  if (factors.vectorD().minCoeff() > spin_near * factors.vectorD().maxCoeff()) {
+    const MatrixXd bends = (1.0 - FlowingSet::bends) * frame_stiffness - rows.transpose() * factors.solve(rows);
+    if (bends.llt().info() == Eigen::Success) return std::nullopt;
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_hinges(hinge_stiffness(flowing, flowing));
+  const VectorXd& values = of_hinges.eigenvalues();
+  const VectorXd inverse = (values.array() > singular * values.maxCoeff()).select(values.cwiseInverse(), 0.0);
+  const MatrixXd turned = of_hinges.eigenvectors().transpose() * rows;
+  const MatrixXd tangent = frame_stiffness - turned.transpose() * inverse.asDiagonal() * turned;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shapes(0.5 * (tangent + tangent.transpose()),
+                                                                  frame_stiffness);
+  if (!(shapes.eigenvalues()(0) < FlowingSet::bends)) return std::nullopt;
+  return shapes.eigenvectors().col(0);
+}
+
+}  // namespace bentur

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "bentur/elements/coupled_law.h"
+
+namespace bentur {
+
+/// What the hinges of a building are, as HingeLaw has them.
+struct HingeParameters {
+  Eigen::MatrixXd stiffness;  ///< K_hh [force·length/rad], symmetric positive semidefinite
+  Eigen::VectorXd hardening;  ///< H [force·length/rad] ≥ 0
+  /// What M − H θ may rise to, and −(M − H θ) [force·length] > 0; infinite: not reached.
+  Eigen::VectorXd upper, lower;
+  Eigen::MatrixXd rows;  ///< G, whose rows tell what of a moment does not depend on x
+  /// Of what breaks, such as the shear of a column: the part of (upper + lower)/2 that it keeps once it has been
+  /// reached on either side [-], 0 … 1; 1: all, it yields. Empty: nothing breaks. (H-14)
+  Eigen::VectorXd kept = {};
+  /// K and G of the frame alone, which say when it can move without bending (H-12); empty: nobody asks.
+  Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
+};
+
+/// What follows from which hinges flow, whatever the sides on which they do and however far all have turned. The rows
+/// of `seen`, one per hinge: of one at rest y = M − H θ as far as it depends on δ, of one that flows θ.
+struct FlowingSet {
+  static constexpr double bends = 1e-9;  ///< least part of a frame's stiffness with which it does (H-12)
+  CoupledSet seen;
+  Eigen::MatrixXd inverse;  ///< Q⁻¹ of (H-4)
+  std::vector<char> still;  ///< per hinge: its row is zero whatever x is
+  bool movable = false;     ///< the frame moves without bending (H-12)
+};
+
+/// The sets that hinges have flowed in: few recur again and again, within a run and in all runs of a study. Many
+/// threads may ask at a time, and what they are told is the same to the bit whether it was kept or not.
+class FlowingSets {
+ public:
+  static constexpr Eigen::Index most_kept = Eigen::Index{1} << 23;  // numbers: 64 MB
+
+  /// Keeps so many numbers; then it begins anew.
+  explicit FlowingSets(Eigen::Index kept) : kept_(kept) {}
+
+  /// `flowing`: hinges, ascending.
+  [[nodiscard]] std::shared_ptr<const FlowingSet> of(const HingeParameters& hinges,
+                                                     const std::vector<Eigen::Index>& flowing) const;
+
+ private:
+  Eigen::Index kept_;
+  mutable Eigen::Index numbers_ = 0;
+  mutable std::map<std::vector<Eigen::Index>, std::shared_ptr<const FlowingSet>> sets_;
+  mutable std::mutex mutex_;
+};
+
+/// How a frame with K and hinges G, K_hh moves if these flow without hardening, x of its dofs: the shape of the least
+/// eigenvalue of K − G_Aᵀ K_AA⁺ G_A against K, where that is below 10⁻⁹; nothing where it bends. (H-12)
+[[nodiscard]] std::optional<Eigen::VectorXd> free_shape(const Eigen::MatrixXd& frame_stiffness,
+                                                        const Eigen::MatrixXd& frame_rows,
+                                                        const Eigen::MatrixXd& hinge_stiffness,
+                                                        const std::vector<Eigen::Index>& flowing);
+
+}  // namespace bentur
