@@ -90,10 +90,8 @@ void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<d
     throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
   }
   for (const RowPart& part : parts) {
-    const bool of_building = part.owner == Owner::floor || part.owner == Owner::building ||
-                             part.owner == Owner::hinge || part.owner == Owner::column;
     for (Eigen::Index i = 0; i < part.count; ++i) {
-      const QuantityPlace at = of_building ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
+      const QuantityPlace at = part.is_of_building() ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};
       row[part.first + i] = value_of(*part.quantity, run, at);
     }
   }

@@ -15,15 +15,18 @@ struct RowPart {
   std::string units;  ///< as UDUNITS reads it; "1" where there is none
   std::string long_name;      ///< for a legend
   Owner owner = Owner::run;   ///< one value, or one for each floor, hinge, point, gap or link
-  Eigen::Index building = 0;  ///< of buildings, floors and hinges
+  Eigen::Index building = 0;  ///< where it is of one
   Eigen::Index count = 1;     ///< how many values
   std::size_t first = 0;      ///< place of the first one in the row
   const Quantity* quantity = nullptr;
+
+  [[nodiscard]] bool is_of_building() const {
+    return owner == Owner::floor || owner == Owner::building || owner == Owner::hinge || owner == Owner::column;
+  }
 };
 
-/// The parts of a row, in its order: every quantity but those of impacts and of single runs alone, building by
-/// building first. The numbers of
-/// floors, points, gaps and links are those of the problem; every problem of a study must have the same.
+/// The parts of a row, in its order: every quantity but those of impacts and of single runs alone, buildings first.
+/// There are as many floors, points, gaps and links as the problem has: the same in every problem of a study.
 [[nodiscard]] std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit);
 
 /// Values of a row: the sum of all counts.

@@ -169,8 +169,7 @@ class StudyList {
     if (part.owner == Owner::point) variable.dimensions.push_back(places_.points);
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);
     variable.attributes.push_back({"symbol", std::string(part.quantity->symbol)});
-    if (part.owner == Owner::floor || part.owner == Owner::building || part.owner == Owner::hinge ||
-        part.owner == Owner::column) {
+    if (part.is_of_building()) {
       variable.attributes.push_back({"building", facts_.problem.buildings[part.building].name});
     }
     if (part.quantity->by_size) variable.attributes.push_back({"compared_by", "size"});
