@@ -50,6 +50,7 @@ BEYOND = {
             generic-hardening-alone
             isolation-strength-alone matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
+            shear-capacity-dynamic shear-capacity-twice
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield
             spectrum-with-delays spectrum-with-initial spectrum-with-links suite-period-missing
             suite-scale-table wave-without-width""",
