@@ -4,6 +4,7 @@
 
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
+#include "bentur/model/worst_hinges.h"
 
 namespace bentur::story {
 namespace {
@@ -14,16 +15,6 @@ constexpr std::size_t most_told = 10;  // hinges of a table
 
 /// The end of a member as a word of a table.
 std::string end_word(const HingePlace& place) { return "hinge." + std::string(word_of(place.end)); }
-
-/// Hinges that have yielded, those that turned furthest first.
-std::vector<Index> by_rotation(const BuildingPeaks& peaks) {
-  std::vector<Index> hinges(peaks.hinges.size());
-  std::iota(hinges.begin(), hinges.end(), 0);
-  std::erase_if(hinges, [&](Index h) { return !peaks.hinges[h].first_yield; });
-  std::stable_sort(hinges.begin(), hinges.end(),
-                   [&](Index a, Index b) { return peaks.hinges[a].peak_rotation > peaks.hinges[b].peak_rotation; });
-  return hinges;
-}
 
 /// Fills {where}: "the top of the column of line 2 in storey 1".
 void add_place(const HingePlace& place, std::vector<StoryValue>& values) {
@@ -203,7 +194,7 @@ void tell_hinges(const RunResults& run, Story& told) {
     const BuildingPeaks& peaks = run.response.buildings[b];
     tell_mechanism(building, b, peaks, told.statements);
     if (building.model.hinges.places.empty() || peaks.hinges.empty()) continue;
-    const std::vector<Index> turned = by_rotation(peaks);
+    const std::vector<Index> turned = worst_hinges(peaks);
     tell_rotations(building, b, peaks, turned, told.statements);
     if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
   }

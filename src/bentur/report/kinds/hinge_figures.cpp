@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/worst_hinges.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -20,14 +21,11 @@ constexpr double pixels = 96 / 2.54;  // to a centimetre
 /// Those of a building that have yielded, the one that turned furthest first; of one floor where the options name it.
 std::vector<Eigen::Index> turned_most(const RunResults& run, Eigen::Index b, const FigureOptions& options) {
   const StructuralModel& model = run.problem.buildings[b].model;
-  const std::vector<BuildingPeaks::Hinge>& hinges = run.response.buildings[b].hinges;
   std::vector<Eigen::Index> found;
-  for (Eigen::Index h = 0; h < std::min(std::ssize(hinges), std::ssize(model.hinges.places)); ++h) {
-    const Eigen::Index floor = model.hinges.places[h].level - 1 + model.first_storey();
-    if (hinges[h].first_yield && is_at(options, model.elevations.at(floor))) found.push_back(h);
+  for (const Eigen::Index h : worst_hinges(run.response.buildings[b])) {
+    const Eigen::Index floor = model.hinges.places.at(h).level - 1 + model.first_storey();
+    if (is_at(options, model.elevations.at(floor))) found.push_back(h);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [&](Eigen::Index a, Eigen::Index b_) { return hinges[a].peak_rotation > hinges[b_].peak_rotation; });
   return found;
 }
 
