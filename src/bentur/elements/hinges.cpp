@@ -145,7 +145,7 @@ struct Sides {
 
   /// λ ≥ 0 with w = S a S λ − b ≥ 0 complementary, w = 0 of those that move either way. (H-7), (H-8)
   /// `mixed`: rotations and slips, so that each is measured by its own stiffness.
-  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, VectorXd b, bool mixed,
+  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, const VectorXd& b, bool mixed,
                                               std::vector<Index> guess = {}) const {
     const auto s = Eigen::Map<const VectorXd>(side.data(), std::ssize(side));
     if (!mixed) return complementary(s.asDiagonal() * a(of, of) * s.asDiagonal(), b, std::move(guess));
