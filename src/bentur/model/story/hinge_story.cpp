@@ -4,7 +4,7 @@
 
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
-#include "bentur/model/worst_hinges.h"
+#include "bentur/model/story/worst_hinges.h"
 
 namespace bentur::story {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/worst_hinges.h"
+#include "bentur/model/story/worst_hinges.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"

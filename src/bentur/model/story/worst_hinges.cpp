@@ -1,4 +1,4 @@
-#include "bentur/model/worst_hinges.h"
+#include "bentur/model/story/worst_hinges.h"
 
 #include <algorithm>
 
