@@ -16,8 +16,9 @@ namespace {
 
 // A side is +1 or −1; sizes and strengths are told for the upper side and mirrored by it.
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr double nothing_lost = 1e-12;    // of F_y δ_y: an energy that is round-off
-constexpr double round_off_slope = 1e-9;  // of k: a slope is not steeper than k by that much
+constexpr double nothing_lost = 1e-12;     // of F_y δ_y: an energy that is round-off
+constexpr double round_off_slope = 1e-9;   // of k: a slope is not steeper than k by that much
+constexpr double round_off_force = 1e-11;  // of F_y
 
 // Branches of both sides come in pairs, the upper one first and odd.
 double way_of(int branch) { return branch % 2 == 1 ? 1.0 : -1.0; }
@@ -417,8 +418,12 @@ LawState BackboneLaw::next(const LawState& state, std::size_t guard, double time
       return of_.one_sided ? past.in(slack, time) : enter(past, -s, time);
     }
     if (end < past.until) return fail(past, time);
-    if (of_.reloading == Reloading::bilinear || end >= past.side(s).peak) return along_backbone(past, s, end, time);
     const Side& side = past.side(s);
+    // The turn is on the backbone, or on a line that has not come up to it.
+    const bool on_backbone = side.last_force >= strength(past, s, end) - round_off_force * backbone(s).yield;
+    if (of_.reloading == Reloading::bilinear || (end >= side.peak && on_backbone)) {
+      return along_backbone(past, s, end, time);
+    }
     const double at_peak = strength(past, s, side.peak);
     const bool pinches = of_.reloading == Reloading::pinching && side.last < past.pinched &&
                          side.last_force < past.pinched_force && past.pinched < side.peak &&
