@@ -273,7 +273,7 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
     pounded += std::ssize(exact.impacts);
   }
   EXPECT_GT(yielded, count);
-  EXPECT_GT(pounded, count);
+  EXPECT_GT(pounded, GetParam() ? 0 : count);
   EXPECT_GE(broken, GetParam() ? count : 0);
 }
 
