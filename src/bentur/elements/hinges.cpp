@@ -73,6 +73,8 @@ HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters
       throw InvalidParameter(indexed(name, h), fmt::format("{}", (*list)(h)), "must be > 0");
     }
   }
+  hardened_ = of_.stiffness;
+  hardened_.diagonal() += of_.hardening;
 }
 
 bool HingeLaw::same_as(const CoupledLaw& other) const {
@@ -165,8 +167,6 @@ struct Sides {
 /// (H-15)
 void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double time, std::vector<Index> broken) const {
   const VectorXd before = state.memory.col(rotation), y = borne(state, deformation);
-  MatrixXd q = of_.stiffness;
-  q.diagonal() += of_.hardening;
   Sides lines;
   VectorXd lambda;
   for (bool again = true; again;) {
@@ -187,7 +187,7 @@ void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double tim
     for (Index i = 0; i < b.size(); ++i) {
       b(i) = lines.side[i] * y(lines.of[i]) - line(state, lines.of[i], lines.side[i]);
     }
-    const auto found = lines.solve(q, b, of_.kept.size() > 0);
+    const auto found = lines.solve(hardened_, b, of_.kept.size() > 0);
     if (!found) return;
     lambda = *found;
     for (Index i = 0; i < lambda.size(); ++i) {
@@ -198,7 +198,7 @@ void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double tim
       again = true;
     }
   }
-  const auto energy = [&](const VectorXd& theta) { return theta.dot(0.5 * (q * theta) - deformation); };
+  const auto energy = [&](const VectorXd& theta) { return theta.dot(0.5 * (hardened_ * theta) - deformation); };
   double left = energy(before);
   for (Index i = 0; i < lambda.size(); ++i) {
     const Index h = lines.of[i];
@@ -365,11 +365,9 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   }
   const std::vector<double>& sides = candidates.side;
   const auto s = Eigen::Map<const VectorXd>(sides.data(), std::ssize(sides));
-  MatrixXd q = of_.stiffness;
-  q.diagonal() += of_.hardening;
   const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
-  const VectorXd lambda =
-      candidates.solve(q, rate, of_.kept.size() > 0, std::move(expected)).value_or(VectorXd::Zero(std::ssize(sides)));
+  const VectorXd lambda = candidates.solve(hardened_, rate, of_.kept.size() > 0, std::move(expected))
+                              .value_or(VectorXd::Zero(std::ssize(sides)));
   now.memory.col(side).setZero();
   now.memory.col(begins).setZero();
   // Rotations and slips side by side, by what they would do to the energy.

@@ -79,6 +79,7 @@ class HingeLaw : public CoupledLaw {
                                     const CoupledGuard* ended) const;
 
   Parameters of_;
+  Eigen::MatrixXd hardened_;  ///< K_hh + H
   FlowingSets sets_;
 };
 
