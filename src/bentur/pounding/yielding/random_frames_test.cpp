@@ -223,20 +223,18 @@ TEST_P(RandomFrames, AreAlikeFromBehindAndInOtherUnits) {
         const BuildingPeaks& same = other.buildings[told.mirrored ? 1 - b : b];
         EXPECT_LE(apart(one.displacement, same.displacement / told.length), 1e-8) << b;
         EXPECT_LE(apart(one.storey_shear, same.storey_shear / told.force), 1e-7) << b;
-        double energy = 0, other_energy = 0;
-        for (const BuildingPeaks::Hinge& hinge : one.hinges) {
-          energy += hinge.dissipated_energy;
-          yielded += hinge.first_yield ? 1 : 0;
-        }
-        for (const BuildingPeaks::Hinge& hinge : same.hinges) other_energy += hinge.dissipated_energy;
-        EXPECT_NEAR(energy, other_energy / (told.force * told.length), 1e-7 * energy + 1e-12) << b;
-        double released = 0, other_released = 0;
-        for (const BuildingPeaks::Breaking& column : one.columns) {
-          released += column.released_energy;
-          broken += column.break_time ? 1 : 0;
-        }
-        for (const BuildingPeaks::Breaking& column : same.columns) other_released += column.released_energy;
-        EXPECT_NEAR(released, other_released / (told.force * told.length), 1e-7 * released + 1e-12) << b;
+        const auto same_energy = [&](const auto& mine, const auto& others, auto energy) {
+          const auto all = [&](const auto& list) {
+            double sum = 0;
+            for (const auto& place : list) sum += place.*energy;
+            return sum;
+          };
+          EXPECT_NEAR(all(mine), all(others) / (told.force * told.length), 1e-7 * all(mine) + 1e-12) << b;
+        };
+        same_energy(one.hinges, same.hinges, &BuildingPeaks::Hinge::dissipated_energy);
+        same_energy(one.columns, same.columns, &BuildingPeaks::Breaking::released_energy);
+        for (const BuildingPeaks::Hinge& hinge : one.hinges) yielded += hinge.first_yield ? 1 : 0;
+        for (const BuildingPeaks::Breaking& column : one.columns) broken += column.break_time ? 1 : 0;
       }
     }
   }
