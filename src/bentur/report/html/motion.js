@@ -207,6 +207,13 @@ function benturMotion(parts, data) {
       svg("tspan", {}, line).textContent = ` ${text}`;
       return line;
     });
+    drawn.crosses = data.breaks.crosses.map(() => svg("path", { class: "break stroke-red", opacity: 0 }, stage));
+    if (drawn.crosses.length > 0) {
+      const line = svg("text", { class: "caption fill-ink" }, stage);
+      svg("tspan", { class: "fill-red" }, line).textContent = "\u00d7";
+      svg("tspan", {}, line).textContent = ` ${data.breaks.text}`;
+      drawn.key.push(line);
+    }
     data.points.forEach((point, i) => {
       drawn.marks.push(svg("circle", { class: "hit", fill: "url(#glow)", opacity: 0, "data-point": i,
         "data-contact": 0 }, stage));
@@ -357,6 +364,12 @@ function benturMotion(parts, data) {
       dot.setAttribute("data-level", level);
       const tone = level > 0 ? data.hinges.levels[level - 1].tone : "ink";
       dot.setAttribute("class", level > 1 ? `hinge fill-${tone} stroke-paper` : `hinge fill-paper stroke-${tone}`);
+    });
+    data.breaks.crosses.forEach(({ at, time }, k) => {
+      const arm = 5 * drawn.pixel, left = (unit * place(at) - arm).toFixed(2), top = (y(at[0]) - arm).toFixed(2);
+      const across = (2 * arm).toFixed(2);
+      drawn.crosses[k].setAttribute("d", `M${left} ${top}l${across} ${across}m0 -${across}l-${across} ${across}`);
+      drawn.crosses[k].setAttribute("opacity", time <= now ? 1 : 0);
     });
     const current = underWay(since === undefined ? now : Math.min(since, now), now);
     data.points.forEach((point, i) => {

@@ -90,6 +90,19 @@ void add_hinge_marks(Panel& panel, const RunResults& run, const Scene& scene, co
     marks.label = level == 0 ? word(options, "has not yielded") : hinge_level_text(options.say, scene.bounds, level);
     panel.curves.push_back(std::move(marks));
   }
+  Curve broken{.label = word(options, "broken in shear"),
+               .tone = Tone::red,
+               .line = Line::none,
+               .mark = Mark::cross,
+               .complete = true};
+  broken.mark_size = 1.5 * radius / of_mark;
+  for (const SceneBreak& one : scene.breaks) {
+    if ((wanted.of && one.building != *wanted.of) || one.time > wanted.time) continue;
+    const auto [x, y] = places(one.at);
+    broken.x.push_back(x);
+    broken.y.push_back(y);
+  }
+  if (!broken.x.empty()) panel.curves.push_back(std::move(broken));
 }
 
 Figure hinges_figure(const RunResults& run, const FigureOptions& options) {

@@ -67,6 +67,37 @@ TEST(HingePictures, AreColouredByLimitsAndNumberedByOrder) {
   EXPECT_NE(figure.finding.find("hinges form, the first at "), std::string::npos) << figure.finding;
 }
 
+TEST(HingePictures, ColumnsThatBreakAreCrossedFromThenOn) {
+  std::string text = test::hinged_alone;
+  const std::string capacity = "moment_capacity = 150.0";
+  text.replace(text.find(capacity), capacity.size(), capacity + ", shear_capacity = [85.0, 110.0]");
+  const RunResults run = test::drawn_run(text.c_str());
+  const std::vector<BuildingPeaks::Breaking>& columns = run.response.buildings[0].columns;
+  const std::vector<BreakingColumn>& known = run.problem.buildings[0].model.hinges.columns;
+  ASSERT_EQ(columns.size(), known.size());
+  std::size_t broken = 0;
+  for (const BuildingPeaks::Breaking& column : columns) broken += column.break_time ? 1 : 0;
+  ASSERT_GT(broken, 0U);
+  EXPECT_EQ(marks_labelled(make_figure(run, "hinges").panels[0], "broken in shear"), broken);
+
+  const Scene scene = scene_of(run.problem, run.response);
+  ASSERT_EQ(scene.breaks.size(), broken);
+  const SceneMotion rest = at_rest(run.response.histories);
+  const ScenePlaces places(scene, 1, rest);
+  for (const SceneBreak& one : scene.breaks) {
+    EXPECT_EQ(one.time, *columns[one.column].break_time);
+    const auto [x, y] = places(one.at);
+    EXPECT_NEAR(y, 3.5 * (static_cast<double>(known[one.column].storey) - 0.5), 1e-9);
+    EXPECT_NEAR(x, known[one.column].line == 1 ? 0 : scene.breadths[0], 1e-9);
+  }
+  const double shown = telling_instant(run.response).time;
+  const auto by_then =
+      std::count_if(scene.breaks.begin(), scene.breaks.end(), [&](const SceneBreak& one) { return one.time <= shown; });
+  const Figure still = make_figure(run, "scene");
+  EXPECT_EQ(std::ssize(still.panels), 1);
+  EXPECT_EQ(marks_labelled(still.panels[0], "broken in shear"), static_cast<std::size_t>(by_then));
+}
+
 TEST(HingePictures, WithoutLimitsAreColouredByTheLargestRotation) {
   const RunResults& run = alone_run();
   double largest = 0;

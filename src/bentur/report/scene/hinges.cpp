@@ -1,6 +1,7 @@
 #include "bentur/report/scene/internal/hinges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -58,6 +59,17 @@ struct Rotations {
   }
 };
 
+/// Which points of a line of columns are at the level below and at the one above.
+std::array<std::ptrdiff_t, 2> ends_on(const SceneLine& line, double below, double above) {
+  const auto point_at = [&](double height) {
+    const double from = height - 1e-6 * (above - below);
+    const auto found =
+        std::find_if(line.begin(), line.end(), [&](const ScenePoint& one) { return one.height >= from; });
+    return std::min<std::ptrdiff_t>(found - line.begin(), std::ssize(line) - 1);
+  };
+  return {point_at(below), point_at(above)};
+}
+
 }  // namespace
 
 HingeBounds hinge_bounds(const Problem& problem, const Response& response) {
@@ -107,14 +119,30 @@ std::size_t nodes_before(const std::vector<HingePlace>& places, Index hinge) {
   }));
 }
 
+std::vector<SceneBreak> breaks_of(const Problem& problem, const Response& response, Index building) {
+  std::vector<SceneBreak> all;
+  if (building >= std::ssize(response.buildings)) return all;
+  const std::vector<BuildingPeaks::Breaking>& columns = response.buildings[building].columns;
+  const Index known = std::ssize(problem.buildings[building].model.hinges.columns);
+  for (Index k = 0; k < std::min(std::ssize(columns), known); ++k) {
+    if (!columns[k].break_time) continue;
+    all.push_back({.building = building, .column = k, .at = {}, .time = *columns[k].break_time});
+  }
+  return all;
+}
+
+ScenePoint amid_column(const SceneLine& line, Index piece, double below, double above) {
+  auto [foot, head] = ends_on(line, below, above);
+  if (piece > 0) {
+    foot = std::min(foot + piece - 1, std::max(head - 1, foot));
+    head = std::min(foot + 1, head);
+  }
+  return between(line[foot], line[head], 0.5);
+}
+
 ScenePoint on_column(const SceneLine& line, HingePlace::End end, double below, double above, std::size_t node) {
-  const double tall = above - below, near = 1e-6 * tall;
-  const auto point_at = [&](double height) {
-    const auto found =
-        std::find_if(line.begin(), line.end(), [&](const ScenePoint& one) { return one.height >= height - near; });
-    return std::min<std::ptrdiff_t>(found - line.begin(), std::ssize(line) - 1);
-  };
-  const std::ptrdiff_t foot = point_at(below), head = point_at(above);
+  const double tall = above - below;
+  const auto [foot, head] = ends_on(line, below, above);
   if (end == HingePlace::End::node) {
     return line[std::min(foot + 1 + static_cast<std::ptrdiff_t>(node), std::max(head - 1, foot))];
   }

@@ -47,7 +47,10 @@ class SceneBuilder {
       scene_.contacts.push_back(at(point.left, point.left_floor, scene_.breadths[point.left], point.elevation));
     }
     scene_.bounds = scene::hinge_bounds(problem_, response_);
-    for (Index b = 0; b < std::ssize(buildings_); ++b) add_hinges(b);
+    for (Index b = 0; b < std::ssize(buildings_); ++b) {
+      add_hinges(b);
+      add_breaks(b);
+    }
     return std::move(scene_);
   }
 
@@ -325,6 +328,19 @@ class SceneBuilder {
                                     scene::nodes_before(model.hinges.places, hinge.hinge));
       }
       scene_.hinges.push_back(std::move(hinge));
+    }
+  }
+
+  void add_breaks(Index b) {
+    const StructuralModel& model = buildings_[b].model;
+    for (SceneBreak& one : scene::breaks_of(problem_, response_, b)) {
+      const BreakingColumn& column = model.hinges.columns[one.column];
+      const Index floor = std::clamp<Index>(column.storey - 1 + model.first_storey(), 0, model.floors() - 1);
+      const auto line = std::clamp<Index>(column.line - 1, 0, std::ssize(bays_[b]));
+      const double above = model.elevations[floor];
+      one.at = scene::amid_column(column_line(b, static_cast<std::size_t>(line)), column.piece,
+                                  above - model.storey_heights[floor], above);
+      scene_.breaks.push_back(std::move(one));
     }
   }
 

@@ -51,6 +51,13 @@ struct SceneHinge {
   [[nodiscard]] int level(double time) const;
 };
 
+/// A column that breaks in shear, or a piece of one that is struck: a cross in the middle of it.
+struct SceneBreak {
+  Eigen::Index building = 0, column = 0;  ///< of Hinges::columns
+  ScenePoint at;
+  double time = 0;  ///< when it breaks [s]
+};
+
 /// What the bounds of hinges are.
 struct HingeBounds {
   /// Limits IO, LS and CP of those that have such; else a quarter, a half and three quarters of `largest`.
@@ -71,6 +78,7 @@ struct Scene {
   std::vector<SceneShape> shapes;
   std::vector<ScenePoint> contacts;  ///< left face of each contact point
   std::vector<SceneHinge> hinges;
+  std::vector<SceneBreak> breaks;
   HingeBounds bounds;
 };
 

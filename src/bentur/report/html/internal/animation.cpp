@@ -85,6 +85,13 @@ Json scene_json(const Scene& scene) {
           {"contacts", contacts}};
 }
 
+/// Columns that break: where and when, and what the crosses mean.
+Json breaks_json(const Report& report, const Scene& scene) {
+  Json all = Json::array();
+  for (const SceneBreak& one : scene.breaks) all.push_back({{"at", point_json(one.at)}, {"time", one.time}});
+  return {{"crosses", all}, {"text", report.say("figure.text.broken")}};
+}
+
 /// Hinges that form: where, when they come to each level (null: never), and their names; and what each level means.
 Json hinges_json(const Report& report, const Scene& scene) {
   const FigureWords say = figure_words(report.say.language());
@@ -181,6 +188,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
                     {"shown", telling_instant(report.response).time},
                     {"scene", scene_json(scene)},
                     {"hinges", hinges_json(report, scene)},
+                    {"breaks", breaks_json(report, scene)},
                     {"impacts", impacts},
                     {"buildings", buildings}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);

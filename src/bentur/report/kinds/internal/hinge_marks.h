@@ -13,7 +13,7 @@ namespace bentur {
 /// What the mark of a level means: "yields", "beyond IO", "over 3.1 mrad, 1/4 of the largest rotation".
 [[nodiscard]] std::string hinge_level_text(const FigureWords& say, const HingeBounds& bounds, int level);
 
-/// Which marks of hinges, and how large.
+/// Which marks of hinges and broken columns, and how large.
 struct HingeMarks {
   double time = 0;                      ///< what they have come to by then [s]
   double storey = 0;                    ///< height of the lowest storey on paper [cm]

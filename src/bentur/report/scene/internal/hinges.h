@@ -16,6 +16,13 @@ namespace bentur::scene {
 /// How many hinges of struck nodes of the same column come before this one.
 [[nodiscard]] std::size_t nodes_before(const std::vector<HingePlace>& places, Eigen::Index hinge);
 
+/// The columns of a building that break, without their places.
+[[nodiscard]] std::vector<SceneBreak> breaks_of(const Problem& problem, const Response& response,
+                                                Eigen::Index building);
+
+/// The middle of a column from the level below to the one above it, on its line, or of one of its pieces, from 1.
+[[nodiscard]] ScenePoint amid_column(const SceneLine& line, Eigen::Index piece, double below, double above);
+
 // Clear of the joint, so that those that meet there can be told apart.
 
 /// Of a column from the level below to the one above it, on its line; `node`: which of its struck places, from 0.
