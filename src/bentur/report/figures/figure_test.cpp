@@ -45,6 +45,18 @@ Figure simple(const std::string& text) {
   return figure;
 }
 
+TEST(FigureSvg, RaisedAndLoweredDigitsAreCommonOnesThatEveryFontHas) {
+  const std::string svg = figure_svg(simple("T₁ of A, 2 × 10⁻⁶ m²"));
+  const std::string begin = svg.substr(svg.find("<text"));
+  for (const char* const letter : {"₁", "⁻", "⁶", "²"}) EXPECT_EQ(begin.find(letter), std::string::npos) << letter;
+  const std::size_t lowered = begin.find(">1</tspan><tspan dy=\"-"), raised = begin.find(">−6</tspan><tspan dy=\"");
+  ASSERT_NE(lowered, std::string::npos);
+  ASSERT_NE(raised, std::string::npos);
+  EXPECT_EQ(begin.substr(lowered, begin.find("10<", lowered) - lowered).find("> of"), std::string::npos)
+      << "a renderer drops the space at the beginning of a span";
+  EXPECT_NEAR(text_width("m²"), text_width("m") + small_size * text_width("2"), 1e-12);
+}
+
 /// A script without what stands between double quotes.
 std::string unquoted(const std::string& script) {
   std::string text;

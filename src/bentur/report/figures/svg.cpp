@@ -19,9 +19,11 @@
 namespace bentur {
 namespace {
 
-constexpr double pixel = 2.54 / 96;                        // [cm]
-constexpr double letters = 8.0 / 72 * 2.54 / pixel;        // 8 pt [px]
-constexpr double baseline = 0.36 * letters;                // below the middle of a line of text
+constexpr double pixel = 2.54 / 96;                             // [cm]
+constexpr double letters = 8.0 / 72 * 2.54 / pixel;             // 8 pt [px]
+constexpr double baseline = 0.36 * letters;                     // below the middle of a line of text
+constexpr double rise = 0.33 * letters, fall = 0.16 * letters;  // of small letters
+constexpr std::string_view no_break_space = "\u00A0";
 constexpr double large_mark = 1.5;                         // from this size on a disc has an edge
 constexpr double frame_line = 0.7;                         // [px]
 constexpr double major_tick = 3.6, minor_tick = 2;         // [px]
@@ -33,6 +35,31 @@ constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7",
                                   "5 1.9 1.5 1.9"};  // in the order of Line, of a width of 1
 
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
+
+/// The letters of a text, raised and lowered ones as common letters, smaller.
+std::string lettered(std::string_view words) {
+  const std::string plain = plain_text(words);
+  std::string all, run;
+  double down = 0, was_down = 0;  // of this run of letters and of the one before [px]
+  const auto end_run = [&] {
+    if (run.empty()) return;
+    const std::string size = down == 0 ? "" : fmt::format(" font-size=\"{}\"", length(small_size * letters));
+    const std::string text = markup_text(run);
+    all += down == was_down ? text : fmt::format("<tspan dy=\"{}\"{}>{}</tspan>", length(down - was_down), size, text);
+    was_down = down;
+    run.clear();
+  };
+  for (const auto& [bytes, code] : characters(plain)) {
+    const auto small = small_letter(code);
+    const double at = !small ? 0 : small->is_raised ? -rise : fall;
+    if (at != down) end_run();
+    down = at;
+    const bool is_lost = run.empty() && bytes == " ";  // at the beginning of a <tspan>
+    run += is_lost ? no_break_space : small ? small->common : bytes;
+  }
+  end_run();
+  return all;
+}
 
 std::string drawn_in(const char* what, const Colour& of) {
   return fmt::format("class=\"{}-{}\" {}=\"{}\"", what, of.name, what, of.paper);
@@ -110,7 +137,7 @@ class Drawing {
         upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", length(x_px), length(y_px)) : "";
     out_ +=
         fmt::format("<text x=\"{}\" y=\"{}\" dy=\"{}\" text-anchor=\"{}\"{} {}>{}</text>\n", length(x_px), length(y_px),
-                    length(baseline), anchor, turned, drawn_in("fill", colour(Tone::black)), escaped(words));
+                    length(baseline), anchor, turned, drawn_in("fill", colour(Tone::black)), lettered(words));
   }
 
   void lines(const std::vector<std::string>& texts, double x_cm, double y_cm) {

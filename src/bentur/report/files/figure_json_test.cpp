@@ -84,7 +84,7 @@ TEST(FigureJson, NumbersAreSuchThatAnAxisHasALength) {
   const auto largest = figure_from_json(figure("1e300"), "f.json", diagnostics);
   ASSERT_TRUE(largest);
   const std::string svg = figure_svg(*largest);
-  for (const char* const number : {">−1.0<", ">0<", ">1.0<", ">[10³⁰⁰]<"})
+  for (const char* const number : {">−1.0<", ">0<", ">1.0<", ">[10<", ">300</tspan>"})
     EXPECT_NE(svg.find(number), std::string::npos) << number;
 }
 

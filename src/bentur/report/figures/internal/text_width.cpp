@@ -32,6 +32,7 @@ const std::unordered_map<std::int32_t, double>& widths() {
 }
 
 double letter_width(std::int32_t code) {
+  if (const auto small = small_letter(code)) return small_size * text_width(small->common);
   const auto known = widths().find(code);
   return (known == widths().end() ? 1 : known->second) * letter_size;
 }
@@ -39,6 +40,20 @@ double letter_width(std::int32_t code) {
 }  // namespace
 
 bool is_in_font(std::int32_t code) { return widths().count(code) > 0; }
+
+std::optional<SmallLetter> small_letter(std::int32_t code) {
+  constexpr std::int32_t raised_0 = 0x2070, raised_minus = 0x207B, lowered_0 = 0x2080;
+  constexpr std::string_view digits = "0123456789";
+  const auto small = [&](std::int32_t digit, bool is_raised) {
+    return SmallLetter{digits.substr(static_cast<std::size_t>(digit), 1), is_raised};
+  };
+  if (code >= lowered_0 && code <= lowered_0 + 9) return small(code - lowered_0, false);
+  if (code == raised_0 || (code >= raised_0 + 4 && code <= raised_0 + 9)) return small(code - raised_0, true);
+  if (code == 0xB9) return small(1, true);
+  if (code == 0xB2 || code == 0xB3) return small(code - 0xB0, true);
+  if (code == raised_minus) return SmallLetter{"−", true};
+  return {};
+}
 
 double text_width(std::string_view text) {
   double width = 0;
