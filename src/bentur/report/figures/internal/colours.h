@@ -24,7 +24,7 @@ inline constexpr Colour colours[] = {
 inline constexpr Colour paper = {"paper", "#ffffff", "#15191d"};
 /// Of pages, around the figures: lines of tables, grounds, edges of what can be pressed, links, and that all is well.
 inline constexpr Colour page_colours[] = {
-    {"rule", "#d5dae0", "#3a424b"},  {"band", "#f3f5f8", "#22282f"}, {"stage", "#fcfdfe", "#1a1f24"},
+    {"rule", "#868f99", "#6c7580"},  {"band", "#f3f5f8", "#22282f"}, {"stage", "#fcfdfe", "#1a1f24"},
     {"mark", "#fdeceb", "#47262a"},  {"edge", "#7d8894", "#7c8894"}, {"link", "#1b5e9b", "#8ec1f2"},
     {"clear", "#24713b", "#7fd196"},
 };
