@@ -182,14 +182,14 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
   Table table;
   add_case_columns(report.results, cases, report.results.axes.size(), table);
   table.add("θ", unit, median);
-  table.add("from", unit, median_low);
-  table.add("to", unit, median_high);
+  table.add("From", unit, median_low);
+  table.add("To", unit, median_high);
   table.add("β", "", dispersion);
-  table.add("from", "", dispersion_low);
-  table.add("to", "", dispersion_high);
+  table.add("From", "", dispersion_low);
+  table.add("To", "", dispersion_high);
   table.add("KS", "", distance);
-  table.add("events", "", events);
-  table.add("runs", "", runs);
+  table.add("Events", "", events);
+  table.add("Runs", "", runs);
   return table.text() + (notes.empty() ? "" : "\n" + notes);
 }
 
@@ -221,8 +221,8 @@ std::string gaps_text(const FragilityReport& report, const FragilityRequest& req
   add_case_columns(report.results, cases, report.gap_axis, table);
   table.add("p", "", probabilities);
   table.add(report.gap_name, shown(report.gap_units), gaps);
-  table.add("from", shown(report.gap_units), lower);
-  table.add("to", shown(report.gap_units), upper);
+  table.add("From", shown(report.gap_units), lower);
+  table.add("To", shown(report.gap_units), upper);
   return fmt::format("\nThe gap for which P(event | {}{}) ≤ p\n\n", number(*request.at),
                      unit.empty() ? "" : " " + unit) +
          table.text() + (unknown ? "\n  –: the probability at some width cannot be found, see above.\n" : "");

@@ -20,7 +20,7 @@ constexpr Eigen::Index most_modes = 8;  // in a table; --json has all
 Table shape_table(const Building& building, const std::string& length) {
   Table table;
   std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
-  table.add("level", length, elevations);
+  table.add("Level", length, elevations);
   for (Eigen::Index mode = 0; mode < std::min(building.modes.shapes.cols(), most_modes); ++mode) {
     const Eigen::VectorXd sway = building.modes.shapes.col(mode).head(building.model.floors());
     const double largest = sway.cwiseAbs().maxCoeff();
@@ -28,7 +28,7 @@ Table shape_table(const Building& building, const std::string& length) {
     for (Eigen::Index floor = sway.size() - 1; floor >= 0; --floor) {
       cells.push_back(fmt::format("{:.3f}", largest > 0 ? sway(floor) / largest : 0.0));
     }
-    table.add(fmt::format("mode {}", mode + 1), "", cells);
+    table.add(fmt::format("Mode {}", mode + 1), "", cells);
   }
   return table;
 }
@@ -52,11 +52,11 @@ std::string modes_text(const Building& building, const Units& units) {
     cumulative.push_back(fmt::format("{:.2f}", 100 * sum));
   }
   Table table;
-  table.add("mode", "", number_cells);
-  table.add("period", "s", periods);
-  table.add("participation", "(" + units.force + "·s²/" + units.length + ")^½", participation);
-  table.add("mass", "%", fraction);
-  table.add("mass so far", "%", cumulative);
+  table.add("Mode", "", number_cells);
+  table.add("Period", "s", periods);
+  table.add("Participation", "(" + units.force + "·s²/" + units.length + ")^½", participation);
+  table.add("Mass", "%", fraction);
+  table.add("Mass so far", "%", cumulative);
   const Proportions found = proportions(building, units, nullptr);
   std::string text =
       fmt::format("{}: {}\n\n{}", building.name,

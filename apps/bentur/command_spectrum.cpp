@@ -96,11 +96,11 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
     absolute.push_back(p.absolute_acceleration / spectrum.units.gravity);
   }
   Table table;
-  table.add("period", "s", spectrum.periods);
-  table.add("displacement", length, displacement);
-  table.add("pseudo-velocity", length + "/s", velocity);
-  table.add("pseudo-acceleration", "g", acceleration);
-  table.add("absolute acceleration", "g", absolute);
+  table.add("Period", "s", spectrum.periods);
+  table.add("Displacement", length, displacement);
+  table.add("Pseudo-velocity", length + "/s", velocity);
+  table.add("Pseudo-acceleration", "g", acceleration);
+  table.add("Absolute acceleration", "g", absolute);
   return fmt::format("{}\nResponse spectrum, damping {} %, peak ground acceleration {} {} = {} g\n\n",
                      record_line(spectrum.record, Words("en")), number(100 * spectrum.damping_ratio),
                      number(spectrum.record.pga_read), unit_of(spectrum.record),

@@ -838,7 +838,7 @@ class Modes(CommandLine):
     def test_table_and_json(self):
         case = self.written("m12-el-centro")
         text = self.done("modes", case).stdout
-        for word in ["Model 1", "Model 2", "period", "participation", "mass", "%", "mode 3", "0.144"]:
+        for word in ["Model 1", "Model 2", "Period", "Participation", "Mass", "%", "Mode 3", "0.144"]:
             self.assertIn(word, text)
         document = json.loads(self.done("modes", case, "--json").stdout)
         self.assertEqual(list(document), ["buildings"])
