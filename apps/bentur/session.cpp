@@ -117,6 +117,7 @@ Loaded load_example(const std::string& name) {
 RunResults simulate(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   options.output_step = output_step;
+  options.energy_step = loaded.c.analysis.output_step;
   options.course = output_step > 0;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);

@@ -226,6 +226,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     const bool fine = output_step.isNull();
     options.output_step = fine ? report_output_step(*problem_) : output_step.as<double>();
     options.course = fine;
+    options.energy_step = c.analysis.output_step;
     if (options.output_step < 0) options.output_step = c.analysis.output_step;
     options.most_steps = std::min(options.most_steps, static_cast<long>(most_steps));
     if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };

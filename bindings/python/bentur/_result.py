@@ -258,7 +258,7 @@ class Result:
     @cached_property
     def _at_report_step(self) -> _core.Run:
         """The run with histories close enough for the motion of its page; solved once."""
-        return _core.solve(self.case._made, _core.report_output_step(self.case._made), None)
+        return _core.solve(self.case._made, None, None)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""

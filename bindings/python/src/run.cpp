@@ -59,12 +59,14 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 namespace {
 
-std::shared_ptr<PyRun> solved(const PyCase& given, double output_step, const py::object& progress) {
+/// With histories at so many seconds, or, with nothing, as a report needs them.
+std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_step, const py::object& progress) {
   if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
   Problem problem = given.problem;
   SolveOptions options = solve_options(given.c);
-  options.output_step = output_step;
-  options.course = output_step > 0;
+  options.output_step = output_step.value_or(report_output_step(problem));
+  if (!output_step) options.energy_step = given.c.analysis.output_step;
+  options.course = options.output_step > 0;
   const std::string refusal = beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options));
   if (!refusal.empty()) {
     Diagnostics found;
@@ -245,7 +247,6 @@ void bind_run(py::module_& module) {
   module.def(
       "height_rules_json",
       [](const PyCase& given) { return height_rules_json(given.c, given.problem, BENTUR_VERSION); }, py::arg("case"));
-  module.def("report_output_step", [](const PyCase& given) { return report_output_step(given.problem); });
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
 }
 

@@ -81,6 +81,7 @@ struct Fixture {
   void add_energy() {
     response.energy = EnergyAudit{.peak_input = 8, .residual = 2, .histories = {}};
     EnergyHistories& e = response.energy->histories;
+    e.time = response.histories.time;
     double first = 0;
     for (Eigen::VectorXd* curve :
          {&e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.contact_stored, &e.contact_lost}) {

@@ -70,6 +70,7 @@ RunOptions run_options(const SolveOptions& options) {
           .course = options.course,
           .most_steps = options.most_steps,
           .energy_audit = options.energy_audit,
+          .energy_step = options.energy_step,
           .progress = options.progress};
 }
 

@@ -25,6 +25,7 @@ struct SolveOptions {
   bool both_ways = false;
   /// Accounts for all energy (Response::energy); it never changes the solution.
   bool energy_audit = false;
+  double energy_step = 0;  ///< [s] of the samples of energies, which are kept with histories; 0: as of those
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
   std::function<bool(double)> progress = {};
 };

@@ -62,9 +62,10 @@ struct Sampled {
   Eigen::MatrixXd joint_deformation = {}, joint_force = {};
 };
 
-/// Where all energy is [force·length], over the times of samples. Motion is relative to each body's base:
+/// Where all energy is [force·length], at instants of its own. Motion is relative to each body's base:
 ///   input = kinetic + strain + damping + hysteretic + contact stored + contact lost + residual.
 struct EnergyHistories {
+  std::vector<double> time;  ///< [s]
   /// Initial energy and the work of the ground motion, where that moves what touches also through contact.
   Eigen::VectorXd input;
   Eigen::VectorXd kinetic;          ///< of all bodies

@@ -354,7 +354,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
 
   void energy() {
     if (!file_.has("energy_input", response_.energy.has_value())) return;
-    if constexpr (File::reads) response_.energy.emplace();
+    if constexpr (File::reads) response_.energy.emplace().histories.time = response_.histories.time;
     for (const auto& [name, values, what] : energy_curves) {
       ResultVariable variable{fmt::format("energy_{}", name), {time_}, moment_, what};
       auto& curve = response_.energy->histories.*values;

@@ -427,7 +427,7 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
   const EnergyHistories& energy = run.response.energy->histories;
   const Window asked = window(run, options);
   const auto part = [&](const Eigen::VectorXd& sum, Curve curve) {
-    curve.x = run.response.histories.time;
+    curve.x = energy.time;
     curve.y = shown_values(run, {sum.begin(), sum.end()}, "F L");
     return within(curve, asked);
   };

@@ -15,7 +15,10 @@ PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, lon
       first_contact_(first_contact),
       sampler_(system_, given_, setup.laws.offsets, options.output_step),
       momentum_(system_) {
-  if (options.energy_audit) energy_.emplace(system_, given_.duration, options.output_step, state_, elements_);
+  if (!options.energy_audit) return;
+  const double step =
+      options.output_step > 0.0 && options.energy_step > 0.0 ? options.energy_step : options.output_step;
+  energy_.emplace(system_, given_.duration, step, state_, elements_);
 }
 
 Eigen::Index PoundingRun::quiet(Eigen::Index count) {

@@ -115,6 +115,7 @@ void EnergyAccount::look(const State& state, const Elements& elements, bool samp
   const double stored = elements.stored_in_contacts(state);
   const double others = elements.stored_in_others(state);
   EnergyHistories& curves = audit_.histories;
+  curves.time.push_back(static_cast<double>(taken_) * step_);
   curves.input(taken_) = sums_.input;
   curves.kinetic(taken_) = moving;
   curves.strain(taken_) = bent + others;
