@@ -23,13 +23,12 @@ constexpr double pixel = 2.54 / 96;                             // [cm]
 constexpr double letters = 8.0 / 72 * 2.54 / pixel;             // 8 pt [px]
 constexpr double baseline = 0.36 * letters;                     // below the middle of a line of text
 constexpr double rise = 0.33 * letters, fall = 0.16 * letters;  // of small letters
-constexpr std::string_view no_break_space = "\u00A0";
-constexpr double large_mark = 1.5;                         // from this size on a disc has an edge
-constexpr double frame_line = 0.7;                         // [px]
-constexpr double major_tick = 3.6, minor_tick = 2;         // [px]
-constexpr double number_gap = 0.12, number_depth = 0.33;   // of numbers from the frame: to its left, below it [cm]
-constexpr double scale_gap = 0.2, scale_thickness = 0.25;  // of a map's colours [cm]
-constexpr int shades = 64;                                 // that a map's colours have
+constexpr double large_mark = 1.5;                              // from this size on a disc has an edge
+constexpr double frame_line = 0.7;                              // [px]
+constexpr double major_tick = 3.6, minor_tick = 2;              // [px]
+constexpr double number_gap = 0.12, number_depth = 0.33;        // of numbers from the frame: to its left, below it [cm]
+constexpr double scale_gap = 0.2, scale_thickness = 0.25;       // of a map's colours [cm]
+constexpr int shades = 64;                                      // that a map's colours have
 
 constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7",
                                   "5 1.9 1.5 1.9"};  // in the order of Line, of a width of 1
@@ -44,8 +43,13 @@ std::string lettered(std::string_view words) {
   const auto end_run = [&] {
     if (run.empty()) return;
     const std::string size = down == 0 ? "" : fmt::format(" font-size=\"{}\"", length(small_size * letters));
-    const std::string text = markup_text(run);
-    all += down == was_down ? text : fmt::format("<tspan dy=\"{}\"{}>{}</tspan>", length(down - was_down), size, text);
+    const std::size_t first = std::min(run.find_first_not_of(' '), run.size());
+    const std::size_t end = std::max(run.find_last_not_of(' ') + 1, first);  // npos + 1 is 0
+    // Spaces at the ends of a <tspan> are lost.
+    const auto part = [&](std::size_t from, std::size_t to) { return markup_text(run.substr(from, to - from)); };
+    all += down == was_down ? part(0, run.size())
+                            : fmt::format("{}<tspan dy=\"{}\"{}>{}</tspan>{}", part(0, first), length(down - was_down),
+                                          size, part(first, end), part(end, run.size()));
     was_down = down;
     run.clear();
   };
@@ -54,8 +58,7 @@ std::string lettered(std::string_view words) {
     const double at = !small ? 0 : small->is_raised ? -rise : fall;
     if (at != down) end_run();
     down = at;
-    const bool is_lost = run.empty() && bytes == " ";  // at the beginning of a <tspan>
-    run += is_lost ? no_break_space : small ? small->common : bytes;
+    run += small ? small->common : bytes;
   }
   end_run();
   return all;
