@@ -97,7 +97,7 @@ class Measure {
 class Trials {
  public:
   Trials(RemedySearch& search, StudyFacts facts, std::shared_ptr<CaseMemo> memo, const RemedyOptions& options,
-         std::vector<RowPart> quantities)
+         const std::vector<RowPart>& quantities)
       : search_(search),
         facts_(std::move(facts)),
         memo_(std::move(memo)),
@@ -331,7 +331,7 @@ std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const
   const auto memo = std::make_shared<CaseMemo>();
   std::optional<StudyFacts> facts = check_study(*study, *memo, diagnostics);
   if (!facts || !diagnostics.ok()) return std::nullopt;
-  std::vector<RowPart> quantities = row_parts(facts->problem, facts->units, facts->energy_audit);
+  const std::vector<RowPart> quantities = row_parts(facts->problem, facts->units, facts->energy_audit);
   if (refuse_objective(quantities, *study->remedy, diagnostics)) return std::nullopt;
 
   RemedySearch search;
@@ -352,7 +352,7 @@ std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const
       search.runs_each *= vary.values.size();
     }
   }
-  Trials trials(search, std::move(*facts), memo, options, std::move(quantities));
+  Trials trials(search, std::move(*facts), memo, options, quantities);
   try {
     seek(search, trials);
   } catch (const NoneLeft&) {  // all that may be tried has been

@@ -1,5 +1,7 @@
 #include "bentur/study/remedy/remedy_story.h"
 
+#include <cmath>
+
 namespace bentur {
 namespace {
 
