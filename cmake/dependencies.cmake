@@ -5,6 +5,7 @@ set(BENTUR_FIND_Boost CONFIG)  # headers only: math (TOMS 748), random (Sobol)
 set(BENTUR_FIND_TBB CONFIG)
 set(BENTUR_FIND_MPI COMPONENTS CXX)
 set(BENTUR_PKG_netcdf netcdf)
+set(BENTUR_PKG_nlopt nlopt)
 set(BENTUR_PKG_utf8proc libutf8proc)
 
 # bentur_find(PACKAGE::NAME [REQUIRED|QUIET]): the package that has this target.

@@ -32,7 +32,8 @@ from ._own_laws import Branch, BranchLaw, ForceLaw, Guard, Numbers, Table
 
 '''
 LAWS = ("linear Linear", "kelvin_voigt KelvinVoigt", "kelvin_voigt_approach KelvinVoigtApproach", "darmawan Darmawan",
-        "hertz Hertz", "hertz_damp HertzDamp", "jankowski Jankowski", "bilinear Bilinear", "restitution Restitution")
+        "hertz Hertz", "hertz_damp HertzDamp", "jankowski Jankowski", "bilinear Bilinear", "filler Filler",
+        "restitution Restitution")
 # Of a class: the way to its table in the schema, what of Python alone is to be said, and headers with declarations.
 CLASSES = {
     "Units": (("units",), "", []),

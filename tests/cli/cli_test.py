@@ -32,7 +32,7 @@ EXAMPLES = ["m12-el-centro", "frame-and-wall", "free-impact", "generic-neighbour
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
-COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "modes", "check", "spectrum", "plot", "example", "schema"]
+COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "remedy", "modes", "check", "spectrum", "plot", "example", "schema"]
 
 
 def bentur(*arguments, cwd=None, env=None):

@@ -50,6 +50,8 @@ def mutated(text, rng):
         law = rng.choice(['"hertz", stiffness = 1e6', '"jankowski", stiffness = 1e6, restitution = 0.6',
                           '"kelvin-voigt", stiffness = 1e6, restitution = 0.6, release = "creep"',
                           '"bilinear", stiffness = 1e6, second_stiffness = 1e5, yield_penetration = 0.1',
+                          '"filler", crushing_force = 100, thickness = 0.1, crushing_strain = 0.02, '
+                          'locking_strain = 0.6, locked_stiffness = 1e6',
                           '"restitution", restitution = 0.6', '"darmawan", stiffness = 1e6, alpha = 1.0'])
         text = re.sub(r'contact = \{ law = .*\}', "contact = { law = " + law + " }", text)
     if rng.random() < 0.2:

@@ -112,9 +112,22 @@ class CaseGenerator : private BuildingGenerator {
     if (law == 5) damped("damping_factor", 2);
     if (law == 6) damped("damping_ratio", 0.8);
     if (law == 7) {
-      spec.numbers["second_stiffness"] = {stiffness * uniform(0.1, 0.9)};
-      spec.numbers["yield_penetration"] = {logarithmic(1e-4, 1e-2)};
+      const double share = uniform(0.1, 0.9), yield = logarithmic(1e-4, 1e-2);
+      if (restitution < 0.6) return filler(stiffness, share, yield);
+      spec.numbers["second_stiffness"] = {stiffness * share};
+      spec.numbers["yield_penetration"] = {yield};
     }
+    return spec;
+  }
+
+  static ContactSpec filler(double stiffness, double locking_strain, double yield) {
+    ContactSpec spec;
+    spec.law = "filler";
+    spec.numbers["crushing_force"] = {stiffness * yield};
+    spec.numbers["thickness"] = {20 * yield};
+    spec.numbers["crushing_strain"] = {0.05};
+    spec.numbers["locking_strain"] = {locking_strain};
+    spec.numbers["locked_stiffness"] = {3 * stiffness};
     return spec;
   }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -94,12 +93,9 @@ inline Case in_units(Case c, const UnitChange& units) {
   for (GapSpec& gap : c.gaps) {
     scale(gap.widths, units.length);
     scale(gap.elevations, units.length);
-    auto& numbers = gap.contact.numbers;
-    const bool hertz = gap.contact.law == "hertz" || gap.contact.law == "hertz-damp" || gap.contact.law == "jankowski";
-    const double of_contact = hertz ? stiffness / std::sqrt(units.length) : stiffness;
-    for (const auto& [key, by] : {std::pair{"stiffness", of_contact}, std::pair{"second_stiffness", of_contact},
-                                  std::pair{"yield_penetration", units.length}, std::pair{"alpha", 1 / units.length}}) {
-      if (const auto found = numbers.find(key); found != numbers.end()) scale(found->second, by);
+    for (const Key& key : find_law(gap.contact.law)->keys) {
+      const auto found = gap.contact.numbers.find(key.name);
+      if (found != gap.contact.numbers.end()) scale(found->second, key.dimension.factor(units.length, units.force));
     }
   }
   c.excitation.motion = scaled(c.excitation.motion, units.length);

@@ -141,6 +141,18 @@ def test_gap_and_modes(name, root, program):
                 assert one[key] == value
 
 
+def test_remedy(root, program, tmp_path):
+    study = root / "examples" / "studies" / "linked-pair-damper.toml"
+    expected = json.loads(output(program, "remedy", study, "--json"))
+    assert list(doors.differences(expected, bentur.remedy(study))) == []
+    assert list(doors.differences(expected, bentur.remedy(study, journal=tmp_path / "kept"))) == []
+    assert not (tmp_path / "kept").exists()
+    with pytest.raises(bentur.CaseError, match="remedy"):
+        bentur.remedy(root / "examples" / "studies" / "m12-gaps.toml")
+    with pytest.raises(ValueError, match="journal"):
+        bentur.remedy(study, resume=True)
+
+
 SPECTRUM = """
 [excitation]
 kind = "spectrum"

@@ -83,7 +83,8 @@ BEYOND = {
             name-twice path-twice path-units polarity-twice value-twice""",
         "keys of several tables, or numbers of several keys": """
             distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-missing
-            ida-with-sampling range-backwards sweep-of-ida value-table-without-label vary-missing""",
+            ida-with-sampling range-backwards remedy-for-a-sweep remedy-without-range sweep-of-ida
+            value-table-without-label vary-missing""",
     },
 }
 

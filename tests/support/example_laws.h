@@ -45,6 +45,14 @@ inline std::vector<LawExample> example_laws() {
       {"hertz_damp", "hertz-damp", {{"stiffness", beta}, {"restitution", 0.65}}, {}, false, 2.5},
       {"jankowski", "jankowski", {{"stiffness", beta}, {"restitution", 0.65}}, {}, false, 1.25},
       {"bilinear", "bilinear", {{"stiffness", k}, {"second_stiffness", 0.3 * k}, {"yield_penetration", 2e-3}}, {}},
+      {"filler",
+       "filler",
+       {{"crushing_force", 0.01 * k * 0.03},
+        {"thickness", 0.03},
+        {"crushing_strain", 0.02},
+        {"locking_strain", 0.3},
+        {"locked_stiffness", k}},
+       {}},
       {"restitution", "restitution", {{"restitution", 0.65}}, {}},
   };
 }

@@ -27,7 +27,7 @@ from ._functions import (
 )
 from ._model import *
 from ._result import Result
-from ._study import fragility, ida, sweep, vary
+from ._study import fragility, ida, remedy, sweep, vary
 
 __all__ = [
     "Case",
@@ -48,6 +48,7 @@ __all__ = [
     "minimum_gap",
     "modes",
     "read_record",
+    "remedy",
     "response_spectrum",
     "run",
     "run_suite",

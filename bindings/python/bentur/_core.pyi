@@ -124,6 +124,12 @@ def acceleration_factor(unit: str, length: str) -> float: ...
 def gap_study_json(
     file: str | PathLike[str], at: float | None, progress: Callable[[float], object] | None
 ) -> str: ...
+def remedy_json(
+    file: str | PathLike[str],
+    journal: str | PathLike[str],
+    resume: bool,
+    progress: Callable[[float], object] | None,
+) -> str: ...
 def fragility_json(
     results: Any,
     event: str,

@@ -243,3 +243,31 @@ def fragility(
     )
     found: dict[str, Any] = json.loads(told)
     return found
+
+
+def remedy(
+    study: str | PathLike[str],
+    *,
+    journal: str | PathLike[str] | None = None,
+    resume: bool = False,
+    progress: Progress = None,
+) -> dict[str, Any]:
+    """Seeks the gap, damper, filler or stiffness for which the objective of a study with ``[remedy]``
+    (docs/studies.md) is least, and with a limit the smallest choice that keeps it, as ``bentur remedy --json``
+    has it.
+
+    :param journal: a file that keeps what has been tried until the search is done; with `resume` it goes on there.
+    :returns: ``best`` and ``smallest`` with ``values`` by name, ``objective`` and ``size``, None where there is none;
+        all ``evaluations``.
+    :raises CaseError: where the study or its case has an error.
+    :raises RefusedOutput: where the journal is there and not to be gone on with, or is another study's.
+    """
+    if resume and journal is None:
+        raise ValueError("resume needs a journal")
+    kept = None if journal is None else Path(_arguments.path("journal", journal))
+    with shown(progress, "remedy") as told:
+        made = _core.remedy_json(_arguments.path("study", study), "" if kept is None else kept, resume, told)
+    found: dict[str, Any] = json.loads(made)
+    if kept is not None and not found["stopped"]:
+        kept.unlink(missing_ok=True)
+    return found

@@ -9,6 +9,7 @@
 
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/remedy/remedy.h"
 #include "bentur/study/study_output.h"
 #include "bentur/study/study_variables.h"
 #include "bentur/study/suite/suite_run.h"
@@ -184,6 +185,29 @@ std::string gap_study_text(const fs::path& file, const std::optional<double>& at
   return gap_study_json(*study, BENTUR_VERSION);
 }
 
+/// A search for a remedy, as `bentur remedy --json` tells it. @param journal where what is tried is kept, if anywhere
+std::string remedy_text(const fs::path& file, const fs::path& journal, bool resume, const py::object& progress) {
+  Diagnostics found;
+  Watcher watcher(progress);
+  std::optional<RemedySearch> search;
+  try {
+    const py::gil_scoped_release unlocked;
+    search = seek_remedy(file,
+                         {.journal = journal,
+                          .resume = resume,
+                          .version = BENTUR_VERSION,
+                          .resumed_by = "resume=True",
+                          .goes_on = [&](double fraction) { return watcher(fraction); }},
+                         found);
+  } catch (const std::runtime_error& error) {
+    watcher.rethrow();
+    raise_error("RefusedOutput", error.what());
+  }
+  watcher.rethrow();
+  if (!search) raise_case_error(found);
+  return remedy_json(*search, BENTUR_VERSION);
+}
+
 /// The gaps over the records of a case's suite, as `bentur gap CASE --json` tells them.
 std::string suite_gap_text(const PyCase& given, const py::object& progress) {
   Diagnostics found;
@@ -308,6 +332,7 @@ void bind_study(py::module_& module) {
   module.def("suite_gap_json", &suite_gap_text, py::arg("case"), py::arg("progress"));
   module.def("suite_run_json", &suite_run_text, py::arg("case"), py::arg("progress"));
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
+  module.def("remedy_json", &remedy_text, py::arg("file"), py::arg("journal"), py::arg("resume"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
              py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),
              py::arg("method"));

@@ -7,6 +7,7 @@
 
 #include "bentur/contact/laws/bilinear.h"
 #include "bentur/contact/laws/darmawan.h"
+#include "bentur/contact/laws/filler.h"
 #include "bentur/contact/laws/hertz.h"
 #include "bentur/contact/laws/hertz_damp.h"
 #include "bentur/contact/laws/jankowski.h"
@@ -153,6 +154,38 @@ TEST(Bilinear, GoesRoundItsParallelogram) {
   EXPECT_EQ(state.memory[0], 0);
 }
 
+TEST(Filler, WhatIsCrushedStaysCrushed) {
+  // F_c = 2, δ_c = 0.01, δ_L = 0.06, k = 200, k_L = 400.
+  const Filler law(2, 0.1, 0.1, 0.6, 400);
+  LawState state = law.next({}, 0, 0, 0, 1);
+  EXPECT_DOUBLE_EQ(law.force(state, 0.005, 1), 1);
+  state = law.next(state, 1, 0, 0.01, 1);
+  EXPECT_EQ(state.branch, 2);
+  EXPECT_EQ(law.force(state, 0.03, 1), 2);
+  state = law.next(state, 0, 0, 0.03, 0);  // turns back
+  EXPECT_EQ(state.branch, 1);
+  EXPECT_DOUBLE_EQ(state.memory[0], 0.02);
+  EXPECT_NEAR(law.force(state, 0.025, -1), 1, 1e-14);
+  state = law.next(state, 0, 1, 0.02, -1);
+  EXPECT_EQ(state.branch, 4);
+  EXPECT_FALSE(law.branch(state).touching());
+  EXPECT_EQ(state.closing_speed, 0);
+  EXPECT_GT(value(law.branch(state).guards[0], 0.015, 1), 0);  // within what has been crushed there is room now
+  state = law.next(state, 0, 2, 0.02, 0.5);
+  EXPECT_EQ(state.branch, 1);
+  EXPECT_EQ(state.closing_speed, 0.5);
+  EXPECT_NEAR(value(law.branch(state).guards[1], 0.03, 1), 0, 1e-15);  // crushing goes on where it had come to
+  state = law.next(law.next(state, 1, 2, 0.03, 0.4), 1, 2, 0.06, 0.3);
+  EXPECT_EQ(state.branch, 3);
+  EXPECT_NEAR(law.force(state, 0.06, 1), 2, 1e-13);
+  EXPECT_NEAR(law.force(state, 0.07, 1), 6, 1e-13);
+  state = law.next(state, 0, 2, 0.06, -0.3);
+  EXPECT_EQ(state.branch, 1);
+  EXPECT_EQ(state.memory[0], 0.06 - 0.01);
+  EXPECT_EQ(law.next(state, 1, 2, 0.06, 0.1).branch, 3);  // nothing is left to be crushed
+  EXPECT_EQ(law.next(state, 0, 2, 0.05, -0.1).branch, 4);
+}
+
 TEST(HertzDamp, WithoutAScaleOfSpeedIsHertz) {
   const HertzDamp law(1e9, 0.8);
   const Hertz plain(1e9);
@@ -254,6 +287,25 @@ TEST(ContactLaws, RefuseWhatMakesNoSense) {
       {"bilinear",
        {{{"stiffness", 2}, {"second_stiffness", 1}, {"yield_penetration", 0}}, {}, 1},
        "yield_penetration = 0, must be > 0"},
+      {"filler",
+       {{{"crushing_force", 1},
+         {"thickness", 1},
+         {"crushing_strain", 0.5},
+         {"locking_strain", 0.5},
+         {"locked_stiffness", 9}},
+        {},
+        1},
+       "locking_strain = 0.5, must be in (0.5, 1), above the crushing strain"},
+      {"filler",
+       {{{"crushing_force", 1},
+         {"thickness", 1},
+         {"crushing_strain", 0.25},
+         {"locking_strain", 0.5},
+         {"locked_stiffness", 3}},
+        {},
+        1},
+       "locked_stiffness = 3, must be >= 4, the stiffness before crushing, crushing_force / (crushing_strain "
+       "thickness)"},
       {"restitution", {{{"restitution", 1.01}}, {}, 1}, "restitution = 1.01, must be in (0, 1]"},
   };
   for (const Refused& refused : list) {

@@ -9,6 +9,7 @@
 
 #include "bentur/contact/laws/bilinear.h"
 #include "bentur/contact/laws/darmawan.h"
+#include "bentur/contact/laws/filler.h"
 #include "bentur/contact/laws/hertz.h"
 #include "bentur/contact/laws/hertz_damp.h"
 #include "bentur/contact/laws/jankowski.h"
@@ -74,6 +75,40 @@ TEST(FreeImpact, BilinearLosesItsParallelogram) {
   // Below yield, an elastic impact.
   const double gentle = 0.9 * yield * std::sqrt(k / me);
   EXPECT_NEAR(free_impact(Bilinear(k, k2, yield), left, right, gentle).separation_speed / gentle, 1, close);
+}
+
+// F_c = 20 kN, δ_c = 1 mm, δ_L = 25 mm, k_L = 1e8.
+const Filler filler(2e4, 0.05, 0.02, 0.5, 1e8);
+
+TEST(FreeImpact, AFillerLosesItsForceTimesWhatItCrushes) {
+  const double elastic = 0.5 * 2e4 * 1e-3, energy = 0.5 * me * 0.12 * 0.12;
+  const auto impact = free_impact(filler, left, right, 0.12);
+  const double crushed = impact.end.memory[0];
+  EXPECT_NEAR(crushed / ((energy - elastic) / 2e4), 1, close);  // (C-26)
+  EXPECT_GT(crushed, 0.01);
+  EXPECT_LT(crushed, 0.024);
+  EXPECT_NEAR(impact.peak_penetration / (crushed + 1e-3), 1, close);
+  EXPECT_NEAR(impact.peak_force / 2e4, 1, close);
+  EXPECT_NEAR(0.5 * me * std::pow(impact.separation_speed, 2), energy - 2e4 * crushed, close * energy);
+  // Quarters of an oscillation at ω before and after; between them constant braking by F_c/m_e.
+  const double omega = std::sqrt(2e7 / me), begins = std::sqrt(0.12 * 0.12 - std::pow(1e-3 * omega, 2));
+  const double duration = std::asin(1e-3 * omega / 0.12) / omega + begins * me / 2e4 + std::numbers::pi / 2 / omega;
+  EXPECT_NEAR(impact.duration / duration, 1, close);
+  // Too slow to crush it, an elastic impact.
+  const double gentle = 0.9 * 1e-3 * omega;
+  EXPECT_NEAR(free_impact(filler, left, right, gentle).separation_speed / gentle, 1, close);
+}
+
+TEST(FreeImpact, AFillerLocks) {
+  const double elastic = 0.5 * 2e4 * 1e-3, energy = 0.5 * me * v0 * v0, most = 0.024;
+  const auto impact = free_impact(filler, left, right, v0);
+  EXPECT_DOUBLE_EQ(impact.end.memory[0], most);
+  EXPECT_NEAR(0.5 * me * std::pow(impact.separation_speed, 2), energy - 2e4 * most, close * energy);
+  // ½ k_L x² + F_c x is left of the energy at δ_L.
+  const double left_over = energy - elastic - 2e4 * most;
+  const double beyond = (-2e4 + std::sqrt(2e4 * 2e4 + 2 * 1e8 * left_over)) / 1e8;
+  EXPECT_NEAR(impact.peak_penetration / (0.025 + beyond), 1, close);
+  EXPECT_NEAR(impact.peak_force / (2e4 + 1e8 * beyond), 1, close);
 }
 
 // The monograph's (3.8)-(3.18), with √(1 − ξ²) in the exponents of (3.12) and (3.15).

@@ -2,6 +2,7 @@
 
 #include "bentur/contact/laws/bilinear.h"
 #include "bentur/contact/laws/darmawan.h"
+#include "bentur/contact/laws/filler.h"
 #include "bentur/contact/laws/hertz.h"
 #include "bentur/contact/laws/hertz_damp.h"
 #include "bentur/contact/laws/jankowski.h"
@@ -54,9 +55,9 @@ const Key& exact_or_published() {
 
 const std::vector<LawEntry>& contact_laws() {
   static const std::vector<LawEntry> laws = {
-      Linear::entry(),    KelvinVoigt::entry(), KelvinVoigtApproach::entry(),
-      Darmawan::entry(),  Hertz::entry(),       HertzDamp::entry(),
-      Jankowski::entry(), Bilinear::entry(),    Restitution::entry(),
+      Linear::entry(), KelvinVoigt::entry(), KelvinVoigtApproach::entry(), Darmawan::entry(),
+      Hertz::entry(),  HertzDamp::entry(),   Jankowski::entry(),           Bilinear::entry(),
+      Filler::entry(), Restitution::entry(),
   };
   return laws;
 }

@@ -107,6 +107,53 @@ TEST(ExactAndAdaptive, AgreeOnEveryLawInOneGap) {
   EXPECT_LE(difference(exact, adaptive), 1e-8);
 }
 
+TEST(ExactAndAdaptive, AgreeOnFillersWhoseLossesAddUpToWhatIsCrushed) {
+  std::mt19937 random(31);
+  const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  int crushed = 0, locked = 0, again = 0;
+  for (int n = 0; n < 12; ++n) {
+    Problem problem;
+    for (const double stiffness : {between(1e8, 2e8), between(0.5e8, 1e8), between(1e8, 2e8)}) {
+      problem.buildings.push_back(stick(3, mass, stiffness));
+      problem.delays.push_back(between(0, 0.1));
+    }
+    const double force = between(5e4, 6e5), thickness = between(0.01, 0.06), begins = 0.03, ends = between(0.2, 0.7);
+    for (const int left : {0, 1}) {
+      for (const int floor : {1, 2}) {
+        problem.points.push_back(point(left, floor, between(0, 0.008), "linear"));
+        problem.points.back().law = find_law("filler")->make({{{"crushing_force", force},
+                                                               {"thickness", thickness},
+                                                               {"crushing_strain", begins},
+                                                               {"locking_strain", ends},
+                                                               {"locked_stiffness", 1e9}},
+                                                              {},
+                                                              mass / 2});
+      }
+    }
+    problem.motion = record();
+    problem.duration = 3.0;
+    SolveOptions options;
+    options.energy_audit = true;
+    const Response exact = solve(problem, ExactSolver{}, options), adaptive = solve(problem, AdaptiveSolver{1e-12});
+    EXPECT_LE(difference(exact, adaptive), 1e-8) << n;
+    EXPECT_LE(exact.energy->relative_residual(), 1e-13) << n;
+    for (const PointSummary& p : exact.points) {
+      // (C-26) over all impacts together: what is crushed is remembered from one to the next.
+      const double elastic = begins * thickness, most = (ends - begins) * thickness;
+      const double of_this = std::clamp(p.peak_penetration - elastic, 0.0, most);
+      EXPECT_NEAR(p.energy_lost, force * of_this, 1e-11 * force * thickness) << n;
+      crushed += of_this > 0 ? 1 : 0;
+      locked += of_this == most ? 1 : 0;
+      again += of_this > 0 && p.impacts > 1 ? 1 : 0;
+    }
+    // No force before the bodies are at what was left of the foam.
+    for (const Impact& impact : exact.impacts) EXPECT_GT(impact.closing_speed, 0) << n;
+  }
+  EXPECT_GT(crushed, 20);
+  EXPECT_GT(locked, 3);
+  EXPECT_GT(again, 20);
+}
+
 /// Nonlinear contact in the outer gaps, straight or instant ones between: while two buildings are an island of
 /// nonlinear contact the others fly, or are an island of their own.
 Problem row_of_four(const std::string& lowest) {

@@ -5,7 +5,9 @@
 #include <complex>
 #include <numbers>
 
+#include "bentur/contact/laws/filler.h"
 #include "bentur/contact/laws/kelvin_voigt.h"
+#include "bentur/contact/laws/restitution.h"
 #include "bentur/pounding/pounding.h"
 #include "tests/support/small_buildings.h"
 
@@ -52,6 +54,45 @@ TEST(ClosedForm, FreeVibrationAtEveryDamping) {
           << "zeta " << zeta << " t " << response.histories.time[i];
     }
   }
+}
+
+TEST(ClosedForm, ACrushedFillerIsMetWhereItWasLeft) {
+  // A free mass between a wall, from which it comes back with 0.9 of its speed, and foam of F_c = 100, δ_c = 0.01. The
+  // first impact crushes (½ 3² − ½ 100 · 0.01)/100 = 0.04 of it, the others nothing.
+  const auto at = [](int left, std::shared_ptr<const ContactLaw> law) {
+    ContactPoint point = contact(0.1, 1.0, 0, left);
+    point.law = std::move(law);
+    return point;
+  };
+  Problem problem;
+  problem.buildings = {wall(), oscillator(1.0, 0.0), wall()};
+  problem.points = {at(0, std::make_shared<Restitution>(0.9)),
+                    at(1, std::make_shared<Filler>(100, 0.5, 0.02, 0.8, 1e5))};
+  problem.delays = {0, 0, 0};
+  problem.initial_displacement =
+      problem.initial_velocity = {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
+  problem.initial_velocity[1](0) = 3.0;
+  problem.duration = 2.0;
+  const Response response = solve(problem);
+  ASSERT_EQ(response.status, Status::done) << response.message;
+  ASSERT_GE(response.impacts.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) ASSERT_EQ(response.impacts[i].point, i % 2 == 0 ? 1U : 0U);
+  const double back = 0.1 + 0.04 + 0.1, omega = 100.0;  // from the crushed foam to the wall; √(10⁴/1)
+  double speed = 1.0, time = response.impacts[0].end;
+  EXPECT_NEAR(response.impacts[0].energy_lost, 4.0, 1e-12);
+  EXPECT_NEAR(response.impacts[0].separation_speed, speed, 1e-12);
+  for (const std::size_t i : {2U, 4U}) {
+    EXPECT_NEAR(response.impacts[i - 1].start, time + back / speed, 1e-12);
+    time += back / speed + back / (0.9 * speed);
+    speed *= 0.9;
+    EXPECT_NEAR(response.impacts[i].start, time, 1e-12);
+    EXPECT_NEAR(response.impacts[i].closing_speed, speed, 1e-12);
+    EXPECT_NEAR(response.impacts[i].peak_force, omega * speed, 1e-10);
+    EXPECT_NEAR(response.impacts[i].energy_lost, 0.0, 1e-12);
+    time += pi / omega;
+    EXPECT_NEAR(response.impacts[i].end, time, 1e-12);
+  }
+  EXPECT_NEAR(response.points[1].peak_penetration, 0.05, 1e-14);
 }
 
 TEST(ClosedForm, PeaksAreThoseOfTheContinuousResponse) {

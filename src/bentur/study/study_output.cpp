@@ -53,6 +53,10 @@ std::unique_ptr<StudyRuns> checked_runs(const fs::path& file, StudyKind kind, co
                                         Diagnostics& diagnostics) {
   std::optional<Study> study = read_study(file, diagnostics);
   if (!study) return nullptr;
+  if (study->remedy) {
+    diagnostics.error(study->remedy->position, "[remedy] seeks the best of its ranges: use " + door + "remedy");
+    return nullptr;
+  }
   if (kind == StudyKind::sweep && study->ida) {
     diagnostics.error(study->ida->position, "[ida] makes this an incremental dynamic analysis: use " + door + "ida");
     return nullptr;

@@ -389,8 +389,12 @@ std::string with_contact(const std::string& contact) {
   return stick_a + stick_b + changed.replace(at, changed.rfind('}') - at, "{ " + contact) + harmonic + analysis;
 }
 
-/// A number for each range of a key.
-std::string number_for(Range range) { return range == Range::restitution ? "0.65" : "[0.5, 0.4]"; }
+/// A number that a key can have beside those of the others.
+std::string number_for(const Key& key) {
+  if (key.name == "locking_strain") return "[0.9, 0.8]";    // above the crushing strain
+  if (key.name == "locked_stiffness") return "[3.0, 4.0]";  // at least the stiffness before
+  return key.range == Range::restitution ? "0.65" : "[0.5, 0.4]";
+}
 
 // With every one of the keys that exclude one another, with every word of every choice: whatever the registry offers
 // can be said in a case.
@@ -403,7 +407,7 @@ TEST(CaseReading, EveryLawOfTheRegistryInEveryWay) {
       if (key.need == Need::one_of) {
         one_of.push_back(key.name);
       } else {
-        required += fmt::format(", {} = {}", key.name, number_for(key.range));
+        required += fmt::format(", {} = {}", key.name, number_for(key));
       }
     }
     if (one_of.empty()) one_of.emplace_back();

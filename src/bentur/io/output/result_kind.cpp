@@ -66,6 +66,7 @@ std::string_view kind_name(ResultKind kind) {
       "demands of bentur export",
       "fragility functions of bentur export",
       "taxonomies of bentur export",
+      "a search of bentur remedy",
       "the imported case",
       "the example",
   };
@@ -102,6 +103,8 @@ bool is_result(const fs::path& file, ResultKind kind) {
       fs::path script = file;
       return is_result(script.replace_extension(".py"), ResultKind::figure_script);
     }
+    case ResultKind::remedy:
+      return has_keys(json_of(file), {"version", "objective", "parameters", "smallest", "evaluations"});
     case ResultKind::schema: {
       const FoundJson schema = json_of(file);
       return has_keys(schema, {"$schema", "title"}) && schema["title"].is_string() &&

@@ -22,6 +22,7 @@ enum class ResultKind {
   demands,          ///< a sample of demands for pelicun
   fragility_model,  ///< fragility functions in NRML
   taxonomy,         ///< GEM taxonomy of buildings
+  remedy,           ///< a search of bentur remedy
   imported,         ///< a case made from another program's model
   example           ///< a case or record built into the program
 };

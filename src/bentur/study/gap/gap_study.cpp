@@ -344,6 +344,7 @@ std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::option
     diagnostics.error({file.string(), 0, 0}, why);
     return std::nullopt;
   };
+  if (study->remedy) return refuse("[remedy] is for bentur remedy: bentur gap needs a study without it");
   if (study->sampling.method != Sampling::Method::grid) {
     return refuse("[sampling] draws single runs: bentur gap needs a study whose runs are a grid");
   }

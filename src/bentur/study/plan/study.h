@@ -23,6 +23,15 @@ struct FileKey {
   std::vector<std::optional<TomlValue>> values;
 };
 
+/// What a study with [remedy] may choose a number from. Symbols: u [-] place in it, 0 at `from`, 1 at `to`.
+struct SoughtRange {
+  double from = 0, to = 0;
+  bool log = false;  ///< u is linear in the logarithm
+
+  [[nodiscard]] double at(double u) const;
+  [[nodiscard]] double place(double x) const;  ///< u of x, within [0, 1]
+};
+
 /// One [[vary]] of a study: a key of the case, and what it is to be.
 struct Vary {
   std::string parameter;                        ///< as the study names it
@@ -38,6 +47,7 @@ struct Vary {
   std::vector<double> normalisation;            ///< of files [-]: what each record is multiplied by; empty: nothing
   std::filesystem::path normalisation_file;     ///< that these were read from, if they were
   std::optional<Distribution> distribution;     ///< to sample from
+  std::optional<SoughtRange> sought;            ///< of [remedy]; values are its ends
   TomlValue original;                           ///< what the case says; of a factor
   SourcePosition parameter_position, position;  ///< of the parameter and of its values in the study
 };
@@ -55,6 +65,15 @@ struct IdaSpec {
   SourcePosition position;     ///< of the table in the study
 };
 
+/// [remedy] of a study: what is to become small by the choice of what has a range.
+struct RemedySpec {
+  std::string objective;          ///< a quantity of the results, its largest value
+  bool mean = false;              ///< of all records; else the largest of them
+  std::optional<double> limit;    ///< [the quantity's unit] that it must not exceed
+  std::size_t evaluations = 200;  ///< at most
+  SourcePosition position;        ///< of the objective in the study
+};
+
 /// A study as read: a case, what varies in it, and how the runs are chosen.
 struct Study {
   std::filesystem::path file, case_file;
@@ -64,6 +83,7 @@ struct Study {
   std::vector<std::string> axes;  ///< their names: the dimensions of a grid
   Sampling sampling;
   std::optional<IdaSpec> ida;
+  std::optional<RemedySpec> remedy;
   /// Of a case with a suite of records: `case_root` then has one record, and the others vary (suite/suite_study.h).
   std::shared_ptr<const SuiteSpec> suite = {};
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::int64_t most_samples_of_a_study = 1000000000;
 constexpr std::int64_t most_numbers = 10000000;
+constexpr std::int64_t most_evaluations = 100000;
 
 /// What [excitation] says of a file, of one among several.
 std::vector<Key> keys_of_files() {
@@ -96,7 +97,8 @@ const KeyTable& study_keys() {
            .optional("the full grid"),
        Key::sub_table("ida", ida_keys(), {"Incremental dynamic analysis", "Analisis dinamik inkremental"},
                       "every record at every intensity")
-           .optional()}};
+           .optional(),
+       Key::sub_table("remedy", remedy_keys(), {"Remedy", "Tindakan"}, "what is sought within the ranges").optional()}};
   return table;
 }
 
@@ -115,8 +117,10 @@ const KeyTable& vary_keys() {
              .one_of("form")}};
     const auto add = [&](std::vector<Key> more) { made.keys.insert(made.keys.end(), more.begin(), more.end()); };
     for (std::vector<Key> both :
-         {keys_of_ends(Range::finite,
-                       "the first of `count` numbers; with `[sampling]` the low end of a uniform distribution"),
+         {keys_of_ends(
+              Range::finite,
+              "the first of `count` numbers; with `[sampling]` the low end of a uniform distribution, with `[remedy]` "
+              "of what may be chosen"),
           keys_of_ends(Range::positive, "the same of `spacing = \"log\"`")}) {
       for (Key& key : both) key.when("spacing", {key.range == Range::finite ? "linear" : "log"});
       both.front().one_of("form");
@@ -208,6 +212,25 @@ const KeyTable& sampling_keys() {
       {Key::choice("method", {"latin-hypercube", "sobol", "random"}, {"Method", "Metode"}, "see below"),
        Key::whole("count", 1, most_samples_of_a_study, {"Samples", "Sampel"}, "how many"),
        Key::whole("seed", 0, most_samples_of_a_study, {"Seed", "Benih"}, "it decides each sample").by_default(1)}};
+  return table;
+}
+
+const KeyTable& remedy_keys() {
+  static const KeyTable table = {
+      "remedy",
+      "what is sought within the ranges",
+      {Key::of("objective", Key::Kind::text, {"Objective", "Sasaran"},
+               "a quantity of the results as an event names it, such as `peak_force`: its largest value is to become "
+               "small"),
+       Key::choice("of_records", {"largest", "mean"}, {"Of the records", "Dari rekaman"},
+                   "of all records and whatever else has a list of values, what counts")
+           .optional(),
+       number_of("limit", Range::not_negative, {"Limit", "Batas"},
+                 "that the objective must not exceed, in its unit: the smallest remedy that keeps it is sought too")
+           .optional("none"),
+       Key::whole("evaluations", 10, most_evaluations, {"Evaluations", "Evaluasi"},
+                  "choices that are tried at most, each with all records")
+           .by_default(200)}};
   return table;
 }
 

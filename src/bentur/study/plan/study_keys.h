@@ -12,5 +12,6 @@ namespace bentur {
 [[nodiscard]] const KeyTable& distribution_keys();
 [[nodiscard]] const KeyTable& sampling_keys();
 [[nodiscard]] const KeyTable& ida_keys();
+[[nodiscard]] const KeyTable& remedy_keys();
 
 }  // namespace bentur

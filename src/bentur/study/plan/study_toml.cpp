@@ -170,7 +170,10 @@ void read_varies(const TomlView& root, Study& study) {
     list->error_value("must be one or more tables, each headed [[vary]]");
     return;
   }
-  const VaryContext context{study.file.parent_path(), study.case_file.parent_path(), root.has("sampling")};
+  const VaryContext context{.folder = study.file.parent_path(),
+                            .case_folder = study.case_file.parent_path(),
+                            .remedy = study.remedy.has_value(),
+                            .samples = root.has("sampling")};
   std::vector<TomlView> views;
   std::vector<std::string> together(list->size());
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -234,14 +237,29 @@ void add_polarity(const TomlView& root, Study& study) {
   study.varies.push_back(std::move(vary));
 }
 
+/// [remedy] needs something to choose, and what moves in step with it must have a range too.
+void expect_a_range(const TomlView& root, const Study& study) {
+  const auto has_range = [](const Vary& vary) { return vary.sought.has_value(); };
+  if (std::none_of(study.varies.begin(), study.varies.end(), has_range)) {
+    root.find("remedy")->error("needs a [[vary]] with from and to: what may be chosen");
+  }
+  for (const Vary& vary : study.varies) {
+    if (vary.path.empty() || vary.values.empty() || has_range(vary) == has_range(study.first_along(vary.axis)))
+      continue;
+    root.find("vary")->item(&vary - study.varies.data()).error("moves with a range and has none: give from and to");
+  }
+}
+
 /// All of a study but its case.
 void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics& found) {
   (void)TableView::of(root, study_keys());
   std::optional<Vary> records = has_case ? take_suite(study, found) : std::nullopt;
   read_sampling(root, study);
   study.ida = read_ida(root);
+  study.remedy = read_remedy(root);
   if (has_case) {
     read_varies(root, study);
+    if (study.remedy) expect_a_range(root, study);
     if (study.ida) add_polarity(root, study);
     if (found.ok()) settle_normalisation(root, study);
     if (records) vary_records_of_suite(std::move(*records), study, found);

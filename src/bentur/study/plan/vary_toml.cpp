@@ -79,6 +79,15 @@ std::optional<Ends> read_ends(const TableView& view) {
 }
 
 void read_range(const TableView& view, const VaryContext& context, Vary& vary) {
+  if (context.remedy) {
+    view.refuse({"count"}, "is for a grid: with [remedy] a range is what may be chosen");
+    const auto ends = read_ends(view);
+    vary.ends_decide = true;
+    if (!ends) return;
+    vary.sought = SoughtRange{ends->from, ends->to, ends->log};
+    vary.values = {toml_number(ends->from), toml_number(ends->to)};
+    return;
+  }
   if (!context.samples) {
     for (const double value : read_steps(view)) vary.values.push_back(toml_number(value));
     vary.ends_decide = true;

@@ -19,6 +19,12 @@ constexpr int most_branches = 1000;   // that loading in one direction goes thro
 /// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
 bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
 
+/// δ at which bodies that are apart touch, where that is a place: not 0 once their surface is crushed.
+double surface(const Branch& branch) {
+  const Guard& guard = branch.guards[0];
+  return guard.deformation == -1.0 && guard.speed == 0.0 && guard.decaying == 0.0 ? guard.constant : 0.0;
+}
+
 /// Of a spring that ends where it has no force, throughout; 0: of others.
 double sign_of_force(const Branch& branch) {
   for (std::size_t g = 0; g < branch.guard_count && branch.damping == 0.0; ++g) {
@@ -310,18 +316,20 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
 void Elements::note_touches(const Expansion& motion, double time, double end, State& state) {
   for (Index i = idle_; i < count(); ++i) {
     if (!awaits(i)) continue;
-    if (monitor_.stays(i) || deformation(i, state) < 0.0) {
+    const double touch = surface(branches_[i]);
+    if (monitor_.stays(i) || deformation(i, state) < touch) {
       touches_[i] = {};
       continue;
     }
-    const Polynomial& deformation = motion.deformation(i);
-    const auto zero = last_zero(deformation, end);
+    Polynomial beyond = motion.deformation(i);
+    beyond[0] -= touch;
+    const auto zero = last_zero(beyond, end);
     // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
     // it has been negative since the start of the step, or before.
-    const bool leaves = leaves_band_[i] != 0 || value(deformation, end) > tolerances_[i];
+    const bool leaves = leaves_band_[i] != 0 || value(beyond, end) > tolerances_[i];
     if (!zero && leaves && touches_[i].time >= 0.0) continue;
     const double s = zero.value_or(leaves ? 0.0 : end);
-    touches_[i] = {time + s * motion.h(), first_derivative(deformation, s) / motion.h()};
+    touches_[i] = {time + s * motion.h(), first_derivative(beyond, s) / motion.h()};
   }
   if (end * motion.h() > 0.0) coupled_.go_on();
   if (forces_.fading > 0.0) forget_faded(time + end * motion.h(), state);

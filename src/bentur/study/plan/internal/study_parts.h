@@ -15,6 +15,7 @@ namespace bentur {
 struct VaryContext {
   std::filesystem::path folder;       ///< of the study: files are relative to it
   std::filesystem::path case_folder;  ///< that the case takes them relative to
+  bool remedy = false;                ///< with [remedy] ranges are what may be chosen, and nothing is drawn
   bool samples = false;  ///< with [sampling] ranges and distributions are drawn from, else they are stepped through
 };
 
@@ -27,6 +28,9 @@ struct VaryContext {
 
 /// ida_toml.cpp: [ida] of a study; nothing where it has none. Its axis is for read_study() to set.
 [[nodiscard]] std::optional<IdaSpec> read_ida(const TomlView& root);
+
+/// remedy_toml.cpp: [remedy] of a study; nothing where it has none.
+[[nodiscard]] std::optional<RemedySpec> read_remedy(const TomlView& root);
 
 /// normalisation.cpp: `normalisation` of a [[vary]] with files: a rule ("pgv", "pgv-pairs"), a list of factors, or a
 /// table with the file that holds them, into `vary`. A file of factors is CSV: a heading with `file` and `factor` or

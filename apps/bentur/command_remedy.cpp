@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arguments.h"
+#include "bentur/report/studies/remedy_figure.h"
+#include "bentur/study/gap/gap_study.h"
+#include "bentur/study/remedy/remedy.h"
+#include "bentur/study/remedy/remedy_story.h"
+#include "commands.h"
+#include "output/output.h"
+#include "output/picture.h"
+#include "session.h"
+#include "text/table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct RemedyArguments {
+  std::string study, output, figure;
+  std::string language = "en";
+  bool resume = false, json = false, force = false;
+};
+
+/// Of what is written, what must not be touched.
+OutputRules rules_of(const RemedyArguments& arguments) {
+  return {.inputs = {arguments.study}, .force = arguments.force};
+}
+
+std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::filesystem::path& journal) {
+  const StopOnSignal stop;
+  Progress progress("of the evaluations");
+  RemedyOptions options{.journal = journal, .resume = arguments.resume, .version = BENTUR_VERSION, .goes_on = {}};
+  options.goes_on = [&progress](double fraction) {
+    progress.show(fraction);
+    return !StopOnSignal::asked();
+  };
+  Diagnostics diagnostics;
+  auto found = seek_remedy(arguments.study, options, diagnostics);
+  if (!found) throw Failure(diagnostics, arguments.language);
+  return found;
+}
+
+void run(const RemedyArguments& arguments) {
+  if (!is_study(arguments.study)) {
+    throw Failure(exit_bad_input,
+                  fmt::format("bentur remedy: {}: must be a study with [remedy]; what gap a case needs says bentur gap",
+                              arguments.study));
+  }
+  if (arguments.resume && arguments.output.empty()) {
+    throw Failure(exit_bad_input, "bentur remedy: --resume needs --output: evaluations are kept beside it");
+  }
+  if (!arguments.output.empty() && is_standard_output(arguments.output)) {
+    throw Failure(exit_bad_input, "bentur remedy: --output must be a file; --json writes to standard output");
+  }
+  std::optional<OutputFile> output;
+  std::filesystem::path journal;
+  if (!arguments.output.empty()) {
+    output.emplace(arguments.output, ResultKind::remedy, rules_of(arguments));
+    journal = arguments.output + ".part";
+  }
+  if (!arguments.figure.empty()) expect_picture(arguments.figure, rules_of(arguments));
+  const RemedySearch found = *seek(arguments, journal);
+  const Words say(arguments.language);
+  const std::string json = remedy_json(found, BENTUR_VERSION);
+  if (output && !found.stopped) {
+    output->write(json);
+    std::filesystem::remove(journal);
+  }
+  std::string text = found.title.empty() ? "" : found.title + "\n";
+  text += story_text(found.problem, remedy_story(found), say, Told::outcome);
+  print(arguments.json ? json : fitted(text));
+  if (!arguments.figure.empty() && found.best() != nullptr) {
+    FigureOptions options;
+    options.say = figure_words(arguments.language);
+    options.language = arguments.language;
+    write_picture(arguments.figure, remedy_figure(found, options), rules_of(arguments));
+  }
+  if (!found.stopped) return;
+  throw Failure(exit_other, output
+                                ? fmt::format("Stopped: what was tried is kept in {}; the same command with --resume "
+                                              "goes on",
+                                              journal.string())
+                                : "");
+}
+
+}  // namespace
+
+void add_remedy_command(CLI::App& app) {
+  auto arguments = std::make_shared<RemedyArguments>();
+  CLI::App* command = app.add_subcommand("remedy", "Gap, damper, filler or stiffness that keeps a limit");
+  command->add_option("STUDY", arguments->study, "a study with [remedy]: a case, what may be chosen, what is sought")
+      ->required()
+      ->check(not_empty());
+  command->add_option("-o,--output", arguments->output, "file for the result (JSON)")
+      ->check(not_empty())
+      ->type_name("FILE");
+  command->add_option("--figure", arguments->figure, "the trade-off as a picture, .svg, .pdf or .png")
+      ->check(not_empty())
+      ->type_name("FILE");
+  command->add_flag("--resume", arguments->resume, "go on with an unfinished search");
+  command->add_flag("--json", arguments->json, "JSON instead of words");
+  add_language(*command, arguments->language);
+  add_force(*command, arguments->force);
+  command->footer("Example: bentur remedy study.toml -o remedy.json --figure remedy.svg");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace bentur::cli

@@ -1,0 +1,35 @@
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/study/plan/internal/study_parts.h"
+#include "bentur/study/plan/study_keys.h"
+
+namespace bentur {
+
+double SoughtRange::at(double u) const {
+  if (u <= 0) return from;
+  if (u >= 1) return to;
+  return log ? from * std::pow(to / from, u) : from + (to - from) * u;
+}
+
+double SoughtRange::place(double x) const {
+  const double u = log ? std::log(x / from) / std::log(to / from) : (x - from) / (to - from);
+  return std::clamp(std::isnan(u) ? 0.0 : u, 0.0, 1.0);
+}
+
+std::optional<RemedySpec> read_remedy(const TomlView& root) {
+  const auto given = root.find("remedy");
+  if (!given) return std::nullopt;
+  RemedySpec spec;
+  const auto view = TableView::of(*given, remedy_keys());
+  root.refuse({"sampling", "ida"}, "does not go with [remedy], which chooses from ranges");
+  if (!view) return spec;
+  spec.objective = view->text("objective").value_or("");
+  spec.mean = view->word("of_records") == "mean";
+  spec.limit = view->number("limit");
+  spec.evaluations = static_cast<std::size_t>(view->whole("evaluations").value_or(1));
+  if (const auto objective = view->find("objective")) spec.position = objective->position();
+  return spec;
+}
+
+}  // namespace bentur

@@ -1,0 +1,366 @@
+#include "bentur/study/remedy/remedy.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "bentur/io/schema/parameter_units.h"
+#include "bentur/study/build_identity.h"
+#include "bentur/study/journal.h"
+#include "bentur/study/remedy/optimiser.h"
+#include "bentur/study/study_runs.h"
+#include "bentur/study/study_variables.h"
+
+namespace bentur {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Places = std::vector<double>;
+
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double at_end = 1e-3;    // of a range, from its end
+constexpr int most_halvings = 12;  // of the way back, to 1/4096 of it
+constexpr auto sync_every = std::chrono::seconds(2);
+
+struct Stopped {};   // asked to end
+struct NoneLeft {};  // of the evaluations
+
+/// Axes that are chosen, in their order.
+std::vector<std::size_t> chosen_axes(const Study& study) {
+  std::set<std::size_t> axes;
+  for (const Vary& vary : study.varies) {
+    if (vary.sought) axes.insert(vary.axis);
+  }
+  return {axes.begin(), axes.end()};
+}
+
+/// The place in its range of what the case says: of a list of one number that number; `from` where it says none.
+double place_of_case(const Study& study, const Vary& vary) {
+  if (vary.factor) return vary.sought->place(1);
+  const TomlValue* value = find_value(study.case_root, vary.path);
+  while (value != nullptr && value->kind == TomlValue::Kind::list && !value->items.empty()) value = &value->items[0];
+  return value != nullptr && value->is_number() ? vary.sought->place(value->real) : 0;
+}
+
+/// The quantities of a row that an objective names, with or without a building's number.
+std::vector<RowPart> parts_named(const std::vector<RowPart>& parts, const std::string& name) {
+  const std::string wanted = name == "drift" ? "peak_drift_ratio" : name;
+  std::vector<RowPart> found;
+  for (const RowPart& part : parts) {
+    if (part.name == wanted || (part.is_of_building() && without_number(part.name) == wanted)) found.push_back(part);
+  }
+  return found;
+}
+
+/// What one run gives: infinite where it does not tell what happens, or ends in a collapse.
+class Measure {
+ public:
+  Measure(const std::vector<RowPart>& parts, const std::string& objective) : of_(parts_named(parts, objective)) {
+    // Needs of the free response know nothing of contacts.
+    is_free_ = objective.starts_with("gap_needed");
+    for (const RowPart& part : parts) {
+      if (part.name == "collapsed" || (part.name == "unmodelled_contacts" && !is_free_)) refused_.push_back(part);
+    }
+  }
+
+  [[nodiscard]] const std::vector<RowPart>& parts() const { return of_; }
+  [[nodiscard]] double operator()(const RunResult& result) const {
+    if (result.status != RunStatus::done || largest(refused_, result.values).value_or(0) > 0) return none;
+    return largest(of_, result.values).value_or(none);
+  }
+
+ private:
+  static std::optional<double> largest(const std::vector<RowPart>& parts, const std::vector<double>& row) {
+    std::optional<double> most;
+    for (const RowPart& part : parts) {
+      for (Eigen::Index i = 0; i < part.count; ++i) {
+        const double value = std::abs(row[part.first + static_cast<std::size_t>(i)]);
+        if (!std::isnan(value)) most = std::max(most.value_or(value), value);
+      }
+    }
+    return most;
+  }
+
+  std::vector<RowPart> of_, refused_;
+  bool is_free_ = false;
+};
+
+/// Tries choices, one after the other; each place once.
+class Trials {
+ public:
+  Trials(RemedySearch& search, StudyFacts facts, std::shared_ptr<CaseMemo> memo, const RemedyOptions& options,
+         const std::vector<RowPart>& quantities)
+      : search_(search),
+        facts_(std::move(facts)),
+        memo_(std::move(memo)),
+        options_(options),
+        measure_(quantities, search.spec().objective) {
+    for (const std::size_t axis : chosen_axes(search.study)) {
+      start_.push_back(place_of_case(search.study, search.study.first_along(axis)));
+    }
+    open_journal();
+  }
+
+  [[nodiscard]] const Places& start() const { return start_; }
+  [[nodiscard]] std::size_t left() const { return search_.spec().evaluations - search_.trials.size(); }
+  [[nodiscard]] double size_of(const Places& places) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) sum += std::abs(places[i] - start_[i]);
+    return sum / static_cast<double>(places.size());
+  }
+
+  /// The objective at a place. @throws Stopped, NoneLeft
+  double objective(const Places& places) {
+    for (const RemedyTrial& known : search_.trials) {
+      if (known.places == places) return known.objective;
+    }
+    if (left() == 0) throw NoneLeft();
+    RemedyTrial trial{.places = places, .values = {}, .objective = 0, .size = size_of(places), .failed = 0};
+    for (const RemedyParameter& one : search_.parameters) trial.values.push_back(one.range.at(places[one.axis]));
+    const std::vector<double> measures = measures_of(places);
+    for (const double one : measures) {
+      trial.failed += std::isfinite(one) ? 0 : 1;
+      trial.objective = search_.spec().mean ? trial.objective + one / static_cast<double>(measures.size())
+                                            : std::max(trial.objective, one);
+    }
+    search_.trials.push_back(std::move(trial));
+    return search_.trials.back().objective;
+  }
+
+  /// The same with a number for a search where there is none: as bad as the worst so far.
+  double finite(const Places& places) {
+    const double value = objective(places);
+    if (std::isfinite(value)) return value;
+    double worst = 1;
+    for (const RemedyTrial& one : search_.trials) {
+      if (std::isfinite(one.objective)) worst = std::max(worst, 2 * one.objective);
+    }
+    return worst;
+  }
+
+  void finish() {
+    if (journal_) journal_->sync();
+  }
+
+ private:
+  void open_journal() {
+    if (options_.journal.empty()) return;
+    const JournalOrigin origin{.version = options_.version,
+                               .build = std::string(build_identity()),
+                               .study = search_.study.text,
+                               .case_text = search_.study.case_text,
+                               .records = facts_.records,
+                               .runs = search_.spec().evaluations * search_.runs_each,
+                               .values = 1 + search_.axes};
+    std::error_code failed;
+    if (!std::filesystem::exists(options_.journal, failed)) {
+      journal_.emplace(Journal::begin(options_.journal, origin));
+    } else if (!options_.resume) {
+      throw std::runtime_error(
+          fmt::format("{}: evaluations of an unfinished search are there: go on with {}, or remove the file",
+                      options_.journal.string(), options_.resumed_by));
+    } else {
+      journal_.emplace(Journal::resume(options_.journal, origin));
+    }
+  }
+
+  /// Of each run of a choice, known from the journal or solved.
+  std::vector<double> measures_of(const Places& places) {
+    const std::size_t first = search_.trials.size() * search_.runs_each;
+    std::vector<double> measures(search_.runs_each, none);
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      if (!journal_ || !journal_->is_done(first + i)) {
+        missing.push_back(i);
+        continue;
+      }
+      const RunResult known = journal_->read(first + i, 1).front();
+      if (known.status != RunStatus::done) continue;
+      if (!std::equal(places.begin(), places.end(), known.values.begin() + 1)) {
+        throw std::runtime_error(options_.journal.string() + ": has another search's evaluations; remove the file");
+      }
+      measures[i] = known.values[0];
+    }
+    if (!missing.empty()) solve(places, first, missing, measures);
+    return measures;
+  }
+
+  void solve(const Places& places, std::size_t first, const std::vector<std::size_t>& missing,
+             std::vector<double>& measures) {
+    const StudyRuns runs(chosen_study(search_.study, places), facts_, memo_);
+    const auto goes_on = [&] {
+      const double done = static_cast<double>(search_.trials.size()) / static_cast<double>(search_.spec().evaluations);
+      return !options_.goes_on || options_.goes_on(done);
+    };
+    const std::vector<RunResult> results = runs.solve(missing, goes_on);
+    for (const RunResult& result : results) {
+      measures[result.run] = measure_(result);
+      if (!journal_) continue;
+      RunResult kept{.run = first + result.run, .status = RunStatus::failed, .message = result.message, .values = {}};
+      if (std::isfinite(measures[result.run])) {
+        kept.status = RunStatus::done;
+        kept.values = {measures[result.run]};
+        kept.values.insert(kept.values.end(), places.begin(), places.end());
+      }
+      journal_->write(kept);
+    }
+    if (results.size() < missing.size()) throw Stopped();
+    if (journal_ && Clock::now() - synced_ >= sync_every) {
+      journal_->sync();
+      synced_ = Clock::now();
+    }
+  }
+
+  RemedySearch& search_;
+  StudyFacts facts_;
+  std::shared_ptr<CaseMemo> memo_;
+  const RemedyOptions& options_;
+  Measure measure_;
+  Places start_;
+  std::optional<Journal> journal_;
+  Clock::time_point synced_ = Clock::now();
+};
+
+/// Towards what the case says as far as the limit is kept.
+void go_back(RemedySearch& search, Trials& trials) {
+  const Places far = search.smallest()->places;
+  double kept = 1, broken = 0;  // parts of the way from the case
+  for (int i = 0; i < most_halvings; ++i) {
+    const double middle = (kept + broken) / 2;
+    Places places = trials.start();
+    for (std::size_t a = 0; a < places.size(); ++a) places[a] += middle * (far[a] - places[a]);
+    (trials.objective(places) <= *search.spec().limit ? kept : broken) = middle;
+  }
+}
+
+void seek(RemedySearch& search, Trials& trials) {
+  const auto objective = [&](const Places& places) { return trials.finite(places); };
+  (void)trials.objective(trials.start());
+  const bool limited = search.spec().limit.has_value();
+  const std::size_t back = limited ? std::min<std::size_t>(most_halvings, trials.left() / 4) : 0;
+  search_everywhere({.objective = objective, .start = trials.start(), .evaluations = (trials.left() - back) / 2});
+  if (const RemedyTrial* const best = search.best()) {
+    const std::size_t rest = trials.left() - back;
+    search_nearby({.objective = objective, .start = Places(best->places), .evaluations = limited ? rest / 2 : rest});
+  }
+  const RemedyTrial* const smallest = search.smallest();
+  if (smallest == nullptr || smallest->size == 0) return;
+  if (search.axes > 1) {
+    search_nearby({.objective = [&](const Places& places) { return trials.size_of(places); },
+                   .constraint = [&](const Places& places) { return trials.finite(places) - *search.spec().limit; },
+                   .start = Places(smallest->places),
+                   .evaluations = trials.left() - back});
+  }
+  go_back(search, trials);
+}
+
+/// An error where the results have no such quantity, with those they have.
+bool refuse_objective(const std::vector<RowPart>& quantities, const RemedySpec& spec, Diagnostics& diagnostics) {
+  if (!parts_named(quantities, spec.objective).empty()) return false;
+  std::set<std::string> names;
+  for (const RowPart& part : quantities) names.insert(part.is_of_building() ? without_number(part.name) : part.name);
+  diagnostics.error(spec.position, fmt::format("remedy.objective = \"{}\", must be a quantity of the results: {}",
+                                               spec.objective, fmt::join(names, ", ")));
+  return true;
+}
+
+}  // namespace
+
+Study chosen_study(const Study& study, const std::vector<double>& places) {
+  Study one = study;
+  const std::vector<std::size_t> axes = chosen_axes(study);
+  for (Vary& vary : one.varies) {
+    if (!vary.sought) continue;
+    const auto place = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), vary.axis) - axes.begin());
+    vary.values = {toml_number(vary.sought->at(places[place]))};
+  }
+  return one;
+}
+
+const RemedyTrial* RemedySearch::best() const {
+  const RemedyTrial* found = nullptr;
+  for (const RemedyTrial& one : trials) {
+    if (!std::isfinite(one.objective)) continue;
+    const bool better = found == nullptr || one.objective < found->objective ||
+                        (one.objective == found->objective && one.size < found->size);
+    if (better) found = &one;
+  }
+  return found;
+}
+
+const RemedyTrial* RemedySearch::smallest() const {
+  const RemedyTrial* found = nullptr;
+  for (const RemedyTrial& one : trials) {
+    if (!spec().limit || !(one.objective <= *spec().limit)) continue;
+    if (found == nullptr || one.size < found->size) found = &one;
+  }
+  return found;
+}
+
+std::vector<std::size_t> RemedySearch::at_bounds(const RemedyTrial& trial) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double u = trial.places[parameters[i].axis];
+    const bool moved = std::abs(u - trials.front().places[parameters[i].axis]) > at_end;
+    if (moved && (u < at_end || u > 1 - at_end)) found.push_back(i);
+  }
+  return found;
+}
+
+std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const RemedyOptions& options,
+                                        Diagnostics& diagnostics) {
+  std::optional<Study> study = read_study(file, diagnostics);
+  if (!study) return std::nullopt;
+  if (!study->remedy) {
+    diagnostics.error({file.string(), 0, 0}, "[remedy] is missing, with objective: what is to become small");
+    return std::nullopt;
+  }
+  if (!has_optimiser()) {
+    diagnostics.error(study->remedy->position, "[remedy] needs NLopt, which this build of bentur has not");
+    return std::nullopt;
+  }
+  check_names(*study, diagnostics);
+  const auto memo = std::make_shared<CaseMemo>();
+  std::optional<StudyFacts> facts = check_study(*study, *memo, diagnostics);
+  if (!facts || !diagnostics.ok()) return std::nullopt;
+  const std::vector<RowPart> quantities = row_parts(facts->problem, facts->units, facts->energy_audit);
+  if (refuse_objective(quantities, *study->remedy, diagnostics)) return std::nullopt;
+
+  RemedySearch search;
+  search.study = std::move(*study);
+  search.title = facts->title;
+  search.problem = facts->problem;
+  search.unit = parts_named(quantities, search.spec().objective).front().units;
+  const std::vector<std::size_t> axes = chosen_axes(search.study);
+  search.axes = axes.size();
+  std::set<std::size_t> of_records;
+  for (const Vary& vary : search.study.varies) {
+    if (vary.sought) {
+      const auto axis = std::find(axes.begin(), axes.end(), vary.axis) - axes.begin();
+      search.parameters.push_back({vary.name, vary.parameter,
+                                   vary.factor ? "1" : parameter_units(vary.path, search.study.case_root, facts->units),
+                                   *vary.sought, static_cast<std::size_t>(axis)});
+    } else if (of_records.insert(vary.axis).second) {
+      search.runs_each *= vary.values.size();
+    }
+  }
+  Trials trials(search, std::move(*facts), memo, options, quantities);
+  try {
+    seek(search, trials);
+  } catch (const NoneLeft&) {  // all that may be tried has been
+  } catch (const Stopped&) {
+    search.stopped = true;
+  }
+  trials.finish();
+  return search;
+}
+
+}  // namespace bentur
