@@ -268,7 +268,10 @@ Histories histories_of(const Problem& problem, Sampled&& sampled, Solution& solu
   if (sampled.time.empty()) return histories;
   take_lists(problem, solution, of, histories);
   histories.time = std::move(sampled.time);
-  histories.ground_acceleration = std::move(sampled.ground_acceleration);
+  if (sampled.ground_acceleration.size() > 0) {
+    const auto first = sampled.ground_acceleration.row(0);
+    histories.ground_acceleration.assign(first.begin(), first.end());
+  }
   histories.opening = std::move(sampled.opening);
   histories.force = std::move(sampled.force);
   histories.link_deformation = std::move(sampled.joint_deformation);
