@@ -288,6 +288,23 @@ TEST(PlanContact, APlanesYieldForcesOutOfReachChangeNothing) {
   EXPECT_EQ(yields.buildings[0].planes[1].yielding.ductility.size(), 0);
 }
 
+TEST(PlanContact, TheOrderOfTheBuildingsChangesNothing) {
+  const auto law = [](double s) { return std::make_shared<Linear>(s * 2e5); };
+  const PlanProblem problem = eccentric_pair(2, law);
+  PlanProblem other = problem;
+  std::swap(other.buildings[0], other.buildings[1]);
+  std::swap(other.gaps[0].left, other.gaps[0].right);  // L is the second now
+  const PlanResponse one = solve(problem), same = solve(other);
+  ASSERT_EQ(same.status, Status::done) << same.message;
+  ASSERT_EQ(one.impacts.size(), same.impacts.size());
+  EXPECT_GT(one.impacts.size(), 6U);
+  for (std::size_t i = 0; i < one.points.size(); ++i) {
+    EXPECT_NEAR(one.points[i].impulse, same.points[i].impulse, 1e-10 * one.points[i].impulse);
+    EXPECT_NEAR(one.points[i].gap_needed, same.points[i].gap_needed, 1e-12);
+  }
+  EXPECT_TRUE(one.buildings[0].rotation.isApprox(same.buildings[1].rotation, 1e-10));
+}
+
 TEST(PlanContact, MotionsActAlongTheirAxes) {
   // a_x = a₁ cos α − a₂ sin α, a_y = a₁ sin α + a₂ cos α (P-3); α = 90°.
   const auto law = [](double s) { return std::make_shared<Linear>(s * 2e5); };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/structure/plan/plan_body.h"
@@ -143,7 +144,9 @@ System system_of(const PlanProblem& problem) {
   for (const PlanBuilding& building : problem.buildings) system.bodies.push_back(body_of(building, axes));
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      system.contacts.push_back({interface_of(problem, gap, contact), contact.law, gap.stretch.width});
+      Interface at = interface_of(problem, gap, contact);
+      if (gap.left > gap.right) std::swap(at.left, at.right);  // δ is their sum: bodies go in their order
+      system.contacts.push_back({std::move(at), contact.law, gap.stretch.width});
     }
   }
   for (const Contact& contact : system.contacts) {
