@@ -16,7 +16,7 @@
 #include "bentur/core/units.h"
 #include "bentur/excitation/design_spectrum.h"
 #include "bentur/excitation/ground_motion.h"
-#include "bentur/model/contact_spec.h"
+#include "bentur/model/contact/contact_spec.h"
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/model/gap/modal_combination.h"

@@ -338,7 +338,7 @@ const KeyTable& initial_keys() {
       "initial",
       "displacements and velocities at the start, by building",
       {Key::by_building("displacements", dimension::length, Range::level, {"Displacements", "Perpindahan"},
-                        "bottom to top, relative to the base"),
+                        "bottom to top, relative to the base; in plan `[x, y, rotation]` of each floor, in radians"),
        Key::by_building("velocities", dimension::velocity, Range::finite, {"Velocities", "Kecepatan"},
                         "the same of velocities")}};
   return table;

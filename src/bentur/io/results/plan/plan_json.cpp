@@ -128,24 +128,47 @@ Json plan_point_json(const PlanGap& gap, const PlanContact& contact, const Point
           {"contact", contact_json(*contact.law, spec)}};
 }
 
+/// Floors between base and top of the other building that have no contact there, so that nothing is told of how near
+/// they come to its columns.
+Json not_watched_json(const PlanProblem& problem, const PlanGap& gap) {
+  Json json = Json::array();
+  for (const int side : {0, 1}) {
+    const PlanBuilding& building = problem.buildings[side == 0 ? gap.left : gap.right];
+    const PlanModel& other = problem.buildings[side == 0 ? gap.right : gap.left].model;
+    const double base = other.elevations.front() - other.storey_heights.front();
+    for (Index f = 0; f < building.model.floors(); ++f) {
+      const double elevation = building.model.elevations[f];
+      const bool touches = std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& contact) {
+        return (side == 0 ? contact.left_floor : contact.right_floor) == f;
+      });
+      if (touches || elevation < base || elevation > other.elevations.back()) continue;
+      json.push_back({{"floor_of", building.name}, {"elevation", elevation}});
+    }
+  }
+  return json;
+}
+
 /// @param first the gap's first contact among those of all gaps
 Json plan_gap_json(const PlanRun& run, std::size_t g, std::size_t first) {
   const PlanGap& gap = run.problem.gaps[g];
   Json points = Json::array();
-  double needed = 0;
-  std::optional<double> reversed;
+  double needed = 0, reversed = 0;
+  bool both_ways = run.c.analysis.both_ways;
   for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
     const PointSummary& point = run.response.points.at(first + i);
     needed = std::max(needed, point.gap_needed);
-    if (point.gap_needed_reversed) reversed = std::max(reversed.value_or(0), *point.gap_needed_reversed);
+    reversed = std::max(reversed, point.gap_needed_reversed.value_or(0));
+    both_ways = both_ways && point.gap_needed_reversed.has_value();
     points.push_back(plan_point_json(gap, gap.contacts[i], point, run.c.gaps.at(g).contact));
+    if (!run.c.analysis.both_ways) points.back()["gap_needed_reversed"] = nullptr;
   }
   return {{"between", {run.problem.buildings[gap.left].name, run.problem.buildings[gap.right].name}},
           {"normal", gap.stretch.across == 0 ? "x" : "y"},
           {"width", gap.stretch.width},
           {"stretch", {gap.stretch.from, gap.stretch.to}},
           {"gap_needed", needed},
-          {"gap_needed_reversed", number_or_null(reversed)},
+          {"gap_needed_reversed", both_ways ? Json(reversed) : Json(nullptr)},
+          {"not_watched", not_watched_json(run.problem, gap)},
           {"points", std::move(points)}};
 }
 

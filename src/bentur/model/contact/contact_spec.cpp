@@ -1,4 +1,4 @@
-#include "bentur/model/contact_spec.h"
+#include "bentur/model/contact/contact_spec.h"
 
 #include <cmath>
 
