@@ -184,7 +184,7 @@ TEST(PlanContact, RestitutionGivenByDampingRatioIsHigherAtACorner) {
 }
 
 /// Three storeys and two, not symmetric.
-PlanProblem eccentric_pair(int points, const LawOf& law) {
+std::vector<Plan> eccentric_plans() {
   const auto plane = [](double at, bool along_x, std::vector<double> k) {
     return PlanPlane{.name = "",
                      .through = along_x ? PlanPoint(0, at) : PlanPoint(at, 0),
@@ -201,14 +201,19 @@ PlanProblem eccentric_pair(int points, const LawOf& law) {
                  .storey_heights = {3.2, 3.0},
                  .masses = {40, 35},
                  .planes = {plane(2, true, {35e3, 30e3}), plane(12, true, {50e3, 40e3}), plane(4, false, {5e4, 4e4})}};
+  return {tall, low};
+}
+
+PlanProblem pair_of(const std::vector<Plan>& plans, int points, const LawOf& law) {
   PlanProblem problem;
-  problem.buildings = {make_plan_building("Tall", plan_model(tall), ModalDamping{{0.03}}),
-                       make_plan_building("Low", plan_model(low), ModalDamping{{0.03}})};
-  PlanGap gap{.left = 0, .right = 1, .stretch = *facing(tall.footprint, low.footprint)};
+  problem.buildings = {make_plan_building("Tall", plan_model(plans[0]), ModalDamping{{0.03}}),
+                       make_plan_building("Low", plan_model(plans[1]), ModalDamping{{0.03}})};
+  PlanGap gap{.left = 0, .right = 1, .stretch = *facing(plans[0].footprint, plans[1].footprint)};
+  if (gap.stretch.swapped) std::swap(gap.left, gap.right);
   for (const Eigen::Index floor : {0, 1}) {
     for (const StretchPoint& point : points_of(gap.stretch, points)) {
       gap.contacts.push_back(
-          {floor, floor, tall.storey_heights[0] + 3.0 * static_cast<double>(floor), point.along, law(point.share)});
+          {floor, floor, problem.buildings[0].model.elevations[floor], point.along, law(point.share)});
     }
   }
   problem.gaps = {gap};
@@ -216,6 +221,8 @@ PlanProblem eccentric_pair(int points, const LawOf& law) {
   problem.duration = 3;
   return problem;
 }
+
+PlanProblem eccentric_pair(int points, const LawOf& law) { return pair_of(eccentric_plans(), points, law); }
 
 TEST(PlanContact, OfFivePointsNoInnerOneIsDeeperThanTheEnds) {
   const auto law = [](double s) { return std::make_shared<Linear>(s * 2e5); };
@@ -303,6 +310,60 @@ TEST(PlanContact, TheOrderOfTheBuildingsChangesNothing) {
     EXPECT_NEAR(one.points[i].gap_needed, same.points[i].gap_needed, 1e-12);
   }
   EXPECT_TRUE(one.buildings[0].rotation.isApprox(same.buildings[1].rotation, 1e-10));
+}
+
+/// A plan under a map of the common plan that takes rectangles to rectangles.
+Plan under(const Eigen::Matrix2d& map, const Plan& plan) {
+  Plan made = plan;
+  const Footprint& from = plan.footprint;
+  made.footprint.size = map.cwiseAbs() * from.size;
+  made.footprint.corner = (map * from.corner).cwiseMin(map * from.far_corner());
+  const auto local = [&](const PlanPoint& at) -> PlanPoint { return map * (from.corner + at) - made.footprint.corner; };
+  for (PlanPoint& centre : made.centres_of_mass) centre = local(centre);
+  for (PlanPlane& plane : made.planes) {
+    plane.through = local(plane.through);
+    plane.direction = map * plane.direction;
+  }
+  return made;
+}
+
+TEST(PlanContact, MirroredAndTurnedPlansDoTheSame) {
+  const auto law = [](double s) { return std::make_shared<Linear>(s * 2e5); };
+  PlanProblem straight = eccentric_pair(2, law);
+  straight.motions[1] = HarmonicMotion{.period = 0.37, .displacement_amplitude = 0.007};
+  const PlanResponse wanted = solve(straight);
+  ASSERT_EQ(wanted.status, Status::done) << wanted.message;
+  EXPECT_GT(wanted.impacts.size(), 6U);
+  Eigen::Matrix2d quarter, mirror_x, mirror_y;
+  quarter << 0, -1, 1, 0;
+  mirror_x << -1, 0, 0, 1;
+  mirror_y << 1, 0, 0, -1;
+  for (const Eigen::Matrix2d& map : std::vector<Eigen::Matrix2d>{quarter, quarter * quarter, quarter.transpose(),
+                                                                 mirror_x, mirror_y, quarter * mirror_x}) {
+    std::vector<Plan> plans;
+    for (const Plan& plan : eccentric_plans()) plans.push_back(under(map, plan));
+    PlanProblem turned = pair_of(plans, 2, law);
+    turned.motions = straight.motions;
+    turned.axes = map;  // what acted along x acts along the map of x
+    const PlanResponse found = solve(turned);
+    ASSERT_EQ(found.status, Status::done) << found.message;
+    ASSERT_EQ(found.impacts.size(), wanted.impacts.size()) << map;
+    const bool swaps = map(0, 0) == 0;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const PlanPeaks &one = found.buildings[b], &other = wanted.buildings[b];
+      EXPECT_TRUE((swaps ? one.y : one.x).isApprox(other.x, 1e-10)) << map;
+      EXPECT_TRUE((swaps ? one.x : one.y).isApprox(other.y, 1e-10)) << map;
+      EXPECT_TRUE(one.rotation.isApprox(other.rotation, 1e-10)) << map;
+      EXPECT_TRUE(one.torque.isApprox(other.torque, 1e-10)) << map;
+      EXPECT_TRUE(one.angular_acceleration.isApprox(other.angular_acceleration, 1e-10)) << map;
+      EXPECT_TRUE((swaps ? one.acceleration_y : one.acceleration_x).isApprox(other.acceleration_x, 1e-10)) << map;
+      EXPECT_TRUE(one.planes[1].shear.isApprox(other.planes[1].shear, 1e-10)) << map;
+    }
+    double impulse = 0, same = 0;
+    for (const Impact& impact : found.impacts) impulse += impact.impulse;
+    for (const Impact& impact : wanted.impacts) same += impact.impulse;
+    EXPECT_NEAR(impulse, same, 1e-10 * same);
+  }
 }
 
 TEST(PlanContact, MotionsActAlongTheirAxes) {
