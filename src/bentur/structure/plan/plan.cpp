@@ -98,12 +98,12 @@ void check_list(const std::string& name, const std::vector<double>& list, Index 
 }
 
 void check_floors(const Plan& plan) {
-  const std::size_t floors = plan.storey_heights.size();
+  const Index floors = std::ssize(plan.storey_heights);
   if (floors == 0) throw InvalidParameter("storey_heights", "an empty list", "must have at least one entry");
   require_size("masses", plan.masses.size(), floors);
   if (plan.centres_of_mass.size() > 1) require_size("centres_of_mass", plan.centres_of_mass.size(), floors);
   if (!plan.inertias.empty()) require_size("inertias", plan.inertias.size(), floors);
-  for (std::size_t i = 0; i < floors; ++i) {
+  for (Index i = 0; i < floors; ++i) {
     require_positive(indexed("storey_heights", i), plan.storey_heights[i]);
     require_positive(indexed("masses", i), plan.masses[i]);
     if (!plan.inertias.empty()) require_positive(indexed("inertias", i), plan.inertias[i]);
@@ -115,7 +115,7 @@ void check_floors(const Plan& plan) {
 }
 
 void check_holds(const Plan& plan) {
-  const std::size_t floors = plan.storey_heights.size();
+  const Index floors = std::ssize(plan.storey_heights);
   for (const PlanPlane& plane : plan.planes) {
     check_point("through", plane.through);
     if (!(std::abs(plane.direction.norm() - 1) <= 1e-12)) {
