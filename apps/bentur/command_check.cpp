@@ -3,9 +3,11 @@
 #include <memory>
 
 #include "arguments.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/errors.h"
 #include "commands.h"
+#include "plan.h"
 #include "session.h"
 #include "text/effort_text.h"
 #include "text/table.h"
@@ -38,6 +40,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
 }
 
 void run(const std::string& file, const Words& say) {
+  if (is_plan_case(file)) return check_plan(file, say.language());
   const Loaded loaded = load(file, Purpose::no_run, say.language());
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {

@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "arguments.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
 #include "commands.h"
+#include "plan.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -74,6 +76,9 @@ struct ModesArguments {
 };
 
 void run(const ModesArguments& arguments) {
+  if (is_plan_case(arguments.file)) {
+    return print_plan_modes(arguments.file, arguments.method == "jacobi", arguments.json);
+  }
   Loaded loaded = load(arguments.file, Purpose::no_run);
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {

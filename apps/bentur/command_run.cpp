@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -20,6 +21,7 @@
 #include "commands.h"
 #include "output/output.h"
 #include "output/picture.h"
+#include "plan.h"
 #include "session.h"
 #include "suite.h"
 #include "text/table.h"
@@ -325,6 +327,12 @@ void execute(const RunArguments& arguments) {
     message(error_words("No case given: running the built-in example m12-el-centro.", arguments.language));
   }
   if (arguments.file.empty() && arguments.record) refuse("--record needs a CASE");
+  if (!arguments.file.empty() && is_plan_case(arguments.file)) {
+    if (!arguments.directory.empty()) refuse("--output does not go with buildings in plan: --json prints the summary");
+    if (arguments.record) refuse("--record is for a case with excitation.kind = \"suite\"");
+    if (!arguments.json && !arguments.quiet) refuse("of buildings in plan the summary is printed as JSON: give --json");
+    return run_plan(arguments.file, arguments.quiet, arguments.language);
+  }
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
                                          : load_for_run(arguments.file, arguments.record, arguments.language);
   if (loaded.c.excitation.suite) return execute_suite(arguments, loaded);

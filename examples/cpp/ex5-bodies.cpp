@@ -28,7 +28,7 @@ int main() {
     stop.width = 0.01;
     system.contacts.push_back(stop);
   }
-  system.motion = HarmonicMotion{.period = 0.35, .displacement_amplitude = 0.01};
+  system.motions = {HarmonicMotion{.period = 0.35, .displacement_amplitude = 0.01}};
   system.duration = 5.0;
 
   const FreeSolution free(system, ExactSolver{});

@@ -46,7 +46,7 @@ BEYOND = {
             column-of-a-stick columns-not-asked-for contact-axial-without-frames
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
             contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
-            damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width
+            damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
             isolation-strength-alone matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil

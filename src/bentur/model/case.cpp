@@ -74,21 +74,6 @@ double beam_end_stiffness(const BuildingSpec& spec, std::size_t floor, bool left
   return half_beam_stiffness(frame->elastic_modulus, frame->beams.at(floor).area, bay);
 }
 
-/// Of the keys that exclude one another exactly one; a key that is required and missing the law itself reports.
-void check_one_of(const LawEntry& law, const LawInput& input) {
-  std::string names;
-  int given = 0;
-  for (const Key& key : law.keys) {
-    if (key.need == Need::one_of) {
-      names += (names.empty() ? "" : ", ") + std::string(key.name);
-      given += input.numbers.find(key.name) == input.numbers.end() ? 0 : 1;
-    }
-  }
-  if (!names.empty() && given != 1) {
-    throw InvalidParameter("contact", std::to_string(given) + " of " + names, "needs exactly one of them");
-  }
-}
-
 /// Contact points of the gap to the right of building `gap`.
 std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::vector<Building>& buildings) {
   const GapSpec& spec = c.gaps[gap];
@@ -207,34 +192,6 @@ std::vector<Eigen::VectorXd> initial_state(const std::vector<std::vector<double>
 
 }  // namespace
 
-std::optional<double> ContactSpec::number(std::string_view key, std::size_t point) const {
-  const auto found = numbers.find(key);
-  if (found == numbers.end()) {
-    return std::nullopt;
-  }
-  const std::vector<double>& values = found->second;
-  if (values.size() != 1 && point >= values.size()) {
-    throw InvalidParameter(found->first, std::to_string(values.size()) + " values",
-                           "must be one value or one per contact point");
-  }
-  return values.size() == 1 ? values.front() : values[point];
-}
-
-std::map<std::string, std::string, std::less<>> ContactSpec::choices() const {
-  std::map<std::string, std::string, std::less<>> result;
-  const LawEntry* const entry = find_law(law);
-  if (entry == nullptr) {
-    return result;
-  }
-  for (const Key& choice : entry->choices) {
-    if (choice.with.empty() || numbers.find(choice.with) != numbers.end()) {
-      const auto made = words.find(choice.name);
-      result.emplace(choice.name, made == words.end() ? choice.words.front() : std::string_view(made->second));
-    }
-  }
-  return result;
-}
-
 std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left, const SpecAndModel& right) {
   const FloorLevels a = levels_of(left.model), b = levels_of(right.model);
   const std::vector<LevelPair> pairs = level_floors(a, b, gap.level_tolerance);
@@ -257,31 +214,19 @@ std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& 
 
 std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
                                                    const SpecAndModel& right, const LevelPair& floors) {
-  const ContactSpec& contact = gap.contact;
-  const LawEntry* const entry = find_entry(contact_laws(), contact.law, contact.own);
-  if (entry == nullptr) {
-    throw InvalidParameter("law", contact.law, "there is no such law");
-  }
   const auto left_floor = static_cast<std::size_t>(floors.left_floor);
   const auto right_floor = static_cast<std::size_t>(floors.right_floor);
-  LawInput input;
-  for (const auto& [key, values] : contact.numbers) {
-    input.numbers[key] = *contact.number(key, point);
-  }
-  if (contact.axial) {
-    input.numbers["stiffness"] = series_stiffness(beam_end_stiffness(left.spec, left_floor, true),
-                                                  beam_end_stiffness(right.spec, right_floor, false));
-  }
-  input.words = contact.words;
   const auto mass_at = [](const StructuralModel& model, std::size_t at) {
     const std::size_t count = model.floor_masses.size();
     return at < count ? model.floor_masses[at] : model.node_masses.at(at - count);
   };
-  const double m1 = mass_at(left.model, left_floor);
-  const double m2 = mass_at(right.model, right_floor);
-  input.effective_mass = std::isinf(m1) ? m2 : std::isinf(m2) ? m1 : m1 * m2 / (m1 + m2);
-  check_one_of(*entry, input);
-  return entry->make(input);
+  LawInput input = contact_input(gap.contact, point,
+                                 effective_mass(mass_at(left.model, left_floor), mass_at(right.model, right_floor)));
+  if (gap.contact.axial) {
+    input.numbers["stiffness"] = series_stiffness(beam_end_stiffness(left.spec, left_floor, true),
+                                                  beam_end_stiffness(right.spec, right_floor, false));
+  }
+  return make_contact_law(gap.contact, input);
 }
 
 StructuralModel structural_model(const BuildingSpec& spec) {

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-#include "bentur/contact/laws.h"
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/units.h"
 #include "bentur/excitation/design_spectrum.h"
 #include "bentur/excitation/ground_motion.h"
+#include "bentur/model/contact/contact_spec.h"
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/model/gap/modal_combination.h"
@@ -65,22 +65,6 @@ struct BuildingSpec {
   std::optional<IsolationSpec> isolation = {};
   std::optional<SoilSpec> soil = {};
   std::string shapes_path = {};  ///< where the shapes of a building known by its modes were read; no result holds that
-};
-
-/// Contact of one gap: a law of contact/laws.h and what the case says of it, key by key.
-struct ContactSpec {
-  std::string law = "linear";
-  bool axial = false;  ///< stiffness = "axial", by (3-4)
-  /// One value for all contact points or one each.
-  std::map<std::string, std::vector<double>, std::less<>> numbers = {};
-  std::map<std::string, std::string, std::less<>> words = {};  ///< choices made; the others have their defaults
-  std::shared_ptr<const LawEntry> own = nullptr;               ///< a law that is not listed, in place of `law`
-
-  /// What is given for contact point `point` of the gap (0 the lowest); nothing where the key is not given.
-  /// @throws InvalidParameter when a list has no such entry.
-  [[nodiscard]] std::optional<double> number(std::string_view key, std::size_t point) const;
-  /// The choices that apply, made or by default: release; calibration where restitution is given.
-  [[nodiscard]] std::map<std::string, std::string, std::less<>> choices() const;
 };
 
 struct GapSpec {

@@ -8,11 +8,16 @@ namespace {
 
 using Eigen::Index;
 
+/// What counts of the ground's displacement.
+Eigen::VectorXd of_ground(const Problem& problem, double factor) {
+  return Eigen::VectorXd::Constant(1, problem.kinematics == Kinematics::absolute ? factor : 0.0);
+}
+
 /// A degree of freedom of a building: of a floor, or after the floors of a node in a column.
 BodyRow dof_of(const Problem& problem, Index building, Index dof, double sign) {
   const StructuralModel& model = problem.buildings[building].model;
-  return {building, sign * Eigen::VectorXd::Unit(model.dofs(), dof),
-          problem.kinematics == Kinematics::absolute ? sign : 0.0, dof < model.floors() ? dof : -1};
+  return {building, sign * Eigen::VectorXd::Unit(model.dofs(), dof), of_ground(problem, sign),
+          dof < model.floors() ? dof : -1};
 }
 
 Interface between(const Problem& problem, Index left, Index left_dof, Index right, Index right_dof) {
@@ -20,8 +25,8 @@ Interface between(const Problem& problem, Index left, Index left_dof, Index righ
 }
 
 Interface watched(const Problem& problem, const WatchedFloor& floor) {
-  const double ground = problem.kinematics == Kinematics::absolute ? 1.0 : 0.0;
-  return {{floor.left, floor.left_row, ground}, {floor.left + 1, -floor.right_row, -ground}};
+  return {{floor.left, floor.left_row, of_ground(problem, 1.0)},
+          {floor.left + 1, -floor.right_row, of_ground(problem, -1.0)}};
 }
 
 /// Storeys that have collapsed where their drift passes a limit: those of buildings that gravity pulls down.
@@ -64,7 +69,7 @@ System system_of(const Problem& problem, bool levels) {
   system.limits = drift_limits(problem);
   for (const WatchedFloor& floor : problem.watched) system.watched.push_back(watched(problem, floor));
   if (levels) system.watched_free = level_interfaces(problem, system);
-  system.motion = problem.motion;
+  system.motions = {problem.motion};
   system.delays = problem.delays;
   system.initial_displacement = problem.initial_displacement;
   system.initial_velocity = problem.initial_velocity;

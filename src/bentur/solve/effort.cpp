@@ -61,7 +61,7 @@ void raise(Effort::Fastest& fastest, double rate, const Effort::Fastest& other) 
 /// Of the bodies and the motion.
 Effort::Fastest fastest_apart(const System& given, const ModalSystem& system) {
   Effort::Fastest fastest;
-  raise(fastest, system.nu, {.by = By::motion});
+  raise(fastest, system.fastest_input(), {.by = By::motion});
   for (Eigen::Index b = 0; b < std::ssize(given.bodies); ++b) {
     if (given.bodies[b].is_rigid()) continue;
     Eigen::Index mode = 0;
@@ -95,13 +95,18 @@ void add_memory(Effort& effort, const System& given, const ModalSystem& system, 
   }
   const auto points = static_cast<double>(given.contacts.size());
   const auto size = static_cast<double>(system.size);
-  const double plan = segments * static_cast<double>(given.bodies.size()) * sizeof(engine::kernels::FlightInput);
+  const auto inputs = static_cast<double>(given.bodies.size() * given.motions.size());
+  const double plan = segments * inputs * sizeof(engine::kernels::FlightInput);
   const double reaches = 16.0 * segments * points;
   const double checkpoints = segments / static_cast<double>(engine::StepBuffer::most) * 8.0 * (2.0 * size + peaks);
-  const double histories = 8.0 * effort.samples * (2.0 + sampled + 2.0 * points);
-  const auto* record = std::get_if<SampledMotion>(&given.motion);
-  const double motion = record != nullptr ? 8.0 * static_cast<double>(record->acceleration.size()) : 0.0;
-  effort.memory_of_steps = plan + reaches + checkpoints + copies * motion;
+  const double histories =
+      8.0 * effort.samples * (1.0 + static_cast<double>(given.motions.size()) + sampled + 2.0 * points);
+  double motions = 0.0;
+  for (const GroundMotion& motion : given.motions) {
+    const auto* record = std::get_if<SampledMotion>(&motion);
+    if (record != nullptr) motions += 8.0 * static_cast<double>(record->acceleration.size());
+  }
+  effort.memory_of_steps = plan + reaches + checkpoints + copies * motions;
   effort.memory = overhead + effort.memory_of_steps + copies * histories;
 }
 

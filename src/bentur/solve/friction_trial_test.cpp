@@ -186,7 +186,7 @@ System rectangle(const Vector3d& velocity, double duration) {
                   {.kind = OutputKind::velocity, .count = 3, .rates = MatrixXd::Identity(3, 3)}};
   System system;
   system.bodies = {body};
-  system.motion = NoMotion{};
+  system.motions = {NoMotion{}};
   system.initial_displacement = {Vector3d::Zero()};
   system.initial_velocity = {velocity};
   system.duration = duration;

@@ -4,8 +4,8 @@ namespace bentur {
 namespace {
 
 void scale(Sampled& sampled, double by) {
-  for (double& value : sampled.ground_acceleration) value *= by;
-  for (Eigen::MatrixXd* of : {&sampled.opening, &sampled.force, &sampled.joint_deformation, &sampled.joint_force}) {
+  for (Eigen::MatrixXd* of : {&sampled.ground_acceleration, &sampled.opening, &sampled.force,
+                              &sampled.joint_deformation, &sampled.joint_force}) {
     *of *= by;
   }
 }

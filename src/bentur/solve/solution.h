@@ -56,9 +56,9 @@ struct ElementFound {
 
 /// Times, and at each the openings w − δ and forces of contacts, and δ and F of joints; a column each.
 struct Sampled {
-  std::vector<double> time = {};                 ///< [s]
-  std::vector<double> ground_acceleration = {};  ///< of the motion without delay [length/s²]; of samples alone
-  Eigen::MatrixXd opening = {}, force = {};      ///< [length], [force]
+  std::vector<double> time = {};             ///< [s]
+  Eigen::MatrixXd ground_acceleration = {};  ///< per component, without delay [length/s²]; of samples alone
+  Eigen::MatrixXd opening = {}, force = {};  ///< [length], [force]
   Eigen::MatrixXd joint_deformation = {}, joint_force = {};
 };
 

@@ -18,13 +18,13 @@ namespace {
 
 /// How large the lengths are whose difference a δ is: of its rows in the free response, or where that is not known the
 /// largest of their bodies, and of the ground.
-double largest_length(const Interface& at, const Solution& free, const Run& run) {
+double largest_length(const Interface& at, const Solution& free, const Run& run, Eigen::Index components) {
   double sum = 0.0;
   for (const BodyRow* side : {&at.left, &at.right}) {
     if (side->body < 0) continue;
     const Eigen::VectorXd& lengths = free.outputs[side->body].front().peak;
     sum += side->output >= 0 ? lengths(side->output) : lengths.maxCoeff();
-    sum += run.largest_ground_displacement(side->body);
+    for (Eigen::Index c = 0; c < components; ++c) sum += run.largest_ground_displacement(side->body, c);
   }
   return sum;
 }
@@ -151,10 +151,10 @@ FreeSolution::FreeSolution(System system, const Solver& solver, const std::funct
   for (const Reach& reach : run.idle().nearest()) solution.needed.push_back(reach.reach);
   solution.watched_free = run.others().nearest();
   for (const Interface& watched : given.watched) {
-    solution.scales.push_back(engine::largest_length(watched, solution, run));
+    solution.scales.push_back(engine::largest_length(watched, solution, run, parts->modal.components()));
   }
   for (const Contact& contact : given.contacts) {
-    parts->largest_displacement.push_back(engine::largest_length(contact.at, solution, run));
+    parts->largest_displacement.push_back(engine::largest_length(contact.at, solution, run, parts->modal.components()));
   }
   parts->result = run.take_result();
   std::vector<double>& speeds = parts->largest_speed;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -10,11 +11,12 @@
 
 namespace bentur {
 
-/// A length of one body: row · x over its degrees of freedom, and so many times the displacement of its ground.
+/// A length of one body: row · x over its degrees of freedom, and so many times the displacement of its ground in each
+/// component.
 struct BodyRow {
   Eigen::Index body = -1;  ///< index into System::bodies; −1: none
   Eigen::VectorXd row = {};
-  double ground = 0;  ///< [-]
+  Eigen::VectorXd ground = {};  ///< per component [-]; empty: none of it
   /// Which of the first Outputs of its body is this length; −1: none. How far that goes tells how well it is known.
   Eigen::Index output = -1;
 };
@@ -38,6 +40,9 @@ struct Contact {
   double width = 0;  ///< w [length] ≥ 0
 };
 
+/// Ways in which the ground moves at most.
+inline constexpr std::size_t most_components = 3;
+
 /// What a solver is given: bodies, what acts between them and on them, what is watched, and how the ground moves.
 struct System {
   std::vector<Body> bodies;
@@ -46,8 +51,9 @@ struct System {
   std::vector<Element> limits;               ///< whose passing ends a run
   std::vector<Interface> watched;            ///< how far their δ go is asked for
   std::vector<Interface> watched_free = {};  ///< of the free response alone
-  GroundMotion motion;
-  std::vector<double> delays = {};                    ///< [s] ≥ 0, one per body; empty: all zero
+  /// One per component of the ground's motion, 1 … most_components of them: what the columns of Body::load are for.
+  std::vector<GroundMotion> motions;
+  std::vector<double> delays = {};                    ///< [s] ≥ 0, one per body, of all components; empty: all zero
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per body, over its degrees of freedom; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< likewise
   double duration = 0;                                ///< [s] > 0

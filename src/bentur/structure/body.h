@@ -26,12 +26,14 @@ enum class OutputKind {
 
 /// The outputs of one kind, a row each, in the order of the places where they are: floors or storeys from the lowest
 /// up, hinges, … Each is  at_rest + rows · x + rates · ẋ + forces · F  with the forces F of the body's elements, or
-/// absolute · ẍ + a_g. What is not needed is empty.
+/// absolute · ẍ + ground · a_g. What is not needed is empty.
 struct Outputs {
   OutputKind kind = OutputKind::displacement;
   Eigen::Index count = 0;
   Eigen::MatrixXd rows = {}, rates = {}, absolute = {};  ///< count × dofs
   Eigen::MatrixXd forces = {};                           ///< count × elements, coupled ones last
+  /// Of each component of the ground's motion in what is `absolute`, count × components [-]; empty: the first one.
+  Eigen::MatrixXd ground = {};
   Eigen::VectorXd at_rest = {};
   /// Peaks of the continuous response are found; only of what has no `rates`, and `rows` or `absolute` alone.
   bool has_peak = false;
@@ -47,7 +49,7 @@ struct Body {
   Modes modes;
   Eigen::MatrixXd modal_damping;    ///< Φᵀ C Φ [1/s]
   Eigen::MatrixXd mass, stiffness;  ///< M [mass], K [force/length]
-  Eigen::VectorXd load;             ///< p = −load · a_g [mass]
+  Eigen::MatrixXd load;             ///< p = −load · a_g, dofs × components of the ground's motion [mass]
   std::vector<BuildingElement> elements = {};
   std::vector<CoupledElement> coupled = {};
   double tangent_damping = 0;         ///< as Building's [s]

@@ -1,5 +1,6 @@
 #include "bentur/structure/stick.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -63,60 +64,54 @@ Backbone backbone_of(const StoreyBackbones::Side& side, std::size_t n, std::size
           .ultimate = entry_of("backbone.ultimate_drift", side.ultimate, n, j, otherwise.ultimate)};
 }
 
-/// Of the storeys, `scale` times as stiff as they are given.
-std::vector<std::shared_ptr<const HystereticLaw>> softening_laws(const Stick& stick, double scale) {
+/// Of a storey that can lose strength.
+std::shared_ptr<const HystereticLaw> softening_law(const Stick& stick, std::size_t j, double stiffness) {
   const StoreyBackbones& of = *stick.backbone;
   const std::size_t n = stick.stiffnesses.size();
-  std::vector<std::shared_ptr<const HystereticLaw>> laws(n);
-  bool any = false;
-  for (std::size_t j = 0; j < n; ++j) {
-    BackboneLaw::Parameters law = {.stiffness = scale * stick.stiffnesses[j],
-                                   .positive = backbone_of(of.positive, n, j),
-                                   .negative = backbone_of(of.negative.value_or(of.positive), n, j),
-                                   .deterioration = of.deterioration,
-                                   .reloading = of.reloading,
-                                   .pinching_force = of.pinching_force,
-                                   .pinching_deformation = of.pinching_deformation};
-    if (std::isinf(law.positive.yield) && std::isinf(law.negative.yield)) continue;
-    laws[j] = std::make_shared<BackboneLaw>(law);
-    any = true;
-  }
-  if (!any) laws.clear();
-  return laws;
+  BackboneLaw::Parameters law = {.stiffness = stiffness,
+                                 .positive = backbone_of(of.positive, n, j),
+                                 .negative = backbone_of(of.negative.value_or(of.positive), n, j),
+                                 .deterioration = of.deterioration,
+                                 .reloading = of.reloading,
+                                 .pinching_force = of.pinching_force,
+                                 .pinching_deformation = of.pinching_deformation};
+  if (std::isinf(law.positive.yield) && std::isinf(law.negative.yield)) return nullptr;
+  return std::make_shared<BackboneLaw>(law);
 }
 
 }  // namespace
 
-std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick, const StructuralModel& model) {
-  if (stick.backbone) {
-    require_size("stiffnesses", stick.stiffnesses.size(), model.floors());
-    return softening_laws(stick, model.stiffness(model.floors() - 1, model.floors() - 1) / stick.stiffnesses.back());
-  }
+std::shared_ptr<const HystereticLaw> storey_law(const Stick& stick, std::size_t storey, double stiffness) {
+  if (stick.backbone) return softening_law(stick, storey, stiffness);
   const std::vector<double>& forces = stick.yield_forces;
-  if (forces.empty()) return {};
-  const Eigen::Index n = model.floors();
-  require_size("stiffnesses", stick.stiffnesses.size(), n);
+  if (forces.empty()) return nullptr;
+  const std::size_t n = stick.stiffnesses.size();
   if (forces.size() != 1) require_size("yield_forces", forces.size(), n);
   if (stick.hardening.size() > 1) require_size("hardening", stick.hardening.size(), n);
   const auto* const entry = find_entry(hysteretic_laws(), stick.hysteresis, stick.own);
   if (entry == nullptr) throw InvalidParameter("hysteresis", stick.hysteresis, "there is no such law of a storey");
-  const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
-  std::vector<std::shared_ptr<const HystereticLaw>> laws(stick.stiffnesses.size());
-  bool any = false;
-  for (std::size_t j = 0; j < laws.size(); ++j) {
-    const double force = forces[forces.size() == 1 ? 0 : j];
-    if (force > 0 && std::isinf(force)) continue;
-    const double k = scale * stick.stiffnesses[j];
-    const double r = stick.hardening.empty() ? 0 : stick.hardening[stick.hardening.size() == 1 ? 0 : j];
-    any = true;
-    LawInput input = {.numbers = stick.law_numbers};
-    for (const Key& key : entry->keys) {
-      if (key.default_value) input.numbers.emplace(key.name, *key.default_value);
-    }
-    input.numbers.insert({{"stiffness", k}, {"yield_force", force}, {"hardening", r}});
-    laws[j] = entry->make(input);
+  const double force = forces[forces.size() == 1 ? 0 : storey];
+  if (force > 0 && std::isinf(force)) return nullptr;
+  const double r = stick.hardening.empty() ? 0 : stick.hardening[stick.hardening.size() == 1 ? 0 : storey];
+  LawInput input = {.numbers = stick.law_numbers};
+  for (const Key& key : entry->keys) {
+    if (key.default_value) input.numbers.emplace(key.name, *key.default_value);
   }
-  if (!any) laws.clear();
+  input.numbers.insert({{"stiffness", stiffness}, {"yield_force", force}, {"hardening", r}});
+  return entry->make(input);
+}
+
+std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick, const StructuralModel& model) {
+  if (!stick.backbone && stick.yield_forces.empty()) return {};
+  const Eigen::Index n = model.floors();
+  require_size("stiffnesses", stick.stiffnesses.size(), n);
+  const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
+  std::vector<std::shared_ptr<const HystereticLaw>> laws;
+  for (std::size_t j = 0; j < stick.stiffnesses.size(); ++j) {
+    laws.push_back(storey_law(stick, j, scale * stick.stiffnesses[j]));
+  }
+  const auto elastic = [](const auto& law) { return law == nullptr; };
+  if (std::all_of(laws.begin(), laws.end(), elastic)) laws.clear();
   return laws;
 }
 

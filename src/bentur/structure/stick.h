@@ -46,6 +46,10 @@ struct Stick {
 /// finite).
 [[nodiscard]] StructuralModel stick_model(const Stick& stick, double base_elevation = 0.0);
 
+/// The law of storey `storey` (0 the lowest) where its stiffness is this [force/length], > 0; null: it stays elastic.
+/// @throws InvalidParameter as storey_laws().
+[[nodiscard]] std::shared_ptr<const HystereticLaw> storey_law(const Stick& stick, std::size_t storey, double stiffness);
+
 /// The law of each storey's drift, null where it stays elastic; empty where all do. `model` is made of the stick; where
 /// its stiffness has been scaled since (calibrate_period()), so is that of every law, and V_y stays as it is given.
 /// @throws InvalidParameter unless there is such a law, yield forces and hardening are one for all or one per storey

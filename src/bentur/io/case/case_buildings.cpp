@@ -28,25 +28,7 @@ void read_structure(const TableView& view, const Units& units, const CaseFiles& 
 ReadBuilding read_building(const TomlView& entry, const Units& units, const CaseFiles& files,
                            const std::vector<ReadBuilding>& before) {
   ReadBuilding building;
-  building.path = entry.path();
-  if (!entry.is(TomlValue::Kind::table)) {
-    entry.error_value("must be a table");
-    return building;
-  }
-  const auto given = entry.get("name");
-  if (const auto name = given ? given->as_line() : std::nullopt) {
-    building.spec.name = *name;
-    if (name->empty()) {
-      given->error("is empty");
-    } else {
-      building.path = fmt::format("building[{}]", in_quotes(*name));
-      const auto same = [&](const ReadBuilding& other) { return other.spec.name == *name; };
-      if (std::any_of(before.begin(), before.end(), same)) {
-        given->error_value("another building has this name already");
-        building.path = entry.path();
-      }
-    }
-  }
+  if (!read_name(entry, before, building)) return building;
   const TableView view = *TableView::of(entry.renamed(building.path), building_keys());
   if (view.flag("rigid")) {
     std::vector<std::string> keys = view.keys().names();
@@ -60,6 +42,7 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
     make(building);
     return building;
   }
+  view.refuse({"plane", "rigidity"}, "goes with plan, which is not given");
   view.refuse(
       {"elevations"},
       "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
@@ -101,6 +84,29 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
 }
 
 }  // namespace
+
+bool read_name(const TomlView& entry, const std::vector<ReadBuilding>& before, ReadBuilding& building) {
+  building.path = entry.path();
+  if (!entry.is(TomlValue::Kind::table)) {
+    entry.error_value("must be a table");
+    return false;
+  }
+  const auto given = entry.get("name");
+  if (const auto name = given ? given->as_line() : std::nullopt) {
+    building.spec.name = *name;
+    if (name->empty()) {
+      given->error("is empty");
+    } else {
+      building.path = fmt::format("building[{}]", in_quotes(*name));
+      const auto same = [&](const ReadBuilding& other) { return other.spec.name == *name; };
+      if (std::any_of(before.begin(), before.end(), same)) {
+        given->error_value("another building has this name already");
+        building.path = entry.path();
+      }
+    }
+  }
+  return true;
+}
 
 void make(ReadBuilding& building) {
   building.made = nullptr;  // of what was read before

@@ -200,6 +200,20 @@ std::vector<double> read_delays(const TableView& view, const std::vector<ReadBui
 
 }  // namespace
 
+void read_motion(const TableView& view, const Units& units, const std::filesystem::path& folder,
+                 Diagnostics& diagnostics, ExcitationSpec& spec, CaseMemo* memo) {
+  const auto kind = view.word("kind");
+  if (kind == "record") {
+    RecordEcho echo;
+    if (auto motion = read_record_motion(view, units, folder, echo, diagnostics, memo)) {
+      spec.motion = std::move(*motion);
+      spec.record = std::move(echo);
+    }
+  } else if (kind == "harmonic") {
+    spec.motion = read_harmonic(view, units);
+  }
+}
+
 ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
                                const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                Diagnostics& diagnostics, CaseMemo* memo) {
@@ -207,22 +221,17 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
   const auto given = root.get("excitation");
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return spec;
-  const auto kind = view->word("kind");
+  view->refuse({"y", "angle", "wave_angle"}, "is of buildings in plan: give them [building.plan]");
+  const std::string kind = view->has("kind") ? view->find("kind")->value().text : "";
   if (kind == "spectrum") {
     spec.spectrum = read_spectrum(*view, units, buildings.size(), folder, diagnostics);
     spec.delays.assign(buildings.size(), 0.0);
     return spec;
   }
-  if (kind == "record") {
-    RecordEcho echo;
-    if (auto motion = read_record_motion(*view, units, folder, echo, diagnostics, memo)) {
-      spec.motion = std::move(*motion);
-      spec.record = std::move(echo);
-    }
-  } else if (kind == "harmonic") {
-    spec.motion = read_harmonic(*view, units);
-  } else if (kind == "suite") {
+  if (kind == "suite") {
     spec.suite = read_suite(*view, units, folder, diagnostics);
+  } else {
+    read_motion(*view, units, folder, diagnostics, spec, memo);
   }
   spec.delays = read_delays(*view, buildings, gaps);
   if (view->word("kinematics") == "absolute") {

@@ -16,18 +16,6 @@
 namespace bentur {
 namespace {
 
-/// The neighbours of a gap, and the elevations of their contact points [length]; empty: not known.
-struct GapSides {
-  const ReadBuilding& left;
-  const ReadBuilding& right;
-  const std::vector<double>& elevations;
-
-  /// Of a list for the contact points.
-  [[nodiscard]] Length points() const {
-    return {elevations.size(), fmt::format("one per contact point, at elevations {}", fmt::join(elevations, ", "))};
-  }
-};
-
 /// Whether some floor of either building is between base and top of the other.
 bool face_each_other(const FloorLevels& left, const FloorLevels& right) {
   const auto faces = [](const FloorLevels& a, const FloorLevels& b) {
@@ -156,7 +144,12 @@ bool read_choices(const TableView& contact, const LawEntry& law, ContactSpec& sp
   return good;
 }
 
-/// What was said of the law, or nothing when it is not complete.
+}  // namespace
+
+Length GapSides::points() const {
+  return {elevations.size(), fmt::format("one per contact point, at elevations {}", fmt::join(elevations, ", "))};
+}
+
 std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides, Need need) {
   const auto view = gap.get("contact", need);
   if (!view) return std::nullopt;
@@ -174,6 +167,21 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
   return numbers && choices ? std::optional(spec) : std::nullopt;
 }
 
+bool say_of_law(const TomlView& contact, const InvalidParameter& fault, std::size_t point) {
+  const auto value = contact.find(fault.parameter());
+  if (!value) {
+    contact.error(std::string("cannot be computed with: ") + fault.what());
+  } else if (value->is(TomlValue::Kind::list)) {
+    value->item(point).error_value(fault.rule());
+    return false;
+  } else {
+    value->error_value(fault.rule());
+  }
+  return true;
+}
+
+namespace {
+
 /// Values that are right one by one but do not go together, such as a contact that is stiffer once it has yielded: each
 /// contact point's law is made once, with the masses and beams it will have.
 void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& sides) {
@@ -185,16 +193,7 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
       if (floors.empty()) floors = floors_of_points(spec, left, right);
       (void)make_contact_law(spec, i, left, right, floors[i]);
     } catch (const InvalidParameter& fault) {
-      const auto value = contact.find(fault.parameter());
-      if (!value) {
-        contact.error(std::string("cannot be computed with: ") + fault.what());
-      } else if (value->is(TomlValue::Kind::list)) {
-        value->item(i).error_value(fault.rule());
-        continue;
-      } else {
-        value->error_value(fault.rule());
-      }
-      return;  // the other points would say the same
+      if (say_of_law(contact, fault, i)) return;
     }
   }
 }
@@ -263,7 +262,9 @@ GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuil
   const auto given = gap.find("elevations");
   const bool no_contact = given && models_no_contact(*given);
   const GapSides sides{left, right, spec.elevations};
-  if (const auto width = gap.get("width")) {
+  gap.refuse({"points"}, "is of buildings in plan: give them [building.plan]");
+  if (!gap.has("width")) gap.error_missing("width");
+  if (const auto width = gap.find("width")) {
     if (no_contact) {
       if (const auto number = width->as_number(gap.key("width").range)) spec.widths = {*number};
     } else {

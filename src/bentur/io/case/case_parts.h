@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/core/errors.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
@@ -51,6 +52,10 @@ struct CaseFiles {
 [[nodiscard]] std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseFiles& files,
                                                        const CaseMemo* memo = nullptr);
 
+/// case_buildings.cpp: the name of a building, which none of those before has, and its path; false (and an error)
+/// unless the entry is a table.
+[[nodiscard]] bool read_name(const TomlView& entry, const std::vector<ReadBuilding>& before, ReadBuilding& building);
+
 /// case_frame.cpp: [building.frame] into `building`. Gravity [length/s²] turns a unit weight into a density.
 void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 
@@ -67,6 +72,24 @@ void read_support(const TableView& table, double gravity, ReadBuilding& building
 
 /// case_columns.cpp: the buildings with nodes in the columns that gaps say are struck. No error is said of these.
 [[nodiscard]] std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<ReadBuilding> buildings);
+
+/// The two sides of a gap, and the elevations of their contact points [length]; empty: not known.
+struct GapSides {
+  const ReadBuilding& left;
+  const ReadBuilding& right;
+  const std::vector<double>& elevations;
+
+  /// Of a list for the contact points.
+  [[nodiscard]] Length points() const;
+};
+
+/// case_gaps.cpp: what `contact` of a table says of a law; nothing (and an error where it is needed) unless it is
+/// complete.
+[[nodiscard]] std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides, Need need);
+
+/// case_gaps.cpp: an error where a law cannot be made, at its key and there at contact point `point`. @return whether
+/// all other points would say the same
+bool say_of_law(const TomlView& contact, const InvalidParameter& fault, std::size_t point);
 
 /// case_gaps.cpp
 [[nodiscard]] std::vector<GapSpec> read_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
@@ -102,6 +125,8 @@ void make(ReadBuilding& building);
 
 /// case_stick.cpp: [building.stick] into `building`.
 void read_stick(const TomlView& stick, ReadBuilding& building);
+/// case_stick.cpp: what says how storeys yield, of a stick or a plane.
+void read_yielding(const TableView& view, std::size_t storeys, Stick& stick);
 
 /// case_damping.cpp: a number or a table with exactly one form. @param modes how many; 0: not known
 [[nodiscard]] Damping read_damping(const TomlView& damping, std::size_t modes);
@@ -114,6 +139,21 @@ void read_damping_stiffness(const TableView& building, ReadBuilding& read);
                                              const std::vector<ReadBuilding>& buildings,
                                              const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
                                              Diagnostics& diagnostics, CaseMemo* memo = nullptr);
+
+/// case_excitation.cpp: a record or a harmonic motion, by `kind`, with what is to be said of it.
+void read_motion(const TableView& view, const Units& units, const std::filesystem::path& folder,
+                 Diagnostics& diagnostics, ExcitationSpec& spec, CaseMemo* memo = nullptr);
+
+/// case_toml.cpp: [analysis], of an excitation that may have a record's length.
+[[nodiscard]] AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation);
+
+/// case_toml.cpp: that no time is below what numbers can tell apart in the duration.
+void check_motion_times(const TomlView& excitation, const GroundMotion& motion, double duration, const Units& units);
+void check_mode_times(const TomlView& building, const Modes& modes, const Eigen::MatrixXd& modal_damping,
+                      double duration);
+
+/// Whether the buildings of a case stand in plan, by a key that says so; nothing: in a row.
+[[nodiscard]] std::optional<TomlView> plan_of(const TomlView& root);
 
 /// case_excitation.cpp: an acceleration > 0 [length/s²]: a number times `of_number`, by default in the case's own unit,
 /// or a text with its unit, "0.35 g".

@@ -9,9 +9,7 @@
 #include "bentur/io/schema/table_view.h"
 
 namespace bentur {
-namespace {
 
-/// What says how storeys yield.
 void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
   const auto* const law = view.law("hysteresis", hysteretic_laws(), &OwnLaw::storey, stick.own);
   stick.hardening = view.numbers("hardening", storeys);
@@ -32,6 +30,8 @@ void read_yielding(const TableView& view, std::size_t storeys, Stick& stick) {
     view.refuse(of_yielding, "is of storeys that yield: give yield_forces too, without them all stay elastic");
   }
 }
+
+namespace {
 
 /// A rule that every entry of a list has to keep; an error at the list unless they do.
 template <class Rule>

@@ -72,6 +72,8 @@ Solver read_solver(const TableView& view) {
   return ExactSolver{};
 }
 
+}  // namespace
+
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
   if (excitation.record) analysis.duration = excitation.record->duration;
@@ -109,6 +111,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   }
   return analysis;
 }
+
+namespace {
 
 /// Says of the load on a beam that it is too large, at its key; false where the error is about something else.
 bool at_line_load(const TomlView& building, const InvalidParameter& error) {
@@ -170,35 +174,54 @@ void check_overlaps(const TomlView& root, const ReadCase& read) {
 /// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
 void check_times(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read) {
   const Case& c = read.c;
-  const double shortest = c.analysis.duration * shortest_time;
   for (std::size_t b = 0; b < views.size(); ++b) {
     const Building& building = *read.buildings[b].made;
-    if (building.is_rigid()) continue;
-    const double fastest = building.modes.omega.maxCoeff();
-    const double damping = building.modal_damping.norm();
-    if (fastest * shortest <= 1 && damping * shortest <= 1) continue;
-    const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
-    if (!std::isfinite(damping)) {
-      views[b].error("has damping beyond what can be computed with");
-      continue;
-    }
-    views[b].error(
-        fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
-                    "the case?",
-                    what, std::max(fastest, damping), c.analysis.duration));
+    check_mode_times(views[b], building.modes, building.modal_damping, c.analysis.duration);
   }
-  const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion);
+  check_motion_times(*root.find("excitation"), c.excitation.motion, c.analysis.duration, c.units);
+}
+
+}  // namespace
+
+void check_mode_times(const TomlView& building, const Modes& modes, const Eigen::MatrixXd& modal_damping,
+                      double duration) {
+  if (modes.omega.size() == 0) return;
+  const double shortest = duration * shortest_time;
+  const double fastest = modes.omega.maxCoeff();
+  const double damping = modal_damping.norm();
+  if (fastest * shortest <= 1 && damping * shortest <= 1) return;
+  const std::string what = fastest * shortest > 1 ? "a mode" : "damping";
+  if (!std::isfinite(damping)) {
+    building.error("has damping beyond what can be computed with");
+    return;
+  }
+  building.error(
+      fmt::format("has {} of {:.3g} rad/s, too fast to follow for {} s: are stiffness and mass in the units of "
+                  "the case?",
+                  what, std::max(fastest, damping), duration));
+}
+
+void check_motion_times(const TomlView& excitation, const GroundMotion& motion, double duration, const Units& units) {
+  const auto* harmonic = std::get_if<HarmonicMotion>(&motion);
   if (harmonic == nullptr) return;
-  const TomlView excitation = *root.find("excitation");
+  const double shortest = duration * shortest_time;
   if (harmonic->period < shortest) {
-    excitation.find("period")->error_value(
-        fmt::format("must be >= {:.3g} for a duration of {} s", shortest, c.analysis.duration));
-  } else if (!std::isfinite(peak_acceleration(c.excitation.motion) / c.units.gravity)) {
+    excitation.find("period")->error_value(fmt::format("must be >= {:.3g} for a duration of {} s", shortest, duration));
+  } else if (!std::isfinite(peak_acceleration(motion) / units.gravity)) {
     excitation.error("asks for a ground acceleration beyond what can be computed with");
   }
 }
 
-}  // namespace
+std::optional<TomlView> plan_of(const TomlView& root) {
+  if (auto plan = root.find("plan")) return plan;
+  const auto list = root.find("building");
+  if (!list || !list->is(TomlValue::Kind::list)) return std::nullopt;
+  for (const TomlView& building : list->items()) {
+    if (!building.is(TomlValue::Kind::table)) continue;
+    if (auto plan = building.find("plan")) return plan;
+  }
+  return std::nullopt;
+}
 
 std::optional<std::filesystem::path> input_path(const TomlView& key, const std::string& name,
                                                 const std::filesystem::path& folder, const InputKind& kind) {
@@ -218,6 +241,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
                          CaseMemo* memo, const std::function<void(double)>& progress) {
   ReadCase read;
   Case& c = read.c;
+  if (const auto plan = plan_of(root)) {
+    plan->error("is of buildings in plan, which bentur check, modes and run take: nothing else does");
+    return read;
+  }
   (void)TableView::of(root, case_keys());
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";

@@ -25,6 +25,13 @@ namespace bentur {
 [[nodiscard]] const KeyTable& generic_keys();
 [[nodiscard]] const KeyTable& period_formula_keys();
 
+// keys_of_plan.cpp
+[[nodiscard]] const KeyTable& plan_keys();
+[[nodiscard]] const KeyTable& building_plan_keys();
+[[nodiscard]] const KeyTable& wall_plan_keys();
+[[nodiscard]] const KeyTable& plane_keys();
+[[nodiscard]] const KeyTable& rigidity_keys();
+
 // keys_of_support.cpp
 [[nodiscard]] const KeyTable& isolation_keys();
 [[nodiscard]] const KeyTable& soil_keys();
@@ -41,6 +48,7 @@ namespace bentur {
 
 // keys_of_motion.cpp
 [[nodiscard]] const KeyTable& excitation_keys();
+[[nodiscard]] const KeyTable& motion_along_y_keys();
 [[nodiscard]] const KeyTable& suite_file_keys();
 [[nodiscard]] const KeyTable& suite_factor_keys();
 [[nodiscard]] const KeyTable& target_keys();

@@ -151,7 +151,10 @@ Schema schema_of_value(const Key& key) {
   Schema list = list_of_items(key, one);
   std::vector<Schema> ways;
   if (key.kind == Key::Kind::by_building) {
-    ways.push_back({{"type", "object"}, {"additionalProperties", list}});
+    // Of buildings in plan three numbers a floor.
+    Schema floor = {{"type", "array"}, {"items", one}, {"minItems", 3}, {"maxItems", 3}};
+    const Schema in_plan = list_of_items(key, floor);
+    ways.push_back({{"type", "object"}, {"additionalProperties", {{"anyOf", {list, in_plan}}}}});
   } else if (key.form == Key::Form::matrix) {
     ways.push_back(list_of_items(key, list_of_items(key, one)));
     if (key.or_diagonal) ways.push_back(list);
@@ -277,6 +280,13 @@ bool is_always(const KeyTable& table, const Key& key) {
   });
 }
 
+/// Whether it is of its group whatever the words of others are.
+bool is_always_in_group(const KeyTable& table, const Key& key) {
+  return is_always(table, key) && std::all_of(table.keys.begin(), table.keys.end(), [&](const Key& one) {
+           return one.name != key.name || one.group == key.group;
+         });
+}
+
 /// What holds for each word of a key that others depend on.
 Schema schema_of_words(const KeyTable& table, const Key& by) {
   const bool is_flag = by.kind == Key::Kind::flag;
@@ -300,16 +310,18 @@ Schema schema_of_words(const KeyTable& table, const Key& by) {
         others.push_back(all_given({name}));
       }
     }
-    const auto counts = [&](const Key& key) {
-      return !is_always(table, key) && key.conditions.back().key == by.name && key.is_for(by.name, word);
+    const auto is_of_word = [&](const Key& key) {
+      return !key.conditions.empty() && key.conditions.back().key == by.name && key.is_for(by.name, word);
     };
+    const auto counts = [&](const Key& key) { return !is_always(table, key) && is_of_word(key); };
     for (const Key& key : table.keys) {
       if (counts(key) && key.is_required()) required.emplace_back(key.name);
     }
     if (!required.empty()) way["required"] = required;
     if (!others.empty()) way["not"] = {{"anyOf", others}};
     std::vector<Schema> rules;
-    add_groups(table, counts, rules);
+    add_groups(
+        table, [&](const Key& key) { return !is_always_in_group(table, key) && is_of_word(key); }, rules);
     if (!rules.empty()) way["allOf"] = rules;
     ways.push_back(way);
   }
@@ -336,7 +348,8 @@ Schema schema_of_table(const KeyTable& table) {
                                        [&](const Key& one) { return one.name != key.name || one.with == key.with; });
     if (!key.with.empty() && always_so) schema["dependencies"][std::string(key.name)] = {key.with};
   }
-  add_groups(table, always, rules);
+  add_groups(
+      table, [&](const Key& key) { return is_always_in_group(table, key); }, rules);
   std::vector<std::string_view> deciding;
   for (const Key& key : table.keys) {
     for (const Condition& condition : key.conditions) {

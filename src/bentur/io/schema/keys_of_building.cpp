@@ -89,6 +89,20 @@ const KeyTable& building_keys() {
             Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
                            "[known by little](#buildinggeneric-known-by-little)")
                 .one_of("structure"),
+            Key::sub_table("plan", building_plan_keys(), {"In plan", "Dalam denah"},
+                           "floors [in plan](#buildings-in-plan)")
+                .one_of("structure"),
+            Key::sub_table("plan", wall_plan_keys(), {"In plan", "Dalam denah"}, "of a wall beside buildings in plan")
+                .optional("it stands in a row")
+                .when("rigid", {"true"}),
+            Key::sub_table("plane", plane_keys(), {"Planes", "Bidang"}, "frames and walls of a building in plan")
+                .list()
+                .goes_with("plan")
+                .optional("none"),
+            Key::sub_table("rigidity", rigidity_keys(), {"Rigidity", "Kekakuan tingkat"},
+                           "of a building in plan, in place of planes or beside them")
+                .goes_with("plan")
+                .optional("none"),
         }};
     for (Key& key : made.keys) {
       const bool of_a_wall = key.name == "name" || key.name == "rigid" || key.name == "base_elevation";

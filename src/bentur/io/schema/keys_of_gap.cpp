@@ -11,7 +11,11 @@ const KeyTable& gap_keys() {
       {Key::of("between", Key::Kind::text, {"Between", "Antara"}, "the names of the two neighbours, left one first")
            .list("the neighbours, left and right", 2),
        Key::number("width", dimension::length, Range::distance, {"Gap", "Celah"}, "the distance at rest")
-           .for_each("one per contact point"),
+           .for_each("one per contact point")
+           .optional("needed but for buildings in plan, which have theirs"),
+       Key::whole("points", 2, 50, {"Contact points", "Titik kontak"},
+                  "between buildings in plan alone: of each level, evenly spaced, ends included")
+           .optional("`plan.points`"),
        Key::number("elevations", dimension::length, Range::finite, {"Elevations", "Elevasi"},
                    "ascending, where the buildings can touch; both need a floor there; `[]`: no contact is modelled")
            .list()

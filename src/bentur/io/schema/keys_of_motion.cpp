@@ -192,7 +192,39 @@ std::vector<Key> suite_keys() {
            .optional("none")});
 }
 
+/// Of buildings in plan alone.
+std::vector<Key> plan_motion_keys() {
+  return {Key::sub_table("y", motion_along_y_keys(), {"Motion along y", "Gerakan searah y"},
+                         "of buildings in plan: what shakes them along y, while this table shakes them along x")
+              .optional("no motion along y"),
+          Key::number("angle", dimension::none, Range::finite, {"Angle", "Sudut"},
+                      "of buildings in plan: both motions act along axes that are turned by this, counter-clockwise")
+              .by_default(0)
+              .counted_in("degrees"),
+          Key::number("wave_angle", dimension::none, Range::finite, {"Angle of the wave", "Sudut gelombang"},
+                      "of buildings in plan: where the wave goes, from x counter-clockwise")
+              .by_default(0)
+              .counted_in("degrees")
+              .goes_with("wave_velocity")};
+}
+
 }  // namespace
+
+const KeyTable& motion_along_y_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {"excitation.y",
+                     "what shakes buildings in plan along y",
+                     {Key::choice("kind", {"record", "harmonic", "none"}, {"Kind", "Jenis"}, "as of `[excitation]`")
+                          .called({{"record", "rekaman"},
+                                   {"harmonic", "harmonik"},
+                                   {"none: no motion along y", "tidak ada gerakan searah y"}})}};
+    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys()}) {
+      made.keys.insert(made.keys.end(), keys.begin(), keys.end());
+    }
+    return made;
+  }();
+  return table;
+}
 
 const KeyTable& suite_file_keys() {
   static const KeyTable table = [] {
@@ -233,7 +265,11 @@ const KeyTable& case_keys() {
            .list()
            .at_least(2)
            .up_to(1000),
-       Key::sub_table("gap", gap_keys(), {"Gaps", "Celah"}, "one between each pair of neighbours").list(),
+       Key::sub_table("plan", plan_keys(), {"Plan", "Denah"}, "of [buildings in plan](#buildings-in-plan)")
+           .optional("they stand in a row"),
+       Key::sub_table("gap", gap_keys(), {"Gaps", "Celah"}, "one between each pair of neighbours")
+           .list()
+           .optional("needed but for buildings in plan"),
        Key::sub_table("link", link_keys(), {"Links", "Penghubung"}, "springs, dampers and cables")
            .list()
            .optional("none"),
@@ -288,7 +324,8 @@ const KeyTable& excitation_keys() {
              .called({{"relative to the bases", "relatif terhadap dasar"},
                       {"ground displacement included", "perpindahan tanah disertakan"}})
              .optional()}};
-    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), spectrum_keys(), suite_keys()}) {
+    for (const std::vector<Key>& keys :
+         {plan_motion_keys(), record_keys(), harmonic_keys(), spectrum_keys(), suite_keys()}) {
       made.keys.insert(made.keys.end(), keys.begin(), keys.end());
     }
     return made;
@@ -301,7 +338,7 @@ const KeyTable& initial_keys() {
       "initial",
       "displacements and velocities at the start, by building",
       {Key::by_building("displacements", dimension::length, Range::level, {"Displacements", "Perpindahan"},
-                        "bottom to top, relative to the base"),
+                        "bottom to top, relative to the base; in plan `[x, y, rotation]` of each floor, in radians"),
        Key::by_building("velocities", dimension::velocity, Range::finite, {"Velocities", "Kecepatan"},
                         "the same of velocities")}};
   return table;

@@ -24,6 +24,15 @@ std::string digits_of(double value, bool is_real) {
   return text;
 }
 
+/// What the number at a path is: of a floor in plan the third one is a rotation, where the others are lengths.
+PhysicalDimension dimension_at(const Key& key, const ParameterPath& path) {
+  const auto place = [&](std::size_t from_end) { return std::get_if<std::size_t>(&path[path.size() - from_end]); };
+  const bool of_a_floor =
+      key.kind == Key::Kind::by_building && path.size() > 2 && place(1) != nullptr && place(2) != nullptr;
+  if (!of_a_floor || *place(1) != 2) return key.dimension;
+  return {0, key.dimension.force, key.dimension.time};
+}
+
 /// A piece of a text and what comes in its place.
 struct Change {
   std::size_t from, to;
@@ -51,7 +60,7 @@ class TextInUnits {
     }
     if (!value.is_number() || !std::isfinite(value.real)) return;
     const Key* const key = key_at(case_keys(), path, root_);
-    const double factor = key == nullptr ? 1 : key->dimension.factor(length_, force_);
+    const double factor = key == nullptr ? 1 : dimension_at(*key, path).factor(length_, force_);
     if (factor == 1) return;
     const std::size_t from = place(value);
     const std::size_t to = std::min(text_.find_first_of(" \t\r\n,]}#", from), text_.size());
@@ -158,7 +167,7 @@ std::string parameter_units(const ParameterPath& path, const TomlValue& root, co
   const bool is_number = key != nullptr && key->own_unit.empty() &&
                          (key->kind == Key::Kind::number || key->kind == Key::Kind::quantity ||
                           key->kind == Key::Kind::whole || key->kind == Key::Kind::by_building);
-  return is_number ? udunits(key->dimension.form(), units) : "";
+  return is_number ? udunits(dimension_at(*key, path).form(), units) : "";
 }
 
 }  // namespace bentur

@@ -56,6 +56,12 @@ TEST(ParameterUnits, KnowTheUnitOfANumber) {
   EXPECT_EQ(unit("link[0].damping[1]"), "1000 kgf s cm-1");
   EXPECT_EQ(unit("link[1].yield_force"), "1000 kgf");
   EXPECT_EQ(unit("link[1].slack"), "cm");
+  EXPECT_EQ(unit("initial.velocities.A[0][1]"), "cm s-1");
+  EXPECT_EQ(unit("initial.velocities.A[0][2]"), "s-1");  // a rotation
+  EXPECT_EQ(unit("initial.velocities.A[2]"), "cm s-1");
+  EXPECT_EQ(unit("building[0].plan.inertias[1]"), "1000 kgf s2 cm");
+  EXPECT_EQ(unit("building[0].rigidity.torsion"), "1000 kgf cm");
+  EXPECT_EQ(unit("building[0].plane[0].angle"), "");
   EXPECT_EQ(unit("excitation.file"), "");
 }
 

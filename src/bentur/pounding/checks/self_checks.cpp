@@ -27,37 +27,46 @@ double bound_of(const Solver& solver) {
   return infinite;
 }
 
-/// Whether some contact's force is integrated, by steps of a tolerance of their own.
 bool is_any_integrated(const Problem& problem) {
-  return std::any_of(problem.points.begin(), problem.points.end(), [](const ContactPoint& point) {
-    const LawState closed = point.law->next({}, 0, 0.0, 0.0, 1.0);
-    return !point.law->restitution() && !point.law->branch(closed).linear;
-  });
+  return std::any_of(problem.points.begin(), problem.points.end(),
+                     [](const ContactPoint& point) { return is_integrated(*point.law); });
 }
 
 /// How much wider the bound of momentum is.
-double slack_of_impulse(const Problem& problem, const Solver& solver) {
+double slack_of_impulse(bool integrated, const Solver& solver) {
   if (std::holds_alternative<AdaptiveSolver>(solver)) return of_impulse;
-  return is_any_integrated(problem) ? of_integrated_impulse : 1.0;
+  return integrated ? of_integrated_impulse : 1.0;
 }
 
-class Checks {
+/// Says what is wrong, as far as a solver is bound to be right.
+class Judge {
  public:
-  Checks(const Problem& problem, const Solver& solver, Response& response)
-      : problem_(problem), bound_(bound_of(solver)), response_(response) {}
+  Judge(const Solver& solver, const Verdict& verdict) : bound_(bound_of(solver)), verdict_(verdict) {}
 
   /// A number that is two, `apart` by this part of the largest.
   template <class Told>
   void compare(const char* key, double apart, const Told& told, double slack = 1.0) {
     if (bound_ == infinite || apart <= round_off) return;
     if (!(apart <= slack * bound_)) return fail(told());
-    response_.discrepancies.push_back({key, apart});
+    verdict_.discrepancies.push_back({key, apart});
   }
 
   void fail(const std::string& what) {
-    response_.status = Status::failed;
-    if (response_.message.empty()) response_.message = "the run contradicts itself: " + what;
+    verdict_.status = Status::failed;
+    if (verdict_.message.empty()) verdict_.message = "the run contradicts itself: " + what;
   }
+
+ private:
+  double bound_;
+  Verdict verdict_;
+};
+
+class Checks : private Judge {
+ public:
+  Checks(const Problem& problem, const Solver& solver, Response& response)
+      : Judge(solver, {response.status, response.message, response.discrepancies}),
+        problem_(problem),
+        response_(response) {}
 
   void numbers();
   void impacts();
@@ -86,7 +95,6 @@ class Checks {
   }
 
   const Problem& problem_;
-  double bound_;
   Response& response_;
 };
 
@@ -229,6 +237,31 @@ void Checks::without_impact() {
 
 }  // namespace
 
+bool is_integrated(const Law& law) {
+  const LawState closed = law.next({}, 0, 0.0, 0.0, 1.0);
+  return !law.restitution() && !law.branch(closed).linear;
+}
+
+void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudit>& energy, const Solver& solver,
+                    bool integrated, const Verdict& verdict) {
+  Judge judge(solver, verdict);
+  const auto apart = [](const char* what, double by) {
+    return [what, by] { return fmt::format("{} by {:.3g} of the largest", what, by); };
+  };
+  judge.compare("check_momentum", measures.momentum,
+                apart("momentum before and after a contact differs from its impulses", measures.momentum),
+                slack_of_impulse(integrated, solver));
+  judge.compare("check_opening", measures.opening,
+                apart("bodies begin or cease to touch where their opening is not zero", measures.opening));
+  judge.compare("check_forces", measures.forces,
+                apart("the forces on a building at the end are out of balance", measures.forces));
+  if (energy) {
+    const double missing = energy->relative_residual();
+    judge.compare("check_energy", missing,
+                  [missing] { return fmt::format("{:.3g} of the energy that went in is not accounted for", missing); });
+  }
+}
+
 void check_itself(const Problem& problem, const Solver& solver, const SelfMeasures& measures, Response& response) {
   if (response.status != Status::done && response.status != Status::collapsed) return;
   Checks checks(problem, solver, response);
@@ -237,22 +270,8 @@ void check_itself(const Problem& problem, const Solver& solver, const SelfMeasur
   checks.impacts();
   checks.first_contact();
   checks.without_impact();
-  const auto apart = [](const char* what, double by) {
-    return [what, by] { return fmt::format("{} by {:.3g} of the largest", what, by); };
-  };
-  checks.compare("check_momentum", measures.momentum,
-                 apart("momentum before and after a contact differs from its impulses", measures.momentum),
-                 slack_of_impulse(problem, solver));
-  checks.compare("check_opening", measures.opening,
-                 apart("bodies begin or cease to touch where their opening is not zero", measures.opening));
-  checks.compare("check_forces", measures.forces,
-                 apart("the forces on a building at the end are out of balance", measures.forces));
-  if (response.energy) {
-    const double missing = response.energy->relative_residual();
-    checks.compare("check_energy", missing, [missing] {
-      return fmt::format("{:.3g} of the energy that went in is not accounted for", missing);
-    });
-  }
+  check_measures(measures, response.energy, solver, is_any_integrated(problem),
+                 {response.status, response.message, response.discrepancies});
 }
 
 }  // namespace bentur

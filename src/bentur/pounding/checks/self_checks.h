@@ -1,10 +1,29 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 #include "bentur/solve/solver.h"
 
 namespace bentur {
+
+/// What is said of a run that has looked at itself.
+struct Verdict {
+  Status& status;
+  std::string& message;
+  std::vector<Discrepancy>& discrepancies;
+};
+
+/// Compares numbers that every solution has twice, whatever it is of. @param integrated whether some contact's force is
+/// integrated, by steps of a tolerance of their own
+void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudit>& energy, const Solver& solver,
+                    bool integrated, const Verdict& verdict);
+
+/// Whether the force of a law is integrated while it is in contact.
+[[nodiscard]] bool is_integrated(const Law& law);
 
 /// Compares numbers of a response that were reached by different ways (docs/verification.md, What every run checks).
 /// One that contradicts itself has failed: status and message say so. What is further apart than round-off, but no

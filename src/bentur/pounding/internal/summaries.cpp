@@ -197,24 +197,6 @@ void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>&
   }
 }
 
-void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
-  for (const Impact& impact : impacts) {
-    PointSummary& point = points[impact.point];
-    ++point.impacts;
-    if (impact.slow_start) ++point.slow_starts;
-    point.contact_duration += impact.end - impact.start;
-    point.impulse += impact.impulse;
-    point.energy_lost += impact.energy_lost;
-    point.peak_penetration = std::max(point.peak_penetration, impact.peak_penetration);
-    point.peak_closing_speed = std::max(point.peak_closing_speed, impact.closing_speed);
-    point.peak_tension = std::max(point.peak_tension, impact.peak_tension);
-    if (impact.peak_force > point.peak_force) {
-      point.peak_force = impact.peak_force;
-      point.peak_force_time = impact.peak_force_time;
-    }
-  }
-}
-
 std::vector<LinkSummary> links_of(const Solution& solution) {
   std::vector<LinkSummary> links;
   for (const ElementFound& joint : solution.joints) {
@@ -268,7 +250,10 @@ Histories histories_of(const Problem& problem, Sampled&& sampled, Solution& solu
   if (sampled.time.empty()) return histories;
   take_lists(problem, solution, of, histories);
   histories.time = std::move(sampled.time);
-  histories.ground_acceleration = std::move(sampled.ground_acceleration);
+  if (sampled.ground_acceleration.size() > 0) {
+    const auto first = sampled.ground_acceleration.row(0);
+    histories.ground_acceleration.assign(first.begin(), first.end());
+  }
   histories.opening = std::move(sampled.opening);
   histories.force = std::move(sampled.force);
   histories.link_deformation = std::move(sampled.joint_deformation);
@@ -296,6 +281,24 @@ std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, d
   }
   for (std::vector<Eigen::Index>& group : groups) std::sort(group.begin(), group.end());
   return groups;
+}
+
+void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
+  for (const Impact& impact : impacts) {
+    PointSummary& point = points[impact.point];
+    ++point.impacts;
+    if (impact.slow_start) ++point.slow_starts;
+    point.contact_duration += impact.end - impact.start;
+    point.impulse += impact.impulse;
+    point.energy_lost += impact.energy_lost;
+    point.peak_penetration = std::max(point.peak_penetration, impact.peak_penetration);
+    point.peak_closing_speed = std::max(point.peak_closing_speed, impact.closing_speed);
+    point.peak_tension = std::max(point.peak_tension, impact.peak_tension);
+    if (impact.peak_force > point.peak_force) {
+      point.peak_force = impact.peak_force;
+      point.peak_force_time = impact.peak_force_time;
+    }
+  }
 }
 
 Response free_response(const Problem& problem, const Solution& free) {

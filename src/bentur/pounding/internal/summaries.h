@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 
@@ -7,6 +9,9 @@ namespace bentur {
 
 /// What the response without contact says of buildings, points and watched floors.
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);
+
+/// Adds impacts to the totals of their points.
+void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points);
 
 /// Puts a solution with contact into the response that free_response() made.
 void take_solution(const Problem& problem, Solution&& solution, Response& response);

@@ -72,19 +72,22 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
   std::vector<Flight> flights;
   for (int n = 0; n <= halvings; ++n) flights.push_back(Flight(system, std::ldexp(length, -n)));
   for (Index j = 0; j < system.size; ++j) {
-    const Oscillator oscillator{system.omega_squared(j), system.two_sigma(j), system.gamma(j), system.nu};
-    Transition map = transition(oscillator, flights.back().length_);
-    for (auto flight = flights.rbegin(); flight != flights.rend(); ++flight) {
-      if (flight != flights.rbegin()) map = doubled(map);
-      constexpr Map::Column to_q[] = {Map::qq, Map::qv, Map::qa, Map::qb};
-      constexpr Map::Column to_v[] = {Map::vq, Map::vv, Map::va, Map::vb};
-      for (std::size_t i = 0; i < map.size(); ++i) {
-        flight->map_(j, to_q[i]) = static_cast<double>(map[i][0]);
-        flight->map_(j, to_v[i]) = static_cast<double>(map[i][1]);
+    for (Index c = 0; c < system.components(); ++c) {
+      const Oscillator oscillator{system.omega_squared(j), system.two_sigma(j), system.gamma(j, c), system.nu[c]};
+      Transition map = transition(oscillator, flights.back().length_);
+      for (auto flight = flights.rbegin(); flight != flights.rend(); ++flight) {
+        if (flight != flights.rbegin()) map = doubled(map);
+        constexpr Map::Column to_q[] = {Map::qq, Map::qv, Map::qa, Map::qb};
+        constexpr Map::Column to_v[] = {Map::vq, Map::vv, Map::va, Map::vb};
+        for (std::size_t i = c == 0 ? 0 : 2; i < map.size(); ++i) {
+          const Index component = i < 2 ? 0 : c;
+          flight->map_(j, to_q[i], component) = static_cast<double>(map[i][0]);
+          flight->map_(j, to_v[i], component) = static_cast<double>(map[i][1]);
+        }
       }
     }
     if (flights.front().map_.loads.empty()) continue;
-    map = transition({system.omega_squared(j), system.two_sigma(j), 1, 0}, flights.back().length_);
+    Transition map = transition({system.omega_squared(j), system.two_sigma(j), 1, 0}, flights.back().length_);
     for (auto flight = flights.rbegin(); flight != flights.rend(); ++flight) {
       if (flight != flights.rbegin()) map = doubled(map);
       flight->map_(j, Map::load_q) = static_cast<double>(map[2][0]);
@@ -95,38 +98,46 @@ std::vector<Flight> Flight::make(const ModalSystem& system, double length, int h
 }
 
 /// All but the map itself.
-Flight::Flight(const ModalSystem& system, double length) : system_(&system), length_(length), map_(system.size) {
-  const double nu = system_->nu;
+Flight::Flight(const ModalSystem& system, double length)
+    : system_(&system), length_(length), map_(system.size, system.components()) {
+  const Index components = system_->components();
+  const bool linear = system_->fastest_input() == 0.0;
   const double chord = length_ * length_ / 8.0;
   const bool loaded = system.members < std::ssize(system.elements);
   if (loaded) map_.loads.assign(system_->size * Map::load_columns, 0.0);
   for (Index j = 0; j < system_->size; ++j) {
     const double w2 = system_->omega_squared(j);
     const double d = system_->two_sigma(j);
-    const double gamma = system_->gamma(j);
     const double omega = std::sqrt(w2);
     const double kappa = std::sqrt(w2 + d * d);
-    const double push = std::abs(gamma);
-    map_(j, Map::gamma) = gamma;
     map_(j, Map::omega_squared) = w2;
     map_(j, Map::two_sigma) = d;
     map_(j, Map::omega) = omega;
     map_(j, Map::second) = chord * kappa;
     map_(j, Map::fourth) = chord * (d * (d * kappa + w2) + w2 * kappa);
-    if (nu == 0.0 && omega * length_ > 1.0) {
-      map_(j, Map::p_value) = gamma / w2;
-      map_(j, Map::p_slope) = -gamma * d / (w2 * w2);
-      map_(j, Map::p_rate) = gamma / w2;
+    const bool stiff = linear && omega * length_ > 1.0;
+    for (Index c = 0; c < components; ++c) {
+      const double gamma = system_->gamma(j, c);
+      const double push = std::abs(gamma);
+      const double nu = system_->nu[c];
+      map_(j, Map::gamma, c) = gamma;
+      if (stiff) {
+        map_(j, Map::p_value, c) = gamma / w2;
+        map_(j, Map::p_slope, c) = -gamma * d / (w2 * w2);
+        map_(j, Map::p_rate, c) = gamma / w2;
+      } else {
+        map_(j, Map::slow, c) = length_ * push;
+        map_(j, Map::second_force, c) = chord * push;
+        map_(j, Map::fourth_force, c) = chord * (d * d + w2 + nu * nu) * push;
+        map_(j, Map::fourth_slope, c) = chord * d * push;
+      }
+    }
+    if (stiff) {
       // u and ü stay within ±S/Ω and ±κ S: twice that is as far as a chord can be.
       map_(j, Map::second) = std::min(map_(j, Map::second), 2.0 / omega);
       map_(j, Map::fourth) = std::min(map_(j, Map::fourth), 2.0 * kappa);
       if (loaded) map_(j, Map::load_p) = 1.0 / w2;
-    } else {
-      map_(j, Map::slow) = length_ * push;
-      map_(j, Map::second_force) = chord * push;
-      map_(j, Map::fourth_force) = chord * (d * d + w2 + nu * nu) * push;
-      map_(j, Map::fourth_slope) = chord * d * push;
-      if (!loaded) continue;
+    } else if (loaded) {
       map_(j, Map::load_slow) = length_;
       map_(j, Map::load_second) = chord;
       map_(j, Map::load_fourth) = chord * (d * d + w2);
@@ -134,10 +145,8 @@ Flight::Flight(const ModalSystem& system, double length) : system_(&system), len
   }
 }
 
-kernels::FlightInput Flight::input(const GroundInput& ground) const {
-  const double nu = system_->nu;
-  GroundInput end = ground;
-  system_->advance(end, length_);
+kernels::FlightInput Flight::input(const GroundInput& ground, double nu) const {
+  const GroundInput end = ground.later(length_, nu);
   if (nu > 0.0) {
     const double largest = std::hypot(ground.value, ground.slope / nu);
     return {ground.value, ground.slope, largest, nu * largest, end.value};
@@ -146,9 +155,12 @@ kernels::FlightInput Flight::input(const GroundInput& ground) const {
   return {ground.value, ground.slope, largest, std::abs(ground.slope), end.value};
 }
 
-void Flight::advance(std::size_t b, const GroundInput& ground, const kernels::FlightArrays& arrays) const {
+void Flight::advance(std::size_t b, const GroundInput* ground, const kernels::FlightArrays& arrays) const {
   const auto& block = system_->blocks[b];
-  kernels::fly(map_, {block.begin, block.padded_size}, input(ground), arrays);
+  std::array<kernels::FlightInput, most_components> inputs;
+  auto* to = inputs.begin();
+  for (const double nu : system_->nu) *to++ = input(*ground++, nu);
+  kernels::fly(map_, {block.begin, block.padded_size}, inputs.front(), arrays);
 }
 
 Flights make_flights(const ModalSystem& system, double length) {

@@ -13,20 +13,20 @@ namespace bentur::engine {
 ///
 /// Between the ends proven bounds rule events and peaks out without looking. With u = q − p, p the particular solution
 /// for a linear input, S = √(u̇² + Ω²u²) never grows, so |q̈| ≤ κ S with κ = √(Ω² + D²), and |q| ≤ |p| + S/Ω; where no p
-/// is used (slow coordinates, harmonic input) S is at most its start value plus h max|γ a_g|, and
-/// |q̈| ≤ κ S + max|γ a_g|. A constant load adds to p, or to γ a_g in these.                                  (T-3)
+/// is used (slow coordinates, some harmonic input) S is at most its start value plus h max|γ a_g|, and
+/// |q̈| ≤ κ S + max|γ a_g|. A constant load adds to p, or to γ a_g in these, which are sums over components.    (T-3)
 class Flight {
  public:
   /// The flights of a length [s], its half, its quarter, … `halvings` times.
   [[nodiscard]] static std::vector<Flight> make(const ModalSystem& system, double length, int halvings);
 
-  /// The same acceleration with its bounds over the flight.
-  [[nodiscard]] kernels::FlightInput input(const GroundInput& ground) const;
+  /// The same component of the acceleration with its bounds over the flight.
+  [[nodiscard]] kernels::FlightInput input(const GroundInput& ground, double nu) const;
 
   /// One body; only its coordinates are looked at and written.
   ///   rise               how far q can leave its chord: |q̈| length²/8,
   ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
-  void advance(std::size_t block, const GroundInput& input, const kernels::FlightArrays& arrays) const;
+  void advance(std::size_t block, const GroundInput* ground, const kernels::FlightArrays& arrays) const;
 
   [[nodiscard]] double length() const { return length_; }  ///< [s]
   [[nodiscard]] const kernels::FlightMap& map() const { return map_; }

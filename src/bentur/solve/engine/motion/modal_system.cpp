@@ -4,7 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
 #include "bentur/solve/engine/motion/kernels/series.h"
 
 namespace bentur::engine {
@@ -27,7 +30,7 @@ MatrixXd over_modes(const MatrixXd& rows, const MatrixXd& shapes) {
 }
 
 /// Outputs of a body of `size` coordinates over them: modes, ground, and the forces of what yields.
-ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outputs, Index size) {
+ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outputs, Index size, Index components) {
   const Index modes = body.modes.omega.size();
   ModalSystem::Block::Group group;
   group.at_rest = outputs.at_rest.size() > 0 ? outputs.at_rest : VectorXd(VectorXd::Zero(outputs.count));
@@ -41,10 +44,14 @@ ModalSystem::Block::Group over_coordinates(const Body& body, const Outputs& outp
   over(outputs.rows, group.of_position);
   over(outputs.rates, group.of_speed);
   over(outputs.absolute, group.of_acceleration);
-  if (outputs.absolute.size() > 0) group.of_acceleration.col(modes).setOnes();
+  if (outputs.absolute.size() > 0 && outputs.ground.size() > 0) {
+    group.of_acceleration.middleCols(modes, components) = outputs.ground;
+  } else if (outputs.absolute.size() > 0) {
+    group.of_acceleration.col(modes).setOnes();
+  }
   if (outputs.forces.size() > 0) {
     if (group.of_position.size() == 0) group.of_position = MatrixXd::Zero(outputs.count, size);
-    group.of_position.rightCols(size - modes - 1) = outputs.forces;
+    group.of_position.rightCols(size - modes - components) = outputs.forces;
   }
   return group;
 }
@@ -54,17 +61,19 @@ Index padded(Index coordinates) {
   return (coordinates + four - 1) / four * four;
 }
 
-ModalSystem::Block make_block(const Body& body, Index begin) {
+ModalSystem::Block make_block(const Body& body, Index begin, Index components) {
   ModalSystem::Block block;
   const Index modes = body.modes.omega.size();
   block.begin = begin;
   block.modes = modes;
-  block.size = modes + 1;
+  block.size = modes + components;
   block.size += std::ssize(body.elements);
   for (const CoupledElement& element : body.coupled) block.size += element.rows.rows();
   block.padded_size = padded(block.size);
-  block.moving_size = padded(modes + 1);
-  for (const Outputs& outputs : body.outputs) block.outputs.push_back(over_coordinates(body, outputs, block.size));
+  block.moving_size = padded(modes + components);
+  for (const Outputs& outputs : body.outputs) {
+    block.outputs.push_back(over_coordinates(body, outputs, block.size, components));
+  }
 
   MatrixXd off_diagonal = body.modal_damping;
   off_diagonal.diagonal().setZero();
@@ -89,7 +98,7 @@ Side side_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Bo
   const ModalSystem::Block& block = blocks[of.body];
   Side side{of.body, block.begin, block.moving_size, VectorXd::Zero(block.moving_size)};
   side.row.head(block.modes) = bodies[of.body].modes.shapes.transpose() * of.row;
-  side.row(block.modes) = of.ground;
+  side.row.segment(block.modes, of.ground.size()) = of.ground;
   return side;
 }
 
@@ -111,11 +120,11 @@ ModalSystem::Relation relation_of(const std::vector<ModalSystem::Block>& blocks,
 }
 
 /// A force F pushes against δ, and the ground is not moved by it.
-void let_push(const std::vector<ModalSystem::Block>& blocks, ModalSystem::Relation& relation) {
+void let_push(const std::vector<ModalSystem::Block>& blocks, Index components, ModalSystem::Relation& relation) {
   relation.left_push = -relation.left_row;
-  relation.left_push(blocks[relation.left].modes) = 0.0;
+  relation.left_push.segment(blocks[relation.left].modes, components).setZero();
   relation.right_push = -relation.right_row;
-  if (relation.right_size > 0) relation.right_push(blocks[relation.right].modes) = 0.0;
+  if (relation.right_size > 0) relation.right_push.segment(blocks[relation.right].modes, components).setZero();
 }
 
 }  // namespace
@@ -135,15 +144,21 @@ ModalSystem::Relation ModalSystem::Relation::times(double factor) const {
   return result;
 }
 
-ModalSystem::ModalSystem(const System& of) : nu(angular_frequency(of.motion)) {
+ModalSystem::ModalSystem(const System& of) {
+  const Index ways = std::ssize(of.motions);
+  if (ways < 1 || of.motions.size() > most_components) {
+    throw InvalidParameter("motions", std::to_string(ways), "must be 1 to " + std::to_string(most_components));
+  }
+  for (const GroundMotion& motion : of.motions) nu.push_back(angular_frequency(motion));
   for (const Body& body : of.bodies) {
-    blocks.push_back(make_block(body, size));
+    require_size("columns of load", body.load.cols(), ways);
+    blocks.push_back(make_block(body, size, ways));
     size += blocks.back().padded_size;
     classical = classical && !blocks.back().damping;
   }
   omega_squared = VectorXd::Zero(size);
   two_sigma = VectorXd::Zero(size);
-  gamma = VectorXd::Zero(size);
+  gamma = MatrixXd::Zero(size, ways);
   of_mode = VectorXd::Zero(size);
   initial_q = VectorXd::Zero(size);
   initial_v = VectorXd::Zero(size);
@@ -153,9 +168,11 @@ ModalSystem::ModalSystem(const System& of) : nu(angular_frequency(of.motion)) {
     const Index modes = blocks[b].modes;
     omega_squared.segment(begin, modes) = body.modes.omega.cwiseAbs2();
     two_sigma.segment(begin, modes) = body.modal_damping.diagonal();
-    gamma(begin + modes) = 1.0;
     of_mode.segment(begin, modes).setOnes();
-    gamma.segment(begin, modes) = -body.modes.shapes.transpose() * body.load;
+    for (Index c = 0; c < ways; ++c) {
+      gamma(begin + modes + c, c) = 1.0;
+      gamma.col(c).segment(begin, modes) = -body.modes.shapes.transpose() * body.load.col(c);
+    }
     const auto to_modes = [&body](const VectorXd& x) -> VectorXd {
       return body.modes.shapes.transpose() * (body.mass * x);
     };
@@ -178,25 +195,25 @@ ModalSystem::ModalSystem(const System& of) : nu(angular_frequency(of.motion)) {
     elements.push_back({relation_of(blocks, of.bodies, {{b, row}}), stiffness, tangent_damping, force});
   };
   for (Index b = 0; b < std::ssize(blocks); ++b) {
-    Index force = blocks[b].begin + blocks[b].modes + 1;
+    Index force = ground_of(b) + ways;
     for (const BuildingElement& element : of.bodies[b].elements) {
       add_member(b, element.row, element.law->initial_stiffness(), of.bodies[b].tangent_damping, force++);
     }
   }
   alone = std::ssize(elements);
   for (Index b = 0; b < std::ssize(blocks); ++b) {
-    Index force = blocks[b].begin + blocks[b].modes + 1 + std::ssize(of.bodies[b].elements);
+    Index force = ground_of(b) + ways + std::ssize(of.bodies[b].elements);
     for (const CoupledElement& element : of.bodies[b].coupled) {
       coupled.push_back({std::ssize(elements), element.rows.rows(), element.law});
       for (const auto& row : element.rows.rowwise()) add_member(b, row.transpose(), 0.0, 0.0, force++);
     }
   }
-  for (Element& element : elements) let_push(blocks, element.relation);
+  for (Element& element : elements) let_push(blocks, ways, element.relation);
   for (const Interface& interface : of.watched) watched.push_back(relation_of(blocks, of.bodies, interface));
   for (const Interface& interface : of.watched_free) watched_free.push_back(relation_of(blocks, of.bodies, interface));
   const auto has_ground = [&](const Relation& at) {
-    return at.left_row(blocks[at.left].modes) != 0.0 ||
-           (at.right_size > 0 && at.right_row(blocks[at.right].modes) != 0.0);
+    return !at.left_row.segment(blocks[at.left].modes, ways).isZero(0.0) ||
+           (at.right_size > 0 && !at.right_row.segment(blocks[at.right].modes, ways).isZero(0.0));
   };
   ground_counts =
       std::any_of(elements.begin(), elements.end(), [&](const auto& e) { return has_ground(e.relation); }) ||
@@ -239,7 +256,7 @@ double ModalSystem::rate(const ElementForces& forces) const {
     damping.below += of.modal->driven;
   }
   double half_damping = 0.0;
-  double omega = nu;
+  double omega = fastest_input();
   for (const Block& block : blocks) {
     half_damping = std::max(half_damping, block.half_damping);
     omega = std::max(omega, block.omega_max);
@@ -291,7 +308,11 @@ void ModalSystem::acceleration(const State& state, const std::vector<GroundInput
     const Block& block = blocks[b];
     const Index begin = block.begin;
     kernels::accelerate(block.padded_size, omega_squared.data() + begin, two_sigma.data() + begin, gamma.data() + begin,
-                        inputs[b].value, state.q.data() + begin, state.v.data() + begin, result.data() + begin);
+                        of_body(inputs, b)->value, state.q.data() + begin, state.v.data() + begin,
+                        result.data() + begin);
+    for (Index c = 1; c < components(); ++c) {
+      result.segment(begin, block.size) += of_body(inputs, b)[c].value * gamma.col(c).segment(begin, block.size);
+    }
     if (block.damping) {
       const auto speed = state.v.segment(block.begin, block.size);
       result.segment(block.begin, block.size) -=
@@ -373,18 +394,19 @@ VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& m
   return matrix.ldlt().solve(missing);
 }
 
-void ModalSystem::advance(GroundInput& in, double dt) const {
-  if (nu == 0.0) {
-    in.value += in.slope * dt;
-    return;
+void ModalSystem::advance(GroundInput* input, double dt) const {
+  for (const double by : nu) {
+    *input = input->later(dt, by);
+    ++input;
   }
-  const double c = std::cos(nu * dt);
-  const double s = std::sin(nu * dt);
-  in = {in.value * c + in.slope / nu * s, in.slope * c - in.value * nu * s};
 }
 
 void ModalSystem::advance(std::vector<GroundInput>& inputs, double dt) const {
-  for (GroundInput& in : inputs) advance(in, dt);
+  if (fastest_input() == 0.0) {
+    for (GroundInput& input : inputs) input.value += input.slope * dt;
+    return;
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b) advance(inputs.data() + b * nu.size(), dt);
 }
 
 double ModalSystem::Block::rate() const { return half_damping + std::hypot(half_damping, omega_max); }

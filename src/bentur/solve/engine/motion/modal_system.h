@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,7 +58,7 @@ struct ElementForces {
 };
 
 /// All bodies side by side in modal coordinates. The coordinates of one body are its modes, then its ground
-/// displacement u_g(t − τ_b), itself an oscillator of frequency zero driven by +a_g:
+/// displacement u_g(t − τ_b) in each component of the motion, an oscillator of frequency zero driven by that of +a_g:
 ///   q̈ = −Ω² q − D q̇ + γ a_g + Σ push_i F_i,   F_i = F(δ_i, δ̇_i),   δ_i = offset_i + row_i q,             (T-1)
 /// and then, for each element of its own that can yield, its force F_i beyond that of K: a coordinate that nothing
 /// moves while the force is constant, and that is what the force is otherwise. Offsets (−w of a gap) are no part of the
@@ -65,7 +66,7 @@ struct ElementForces {
 struct ModalSystem {
   struct Block {
     Eigen::Index begin = 0;        ///< first coordinate of the body
-    Eigen::Index modes = 0;        ///< the ground coordinate comes after them
+    Eigen::Index modes = 0;        ///< the ground coordinates come after them, one per component
     Eigen::Index size = 0;         ///< modes, ground and force coordinates
     Eigen::Index padded_size = 0;  ///< size as a multiple of four; entries after the last coordinate stay zero
     Eigen::Index moving_size = 0;  ///< modes and ground likewise: all that (T-1) moves by itself
@@ -129,7 +130,7 @@ struct ModalSystem {
   Eigen::Index size = 0;
   Eigen::VectorXd omega_squared;  ///< Ω² [1/s²]
   Eigen::VectorXd two_sigma;      ///< diagonal of D [1/s]
-  Eigen::VectorXd gamma;          ///< −φᵀ load for modes, 1 for ground coordinates
+  Eigen::MatrixXd gamma;  ///< per component, a column each: −φᵀ load for modes, 1 for its ground coordinates
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
@@ -146,7 +147,7 @@ struct ModalSystem {
   /// The joint that System::joints has at this place, as an element.
   [[nodiscard]] Eigen::Index joint(Eigen::Index number) const { return switched + number; }
   Eigen::MatrixXd coupling;    ///< −push_i · row_j [1/mass], elements × elements
-  double nu = 0;               ///< ν of the ground motion [rad/s]
+  std::vector<double> nu;      ///< ν of the ground motion, per component [rad/s]
   bool classical = true;       ///< every D is diagonal
   bool ground_counts = false;  ///< some δ has a part of the ground's displacement
 
@@ -165,6 +166,17 @@ struct ModalSystem {
   [[nodiscard]] ElementForces::Coupled::Modal modal_of(const std::vector<Eigen::Index>& at,
                                                        const Eigen::MatrixXd& stiffness,
                                                        const Eigen::MatrixXd& damping) const;
+
+  [[nodiscard]] Eigen::Index components() const { return gamma.cols(); }
+  /// The largest ν [rad/s].
+  [[nodiscard]] double fastest_input() const { return *std::max_element(nu.begin(), nu.end()); }
+  /// The ground coordinates of a body among all.
+  [[nodiscard]] Eigen::Index ground_of(std::size_t block) const { return blocks[block].begin + blocks[block].modes; }
+
+  /// Those of one body among the inputs of all, one per component.
+  [[nodiscard]] const GroundInput* of_body(const std::vector<GroundInput>& inputs, std::size_t block) const {
+    return inputs.data() + static_cast<Eigen::Index>(block) * components();
+  }
 
   /// q̈ by (T-1) at the given state, ground input and force of each element [force] (empty: none).
   void acceleration(const State& state, const std::vector<GroundInput>& inputs, const Eigen::VectorXd& forces,
@@ -188,9 +200,9 @@ struct ModalSystem {
   /// The forces λ of the given elements that change δ̈ there by −`missing` [length/s²].
   [[nodiscard]] Eigen::VectorXd forces_for(const std::vector<Eigen::Index>& at, const Eigen::VectorXd& missing) const;
 
-  /// The inputs `dt` later.
+  /// The inputs `dt` later: of all bodies, or of one.
   void advance(std::vector<GroundInput>& inputs, double dt) const;
-  void advance(GroundInput& input, double dt) const;
+  void advance(GroundInput* input, double dt) const;
 };
 
 }  // namespace bentur::engine

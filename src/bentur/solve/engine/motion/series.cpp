@@ -28,10 +28,24 @@ int needed_degree(double rate_times_h) {
   return degree;
 }
 
-kernels::GroundSeries Series::ground(std::size_t b, const GroundInput& input, double h) const {
-  const auto& block = system_->blocks[b];
-  return {block.begin, block.moving_size, input.value * h * h, input.slope * h * h * h,
-          (system_->nu * h) * (system_->nu * h)};
+/// Of some bodies, whose first input is given.
+void Series::note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h) {
+  grounds_.resize(end - first);
+  further_.clear();
+  for (std::size_t b = first; b < end; ++b) {
+    const auto& block = system_->blocks[b];
+    for (Index c = 0; c < system_->components(); ++c, ++input) {
+      const double phase = system_->nu[c] * h;
+      const kernels::GroundSeries ground{block.begin,          block.moving_size,
+                                         input->value * h * h, input->slope * h * h * h,
+                                         phase * phase,        system_->gamma.col(c).data()};
+      if (c == 0) {
+        grounds_[b - first] = ground;
+      } else {
+        further_.push_back(ground);
+      }
+    }
+  }
 }
 
 void Series::begin(Index first, Index count, const State& state, double h, double rate, Expansion& motion) {
@@ -118,8 +132,7 @@ void Series::hold_forces(std::size_t first, std::size_t end, int degree) {
 void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
                     Expansion& motion) {
   begin(0, system_->size, state, h, forces.rate, motion);
-  grounds_.clear();
-  for (std::size_t b = 0; b < inputs.size(); ++b) grounds_.push_back(ground(b, inputs[b], h));
+  note_grounds(0, system_->blocks.size(), inputs.data(), h);
   const double* load = scaled(forces.load_or_null(), 0, system_->size);
   const bool damped = std::any_of(forces.coupled.begin(), forces.coupled.end(),
                                   [](const ElementForces::Coupled& of) { return of.damping.size() > 0; });
@@ -142,7 +155,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                        modal.tied.size() > 0 ? modal.tied.data() : nullptr, modal.pull.data(), modal.push.data(),
                        of.steady.data(), h * h});
     }
-    kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, pressing_, tied_,
+    kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load, further_}, grounds_, pressing_, tied_,
                     motion.degree(), system_->size, c_->data());
     hold_forces(0, system_->blocks.size(), motion.degree());
   }
@@ -157,7 +170,11 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
     force_.segment(first, count).setZero();
     for (kernels::GroundSeries& ground : grounds_) {
       const double a = ground.next(k);
-      force_.segment(ground.begin, ground.size) = a * system_->gamma.segment(ground.begin, ground.size);
+      force_.segment(ground.begin, ground.size) = a * system_->gamma.col(0).segment(ground.begin, ground.size);
+    }
+    for (kernels::GroundSeries& ground : further_) {
+      const Eigen::Map<const Eigen::VectorXd> gamma(ground.gamma + ground.begin, ground.size);
+      force_.segment(ground.begin, ground.size) += ground.next(k) * gamma;
     }
     if (k == 0 && load != nullptr) {
       for (Index j = first; j < first + count; ++j) force_(j) += load[j];
@@ -180,17 +197,17 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
   }
 }
 
-void Series::expand_block(std::size_t b, const State& state, const GroundInput& input, double h, Expansion& motion) {
+void Series::expand_block(std::size_t b, const State& state, const GroundInput* input, double h, Expansion& motion) {
   const auto& block = system_->blocks[b];
-  begin(block.begin, block.padded_size, state, h, std::max(block.rate(), system_->nu), motion);
-  grounds_.assign(1, ground(b, input, h));
+  begin(block.begin, block.padded_size, state, h, std::max(block.rate(), system_->fastest_input()), motion);
+  note_grounds(b, b + 1, input, h);
   const double* load = scaled(system_->load_of(b, state.q.data(), force_), block.begin, block.padded_size);
   if (block.damping) {
     expand_term_by_term(block.begin, block.padded_size, load, {}, motion);
     return;
   }
-  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load}, grounds_, {}, {}, motion.degree(),
-                  system_->size, c_->data());
+  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load, further_}, grounds_, {}, {},
+                  motion.degree(), system_->size, c_->data());
   hold_forces(b, b + 1, motion.degree());
 }
 

@@ -30,10 +30,10 @@ class Series {
               Expansion& motion);
 
   /// Expands one body alone, under its constant forces; the coefficients of the others are left as they were.
-  void expand_block(std::size_t block, const State& state, const GroundInput& input, double h, Expansion& motion);
+  void expand_block(std::size_t block, const State& state, const GroundInput* input, double h, Expansion& motion);
 
  private:
-  [[nodiscard]] kernels::GroundSeries ground(std::size_t block, const GroundInput& input, double h) const;
+  void note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h);
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
   [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces,
@@ -52,7 +52,8 @@ class Series {
   Eigen::VectorXd force_;                       ///< γ a_k h² and elements, for one k
   Eigen::VectorXd load_;                        ///< scratch: constant load, then h² times that
   Eigen::VectorXd along_, pushes_;              ///< scratch: of coupled elements, for one k
-  std::vector<kernels::GroundSeries> grounds_;  ///< scratch
+  std::vector<kernels::GroundSeries> grounds_;  ///< scratch: of the first component …
+  std::vector<kernels::GroundSeries> further_;  ///< … and the others
   std::vector<kernels::Pressing> pressing_;
   std::vector<kernels::Tied> tied_;
   std::vector<Polynomial> resting_force_;  ///< of the elements held, in their order

@@ -27,8 +27,10 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
       }
       grid.input(period, kind, ground);
       bool jumps_here = false;
+      std::size_t component = 0;
       for (const GroundInput& input : ground) {
-        inputs.push_back(flights[kind].front().input(input));
+        inputs.push_back(flights[kind].front().input(input, system.nu[component]));
+        if (++component == system.nu.size()) component = 0;
         if (segments == 0) continue;
         const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
         jumps_here = jumps_here || std::abs(input.value - before.end) > jump_slack * before.largest;
@@ -38,7 +40,8 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
   }
 }
 
-StepBuffer::StepBuffer(const ModalSystem& system, const FlightPlan& plan) : system_(&system), plan_(&plan) {
+StepBuffer::StepBuffer(const ModalSystem& system, const FlightPlan& plan)
+    : system_(&system), plan_(&plan), input_count_(std::ssize(system.blocks) * system.components()) {
   for (const auto& block : system.blocks) ranges_.push_back({block.begin, block.padded_size});
   if (plan.segments > 0) {
     for (int twice = 0; twice < 2; ++twice) {
@@ -47,7 +50,7 @@ StepBuffer::StepBuffer(const ModalSystem& system, const FlightPlan& plan) : syst
   }
   for (auto* columns : {&q_, &v_, &acceleration_, &rise_, &acceleration_rise_}) columns->resize(system.size, most + 1);
   steps_.resize(most);
-  inputs_.resize(most * system.blocks.size());
+  inputs_.resize(most * input_count_);
 }
 
 void StepBuffer::clear() {
@@ -89,15 +92,15 @@ void StepBuffer::note_inputs(const std::vector<GroundInput>& inputs) {
 void StepBuffer::fly_on(long segment, Index count) {
   const std::size_t kind = segment % plan_->flights.size();
   kernels::fly_on(
-      {ranges_, std::span(maps_).subspan(kind, plan_->flights.size()),
-       plan_->inputs.data() + segment * std::ssize(ranges_), system_->size, q_.col(last_).data(), v_.col(last_).data(),
-       acceleration_.col(last_).data(), rise_.col(last_).data(), acceleration_rise_.col(last_).data(), load_},
+      {ranges_, std::span(maps_).subspan(kind, plan_->flights.size()), plan_->inputs.data() + segment * input_count_,
+       system_->size, q_.col(last_).data(), v_.col(last_).data(), acceleration_.col(last_).data(),
+       rise_.col(last_).data(), acceleration_rise_.col(last_).data(), load_},
       count);
 }
 
 void StepBuffer::accept(long segment, Index count) {
-  const kernels::FlightInput* input = plan_->inputs.data() + segment * std::ssize(ranges_);
-  auto at = inputs_.begin() + last_ * std::ssize(ranges_);
+  const kernels::FlightInput* input = plan_->inputs.data() + segment * input_count_;
+  auto at = inputs_.begin() + last_ * input_count_;
   std::size_t kind = segment % plan_->flights.size();
   for (const Index end = last_ + count; last_ < end; ++last_, ++segment) {
     const Flights& flights = plan_->flights[kind];
@@ -108,7 +111,7 @@ void StepBuffer::accept(long segment, Index count) {
     step.halvings = 0;
     step.length = flights.front().length();
     step.offset = 0.0;
-    for (std::size_t b = 0; b < ranges_.size(); ++b, ++input) *at++ = {input->value, input->slope};
+    for (Index n = 0; n < input_count_; ++n, ++input) *at++ = {input->value, input->slope};
   }
 }
 
@@ -121,7 +124,9 @@ void StepBuffer::fly(const Flights& flights, std::size_t halvings, const std::ve
                                      rise_.col(last_).data(),
                                      acceleration_rise_.col(last_).data(),
                                      load_};
-  for (std::size_t b = 0; b < inputs.size(); ++b) flights[halvings].advance(b, inputs[b], arrays);
+  for (std::size_t b = 0; b < ranges_.size(); ++b) {
+    flights[halvings].advance(b, system_->of_body(inputs, b), arrays);
+  }
 }
 
 void StepBuffer::accept(long segment, double offset, const Flights& flights, std::size_t halvings,

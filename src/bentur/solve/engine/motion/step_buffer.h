@@ -12,7 +12,7 @@ namespace bentur::engine {
 /// What flights over the whole segments of a grid need: the same for all runs of one problem.
 struct FlightPlan {
   FlightTable flights;                       ///< [kind][halvings]
-  std::vector<kernels::FlightInput> inputs;  ///< segments × bodies
+  std::vector<kernels::FlightInput> inputs;  ///< segments × bodies × components
   long segments = 0;                         ///< whole ones of the analysis; none where there are no flights
   std::vector<long> jumps;                   ///< segments that begin with a jump of some ground acceleration
   Flights rest;                              ///< of what the analysis has beyond them; none where that is nothing
@@ -80,9 +80,10 @@ class StepBuffer {
 
   [[nodiscard]] Eigen::Index size() const { return std::max<Eigen::Index>(last_, 0); }
   [[nodiscard]] const Step& step(Eigen::Index n) const { return steps_[n]; }
-  /// Of every body at the start of a step.
-  [[nodiscard]] const GroundInput* inputs(Eigen::Index step) const {
-    return inputs_.data() + step * std::ssize(system_->blocks);
+  /// Of every body, one per component, at the start of a step.
+  [[nodiscard]] const GroundInput* inputs(Eigen::Index step) const { return inputs_.data() + step * input_count_; }
+  [[nodiscard]] std::vector<GroundInput> all_inputs(Eigen::Index step) const {
+    return {inputs(step), inputs(step + 1)};
   }
   /// Of a power series.
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, Eigen::Index n) const {
@@ -104,6 +105,7 @@ class StepBuffer {
   const FlightPlan* plan_;
   std::vector<kernels::CoordinateRange> ranges_;  ///< of the bodies
   std::vector<const kernels::FlightMap*> maps_;   ///< of the kinds, twice over
+  Eigen::Index input_count_;                      ///< of all bodies
   Eigen::Index last_ = -1;                        ///< instant
   bool joined_ = false;
   std::vector<Step> steps_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -7,19 +8,28 @@
 
 namespace bentur::engine {
 
-/// Ground acceleration of one body over one segment: the solution of a'' = −ν²a with a(0) = value, a'(0) = slope
-/// (ν = 0: linear). value [length/s²], slope [length/s³].
+/// A component of the ground acceleration of one body over one segment: the solution of a'' = −ν²a with a(0) = value,
+/// a'(0) = slope (ν = 0: linear). value [length/s²], slope [length/s³].
 struct GroundInput {
   double value = 0;
   double slope = 0;
+
+  /// `dt` [s] later.
+  [[nodiscard]] GroundInput later(double dt, double nu) const {
+    if (nu == 0.0) return {value + slope * dt, slope};
+    const double c = std::cos(nu * dt);
+    const double s = std::sin(nu * dt);
+    return {value * c + slope / nu * s, slope * c - value * nu * s};
+  }
 };
 
 /// Times between which the ground acceleration of every body is smooth. The pattern of lengths repeats with the
 /// record's step, the period of the grid, so there are at most as many lengths as bodies (plus one), whatever the
-/// delays.
+/// delays. Of records with different steps the period is the shortest time of which all are whole parts.
 class TimeGrid {
  public:
   /// A motion without samples is cut into segments short against it only where `fine`.
+  /// @throws InvalidParameter when that period has more than 64 steps of some record
   explicit TimeGrid(const System& system, bool fine = true);
 
   /// Number of different segment lengths; segment m has the length of kind m % kinds().
@@ -31,19 +41,20 @@ class TimeGrid {
     return static_cast<double>(period) * period_ + offsets_[kind];
   }
 
-  /// Input of each body from the start of the segment on.
+  /// Inputs of each body, one per component, from the start of the segment on.
   void input(long segment, std::vector<GroundInput>& inputs) const;
   void input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const;
 
  private:
   struct Delay {
-    long steps = 0;          ///< whole grid periods
+    long periods = 0;        ///< whole ones of the grid
     std::size_t offset = 0;  ///< index into offsets_
   };
-  [[nodiscard]] GroundInput input_at(long period, double within) const;
+  [[nodiscard]] GroundInput input_at(std::size_t component, long period, double within) const;
 
-  const GroundMotion* motion_;
+  const std::vector<GroundMotion>* motions_;
   double period_ = 0;            ///< [s] the record's step, or a fraction of the governing period
+  std::vector<long> steps_;      ///< per component: of a record in the period; 1 of others
   std::vector<double> offsets_;  ///< [s] ascending, the first 0
   std::vector<Delay> delays_;    ///< per body
 };

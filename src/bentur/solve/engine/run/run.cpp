@@ -30,7 +30,7 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
       stepper_(setup.system, setup.laws.offsets, setup.solver),
       motion_(setup.system, setup.laws.offsets),
       state_{system_.initial_q, system_.initial_v},
-      inputs_(system_.blocks.size()),
+      inputs_(system_.blocks.size() * system_.nu.size()),
       elements_(system_, setup.laws, idle, scales, stepper_.accuracy(), state_),
       buffer_(system_, setup.plan),
       force_at_([this](const State& state, const std::vector<GroundInput>& inputs, Eigen::VectorXd& forces) {
@@ -39,7 +39,7 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
       search_(system_),
       grid_(setup.grid),
       plan_(setup.plan),
-      largest_ground_(system_.blocks.size(), 0.0),
+      largest_ground_(Eigen::MatrixXd::Zero(system_.components(), std::ssize(system_.blocks))),
       most_steps_(setup.most_steps) {
   next_ = expanded_ = replayed_ = state_;
   end_acceleration_.setZero(system_.size);
@@ -183,7 +183,7 @@ void Run::pass_flights(Eigen::Index first) {
   for (Eigen::Index n = first; n < buffer_.size(); ++n) {
     std::copy_n(buffer_.q(n), system_.size, state_.q.data());
     std::copy_n(buffer_.v(n), system_.size, state_.v.data());
-    inputs_.assign(buffer_.inputs(n), buffer_.inputs(n) + system_.blocks.size());
+    inputs_.assign(buffer_.inputs(n), buffer_.inputs(n + 1));
     pass(grid_.start(buffer_.step(n).segment), *buffer_.step(n).flights, 0);
   }
 }
@@ -270,10 +270,10 @@ void Run::take_steps(double start, double length) {
     }
     const long limit = stepper_.is_fixed() ? events_by_bisection_limit : events_per_step_limit;
     // A harmonic motion is one step, however many periods it lasts.
-    const double periods = 1.0 + std::floor(elapsed * system_.nu / (2.0 * std::numbers::pi));
+    const double periods = 1.0 + std::floor(elapsed * system_.fastest_input() / (2.0 * std::numbers::pi));
     if (event && static_cast<double>(++cuts) > static_cast<double>(limit) * periods) {
       fail(fmt::format("more than {} events within one {} of the ground motion", limit,
-                       system_.nu > 0.0 ? "period" : "step"),
+                       system_.fastest_input() > 0.0 ? "period" : "step"),
            time);
     }
   }
@@ -415,8 +415,8 @@ void Run::replay_within(const Stretch& stretch, const Wanted& wanted, const Each
   double start = stretch.start;
   const State* from = &stretch.from;
   for (State* to : {&at.middle, &at.end}) {
-    for (std::size_t b = 0; b < at.inputs.size(); ++b) {
-      half.advance(b, at.inputs[b],
+    for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
+      half.advance(b, system_.of_body(at.inputs, b),
                    {from->q.data(), from->v.data(), to->q.data(), to->v.data(), at.acceleration.data(), at.rise.data(),
                     at.acceleration_rise.data(), replayed_forces_.load_or_null()});
     }
@@ -466,8 +466,10 @@ void Run::arrive() {
 void Run::note_ground(const double* q) {
   if (!system_.ground_counts) return;
   for (std::size_t b = 0; b < system_.blocks.size(); ++b) {
-    const Eigen::Index ground = system_.blocks[b].begin + system_.blocks[b].modes;
-    largest_ground_[b] = std::max(largest_ground_[b], std::abs(q[ground]));
+    for (Eigen::Index c = 0; c < system_.components(); ++c) {
+      double& largest = largest_ground_(c, static_cast<Eigen::Index>(b));
+      largest = std::max(largest, std::abs(q[system_.ground_of(b) + c]));
+    }
   }
 }
 

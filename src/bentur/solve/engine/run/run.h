@@ -66,7 +66,10 @@ class Run {
   /// Why and when the numbers failed; empty while all is well.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] long steps() const { return steps_; }
-  [[nodiscard]] double largest_ground_displacement(std::size_t block) const { return largest_ground_[block]; }
+  /// Of a coordinate of the ground; 0 where none counts [length].
+  [[nodiscard]] double largest_ground_displacement(std::size_t block, Eigen::Index component) const {
+    return largest_ground_(component, static_cast<Eigen::Index>(block));
+  }
 
  protected:
   /// In how many of `count` flights from segment() on, which follow the last step of buffer_, nothing can have
@@ -175,7 +178,7 @@ class Run {
   const FlightPlan& plan_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< scratch
   std::vector<GroundInput> end_inputs_;                             ///< at next_
-  std::vector<double> largest_ground_;
+  Eigen::MatrixXd largest_ground_;                                  ///< components × bodies
   std::string trouble_;
   long segment_ = 0;  ///< under way
   long steps_ = 0;

@@ -22,6 +22,7 @@ Sampler::Sampler(const ModalSystem& system, const System& given, const std::vect
     std::vector<MatrixXd>& lists = outputs_.emplace_back();
     for (const auto& group : block.outputs) lists.emplace_back(MatrixXd::Zero(group.count(), count_));
   }
+  samples_.ground_acceleration = MatrixXd::Zero(system.components(), count_);
   samples_.opening = samples_.force = MatrixXd::Zero(system.switched, count_);
   samples_.joint_deformation = samples_.joint_force = MatrixXd::Zero(system.joints, count_);
 }
@@ -38,7 +39,9 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
     elements.forces_at(state_, now, forces_);
     system_->acceleration(state_, now, forces_, acceleration_);
     samples_.time.push_back(next_time());
-    samples_.ground_acceleration.push_back(acceleration_at(given_->motion, next_time()));
+    for (Index c = 0; c < system_->components(); ++c) {
+      samples_.ground_acceleration(c, taken_) = acceleration_at(given_->motions[c], next_time());
+    }
     for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
       const auto& block = system_->blocks[b];
       const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
@@ -67,7 +70,8 @@ void Sampler::finish(Solution& solution) {
       solution.outputs[b][k].history = std::move(outputs_[b][k]);
     }
   }
-  for (MatrixXd* matrix : {&samples_.opening, &samples_.force, &samples_.joint_deformation, &samples_.joint_force}) {
+  for (MatrixXd* matrix : {&samples_.ground_acceleration, &samples_.opening, &samples_.force,
+                           &samples_.joint_deformation, &samples_.joint_force}) {
     cut(*matrix);
   }
   solution.samples = std::move(samples_);

@@ -15,15 +15,17 @@ struct Input {
         end(all(in.end)) {}
 };
 
-/// Flies four coordinates from j on (flight.h).
-template <bool loaded>
-BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, const FlightArrays& arrays) {
-  const auto at = [row = map.table.data() + j * FlightMap::columns](FlightMap::Column column)
+/// What acts beside one component of the ground's motion.
+enum class Also { nothing, load, components };
+
+/// Flies four coordinates from j on (flight.h). `in` is of the first of `inputs`; of several components there may be a
+/// load too.
+template <Also also>
+BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, const FlightInput* inputs,
+                            const FlightArrays& arrays) {
+  constexpr bool several = also == Also::components;
+  const auto at = [row = map.table.data() + j * (several ? map.width : Index{FlightMap::columns})](Index column)
       __attribute__((always_inline)) {
-    return load(row + column * four);
-  };
-  const auto of_load = [row = loaded ? map.loads.data() + j * FlightMap::load_columns
-                                     : nullptr](FlightMap::LoadColumn column) __attribute__((always_inline)) {
     return load(row + column * four);
   };
   using enum FlightMap::Column;
@@ -32,12 +34,31 @@ BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, cons
   Four q = (at(qq) * q_start + at(qv) * v_start) + (at(qa) * in.value + at(qb) * in.slope);
   Four v = (at(vq) * q_start + at(vv) * v_start) + (at(va) * in.value + at(vb) * in.slope);
   Four particular = at(p_value) * in.value + at(p_slope) * in.slope;
+  Four rate = at(p_rate) * in.slope;
   Four slow_force = at(slow) * in.largest;
   Four second_rise = at(second_force) * in.largest;
   Four fourth_rise = at(fourth_force) * in.largest + at(fourth_slope) * in.steepest;
   Four pushed = in.end * at(gamma);
-  if constexpr (loaded) {
+  if constexpr (several) {
+    for (Index c = 1; c < map.components; ++c) {
+      const Input by(inputs[c]);
+      const Index on = c * of_component;
+      q += at(on + qa) * by.value + at(on + qb) * by.slope;
+      v += at(on + va) * by.value + at(on + vb) * by.slope;
+      particular += at(on + p_value) * by.value + at(on + p_slope) * by.slope;
+      rate += at(on + p_rate) * by.slope;
+      slow_force += at(on + slow) * by.largest;
+      second_rise += at(on + second_force) * by.largest;
+      fourth_rise += at(on + fourth_force) * by.largest + at(on + fourth_slope) * by.steepest;
+      pushed += by.end * at(on + gamma);
+    }
+  }
+  if (also == Also::load || (several && arrays.load != nullptr)) {
     using enum FlightMap::LoadColumn;
+    const auto of_load = [row = map.loads.data() + j * FlightMap::load_columns](FlightMap::LoadColumn column)
+        __attribute__((always_inline)) {
+      return load(row + column * four);
+    };
     const Four by = load(arrays.load + j);
     const Four most = abs(by);
     q += of_load(load_q) * by;
@@ -48,7 +69,7 @@ BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, cons
     fourth_rise += of_load(load_fourth) * most;
     pushed += by;
   }
-  const Four du = v_start - at(p_rate) * in.slope;
+  const Four du = v_start - rate;
   const Four u = at(omega) * (q_start - particular);
   const Four s = root(du * du + u * u) + slow_force;
   store(arrays.q_end + j, q);
@@ -58,14 +79,14 @@ BENTUR_INLINE void fly_four(const FlightMap& map, Index j, const Input& in, cons
   store(arrays.acceleration_rise + j, at(fourth) * s + fourth_rise);
 }
 
-template <bool loaded>
-BENTUR_INLINE void fly_body(const FlightMap& map, CoordinateRange range, const FlightInput& input,
+template <Also also>
+BENTUR_INLINE void fly_body(const FlightMap& map, CoordinateRange range, const FlightInput* inputs,
                             const FlightArrays& arrays) {
-  const Input in(input);
-  for (Index j = range.begin; j < range.begin + range.size; j += four) fly_four<loaded>(map, j, in, arrays);
+  const Input in(*inputs);
+  for (Index j = range.begin; j < range.begin + range.size; j += four) fly_four<also>(map, j, in, inputs, arrays);
 }
 
-template <bool loaded>
+template <Also also>
 BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
   std::size_t kind = 0;
   const FlightInput* input = sequence.inputs;
@@ -82,7 +103,10 @@ BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
                               sequence.load};
     const FlightMap& map = *sequence.maps[kind];
     if (++kind == sequence.maps.size()) kind = 0;
-    for (const CoordinateRange& range : sequence.ranges) fly_body<loaded>(map, range, *input++, arrays);
+    for (const CoordinateRange& range : sequence.ranges) {
+      fly_body<also>(map, range, input, arrays);
+      input += also == Also::components ? map.components : 1;
+    }
   }
 }
 
@@ -90,14 +114,16 @@ BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
 
 BENTUR_FOR_ALL_PROCESSORS
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays) {
-  if (arrays.load != nullptr) return fly_body<true>(map, range, input, arrays);
-  fly_body<false>(map, range, input, arrays);
+  if (map.components > 1) return fly_body<Also::components>(map, range, &input, arrays);
+  if (arrays.load != nullptr) return fly_body<Also::load>(map, range, &input, arrays);
+  fly_body<Also::nothing>(map, range, &input, arrays);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
 void fly_on(const FlightSequence& sequence, Index count) {
-  if (sequence.load != nullptr) return fly_all<true>(sequence, count);
-  fly_all<false>(sequence, count);
+  if (sequence.maps.front()->components > 1) return fly_all<Also::components>(sequence, count);
+  if (sequence.load != nullptr) return fly_all<Also::load>(sequence, count);
+  fly_all<Also::nothing>(sequence, count);
 }
 
 }  // namespace bentur::engine::kernels

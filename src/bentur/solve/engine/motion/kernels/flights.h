@@ -20,42 +20,49 @@ struct FlightMap {
   enum Column {
     qq,
     qv,
+    vq,
+    vv,  ///< end position and speed from start position, speed
+    omega,
+    second,
+    fourth,
+    omega_squared,
+    two_sigma,
+    // What the ground does, from here on once for each component of its motion:
     qa,
     qb,
-    vq,
-    vv,
     va,
-    vb,  ///< end position and speed from start position, speed, ground acceleration, slope
+    vb,  ///< end position and speed from ground acceleration, slope
     p_value,
     p_slope,
     p_rate,
-    omega,
     slow,
-    second,
     second_force,
-    fourth,
     fourth_force,
     fourth_slope,
     gamma,
-    omega_squared,
-    two_sigma,
-    columns
+    columns,
+    of_component = columns - qa
   };
   /// The same of a constant load: what it adds to the end position and speed, and to the bounds.
   enum LoadColumn { load_q, load_v, load_p, load_slow, load_second, load_fourth, load_columns };
 
-  explicit FlightMap(Index coordinates) : table(coordinates * columns, 0.0) {}
+  explicit FlightMap(Index coordinates, Index of_components = 1)
+      : components(of_components),
+        width(columns + (of_components - 1) * of_component),
+        table(coordinates * width, 0.0) {}
+  Index components, width;           ///< of the ground's motion; columns of the table
   std::vector<double> table, loads;  ///< `loads` is empty where no load ever acts
 
-  [[nodiscard]] double& operator()(Index coordinate, Column column) {
-    return table[(coordinate / 4 * columns + column) * 4 + coordinate % 4];
+  [[nodiscard]] double& operator()(Index coordinate, Column column, Index component = 0) {
+    return table[(coordinate / 4 * width + column + component * of_component) * 4 + coordinate % 4];
   }
   [[nodiscard]] double& operator()(Index coordinate, LoadColumn column) {
     return loads[(coordinate / 4 * load_columns + column) * 4 + coordinate % 4];
   }
 };
 
-/// Ground acceleration of one body over a flight: at its start, its slope, bounds of both, and at its end.
+/// A component of the ground acceleration of one body over a flight: at its start, its slope, bounds of both, and at
+/// its end.
 struct FlightInput {
   double value = 0, slope = 0, largest = 0, steepest = 0, end = 0;
 };
@@ -68,7 +75,7 @@ struct FlightArrays {
   const double* load = nullptr;  ///< constant, on every coordinate; null: none
 };
 
-/// The coordinates of one body over one flight.
+/// The coordinates of one body over one flight; the inputs of further components follow the first.
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays);
 
 /// Flights of all bodies one after the other. Columns of all coordinates: the FlightArrays of flight n is column n,
@@ -76,7 +83,7 @@ void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, 
 struct FlightSequence {
   std::span<const CoordinateRange> ranges;
   std::span<const FlightMap* const> maps;  ///< taken in turn, from the first on
-  const FlightInput* inputs;               ///< flights × bodies
+  const FlightInput* inputs;               ///< flights × bodies × components
   Index stride;                            ///< of the columns
   double *q, *v, *acceleration, *rise, *acceleration_rise;
   const double* load;  ///< as of FlightArrays

@@ -53,6 +53,13 @@ BENTUR_INLINE void expand_all(std::span<const Pressing> pressing, std::span<cons
       if (k > 0 || of.load == nullptr) continue;
       for (Index j = ground.begin; j < last; j += four) store(c2 + j, load(c2 + j) + load(of.load + j) * scale);
     }
+    for (GroundSeries& ground : of.further) {
+      if (k >= 2 && ground.nu_squared == 0.0) continue;
+      const Four a = all(ground.next(k)) * scale;
+      for (Index j = ground.begin; j < ground.begin + ground.size; j += four) {
+        store(c2 + j, load(c2 + j) + load(ground.gamma + j) * a);
+      }
+    }
     for (const Tied& t : tied) add_tied(t, k, scale, c0 + t.begin, c2 + t.begin);
     for (const Pressing& p : pressing) {
       double force = p.stiffness * p.deformation[k] + p.damping * step[0] * p.deformation[k + 1];
@@ -245,7 +252,8 @@ void begin_series(Index n, const Oscillators& of, const double* q, const double*
 BENTUR_FOR_ALL_PROCESSORS
 void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing,
             std::span<const Tied> tied, int degree, Index stride, double* c) {
-  const bool small = tied.empty() && grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
+  const bool small =
+      tied.empty() && of.further.empty() && grounds.size() == 2 && grounds[0].size == four && grounds[1].size == four;
   if (small && pressing.size() <= most_small) {
     expand_small(pressing, of, grounds, degree, stride, c);
   } else {

@@ -27,11 +27,12 @@ struct Tied {
   double h_squared;
 };
 
-/// The ground acceleration of one body as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
+/// A component of the ground acceleration of one body as a power series: a_{k+2} = −ν²h² a_k / ((k+2)(k+1)).
 struct GroundSeries {
-  Index begin, size;
-  double even, odd;   ///< a_0 h², a_1 h²; then those last asked for
-  double nu_squared;  ///< ν² h²
+  Index begin = 0, size = 0;
+  double even = 0, odd = 0;       ///< a_0 h², a_1 h²; then those last asked for
+  double nu_squared = 0;          ///< ν² h²
+  const double* gamma = nullptr;  ///< of further components: γ of all coordinates
 
   /// a_k h², to be asked for k = 0, 1, 2, …
   [[nodiscard]] double next(int k) {
@@ -48,11 +49,14 @@ struct Oscillators {
 void begin_series(Index n, const Oscillators& of, const double* q, const double* v, double h, Index stride,
                   double* stiff, double* damp, double* c);
 
-/// What coordinates are made of and driven by: h²Ω², h D, γ, and h² times a constant load (null: none).
+/// What coordinates are made of and driven by: h²Ω², h D, γ, and h² times a constant load (null: none); and beside the
+/// first component of the ground's motion by further ones.
 struct Driven {
   const double *stiff, *damp, *gamma, *load;
+  std::span<GroundSeries> further = {};
 };
-/// (T-2) for the coordinates of `grounds`: columns 0 and 1 of `c` are given, 2 to `degree` are filled, `stride` apart.
+/// (T-2) for the coordinates of `grounds`, one per body: columns 0 and 1 of `c` are given, 2 to `degree` are filled,
+/// `stride` apart.
 void expand(const Driven& of, std::span<GroundSeries> grounds, std::span<const Pressing> pressing,
             std::span<const Tied> tied, int degree, Index stride, double* c);
 

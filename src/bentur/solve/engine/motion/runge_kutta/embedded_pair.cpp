@@ -232,7 +232,10 @@ double EmbeddedPair::step(const State& from, const std::vector<GroundInput>& inp
   double driven = 0.0;  // by the ground, even where contacts hold what it drives
   for (Index b = range.first; b < range.end; ++b) {
     const ModalSystem::Block& block = system_->blocks[b];
-    driven += system_->gamma.segment(block.begin, block.modes).squaredNorm() * inputs[b].value * inputs[b].value;
+    for (Index c = 0; c < system_->components(); ++c) {
+      const double value = system_->of_body(inputs, b)[c].value;
+      driven += system_->gamma.col(c).segment(block.begin, block.modes).squaredNorm() * value * value;
+    }
   }
   size_ = std::sqrt(std::max({energy(from), energy(to), change, h * h * driven}));
   return five / std::sqrt(five + 0.01 * three) / (tolerance_ * size_);

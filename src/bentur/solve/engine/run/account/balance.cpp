@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bentur::engine {
 
@@ -88,8 +89,7 @@ void MomentumBalance::close(const State& state, Elements& elements) {
   double missing = 0.0;
   double largest = 0.0;
   for (const ModalSystem::Block& block : system_->blocks) {
-    const Index ground = block.begin + block.modes;
-    const double shaken = state.v(ground) - start_.v(ground);
+    const auto shaken = (state.v - start_.v).segment(block.begin + block.modes, system_->components());
     const auto moved = [&](Index mode) { return state.q(mode) - start_.q(mode); };
     // Squares of what is missing and of the terms, over the modes.
     double rest = 0.0, after = 0.0, before = 0.0, sprung = 0.0, pushed = 0.0;
@@ -102,7 +102,7 @@ void MomentumBalance::close(const State& state, Elements& elements) {
       }
       const double spring = system_->omega_squared(mode) * shift_(mode);
       const double left =
-          state.v(mode) - start_.v(mode) + spring + damped - shaken * system_->gamma(mode) - pushed_(mode);
+          state.v(mode) - start_.v(mode) + spring + damped - system_->gamma.row(mode).dot(shaken) - pushed_(mode);
       rest += left * left;
       after += state.v(mode) * state.v(mode);
       before += start_.v(mode) * start_.v(mode);
@@ -156,9 +156,12 @@ double force_imbalance(const System& given, const ModalSystem& system, const Sta
     const VectorXd inertia = shapes.transpose() * (body.mass * (shapes * modes(acceleration)));
     const VectorXd stiffness = shapes.transpose() * (body.stiffness * x);
     const VectorXd damping = body.modal_damping * modes(state.v);
-    const VectorXd load = inputs[b].value * (shapes.transpose() * body.load);
+    VectorXd load = VectorXd::Zero(block.modes);
+    for (Index c = 0; c < system.components(); ++c) {
+      load += system.of_body(inputs, b)[c].value * (shapes.transpose() * body.load.col(c));
+    }
     const VectorXd pushed = shapes.transpose() * pushes[b];
-    for (const VectorXd* term : {&inertia, &stiffness, &damping, &load}) {
+    for (const VectorXd* term : {&inertia, &stiffness, &damping, &std::as_const(load)}) {
       largest[b] = std::max(largest[b], term->norm());
     }
     if (!(largest[b] > 0.0)) continue;

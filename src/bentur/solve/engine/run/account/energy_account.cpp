@@ -54,7 +54,10 @@ void EnergyAccount::integrate(const Expansion& motion, double from, double to, c
       const auto& block = system_->blocks[b];
       const Index modes = block.modes;
       const auto speed = state_.v.segment(block.begin, modes);
-      sums_.input += weight * inputs_[b].value * system_->gamma.segment(block.begin, modes).dot(speed);
+      for (Index c = 0; c < system_->components(); ++c) {
+        const double value = system_->of_body(inputs_, b)[c].value;
+        sums_.input += weight * value * system_->gamma.col(c).segment(block.begin, modes).dot(speed);
+      }
       sums_.damping +=
           weight * (block.damping ? speed.dot(block.damping->topLeftCorner(modes, modes) * speed)
                                   : speed.dot(system_->two_sigma.segment(block.begin, modes).cwiseProduct(speed)));

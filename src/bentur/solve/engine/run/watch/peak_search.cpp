@@ -54,8 +54,10 @@ void PeakSearch::take(const StepBuffer& buffer) {
       if (watch_.settled_by_bound(b, interval, before_.data(), kept_.data() + at)) {
         kept_count_ = at;
       } else if (const StepBuffer::Step& step = buffer.step(n); step.flights != nullptr) {
-        keep_flight({b, step.flights, step.halvings, buffer.inputs(n)[b], at}, buffer.q(n), buffer.v(n),
-                    buffer.acceleration(n), flights_);
+        UnsettledFlight flight{b, step.flights, step.halvings, {}, at};
+        const Index components = system_->components();
+        std::copy_n(buffer.inputs(n) + static_cast<Index>(b) * components, components, flight.inputs.begin());
+        keep_flight(flight, buffer.q(n), buffer.v(n), buffer.acceleration(n), flights_);
       } else {
         keep_step(b, buffer, n, at);
       }
@@ -106,11 +108,11 @@ void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const d
   const Index begin = system_->blocks[b].begin;
   const Flight& half = (*flight.flights)[n];
   Halving& at = halvings_[n];
-  UnsettledFlight part{b, flight.flights, n, flight.input, 0};
+  UnsettledFlight part{b, flight.flights, n, flight.inputs, 0};
   const Place* start = &from;
   for (Place* end : {&at.middle, &at.end}) {
     if (!tools.go_on(1)) return;
-    half.advance(b, part.input,
+    half.advance(b, part.inputs.data(),
                  {start->q.data(), start->v.data(), end->q.data(), end->v.data(), end->acceleration.data(),
                   rise_.data(), acceleration_rise_.data(), tools.load});
     const PeakWatch::Interval interval{
@@ -131,7 +133,7 @@ void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const d
       }
     }
     start = end;
-    system_->advance(part.input, half.length());
+    system_->advance(part.inputs.data(), half.length());
   }
 }
 
@@ -166,7 +168,7 @@ Curves PeakSearch::curves(const UnsettledFlight& flight, Series& series, Expansi
   const double* kept = kept_.data() + flight.at + watch_.quantities(flight.block);
   std::copy_n(kept, block.padded_size, state_.q.data() + block.begin);
   std::copy_n(kept + block.padded_size, block.padded_size, state_.v.data() + block.begin);
-  series.expand_block(flight.block, state_, flight.input, (*flight.flights)[flight.halvings].length(), motion);
+  series.expand_block(flight.block, state_, flight.inputs.data(), (*flight.flights)[flight.halvings].length(), motion);
   return motion.curves(block);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -45,7 +46,7 @@ class PeakSearch {
     std::size_t block = 0;
     const Flights* flights = nullptr;
     std::size_t halvings = 0;
-    GroundInput input;
+    std::array<GroundInput, most_components> inputs;  ///< at its start
     Eigen::Index at = 0;
   };
   /// A step in which a body may have exceeded its peaks. kept_ has, from `at` on, its reach and the coefficients of

@@ -84,7 +84,7 @@ void SpanWatch::take(const StepBuffer& buffer) {
                             start(step),
                             at.length,
                             {all(buffer.q(step)), all(buffer.v(step))},
-                            {buffer.inputs(step), buffer.inputs(step) + system_->blocks.size()},
+                            buffer.all_inputs(step),
                             g,
                             group.reach});
     }

@@ -1,0 +1,132 @@
+#include "plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bentur/core/number_text.h"
+#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/report/errors.h"
+#include "bentur/structure/modes.h"
+#include "session.h"
+#include "text/table.h"
+
+namespace bentur::cli {
+namespace {
+
+struct LoadedPlan {
+  PlanCase c;
+  PlanProblem problem;
+};
+
+LoadedPlan load_plan(const std::string& file, const std::string& language) {
+  Diagnostics diagnostics;
+  std::optional<PlanCase> c = read_plan_case(file, diagnostics);
+  if (!c) throw Failure(diagnostics, language);
+  PlanProblem problem = make_plan_problem(*c);
+  const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, run_options(*c)));
+  if (!refusal.empty()) {
+    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
+  }
+  return {*std::move(c), std::move(problem)};
+}
+
+/// "1 floor", "2 floors".
+std::string counted(Eigen::Index number, const std::string& what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+std::string building_line(const PlanBuilding& building) {
+  if (building.is_rigid()) return building.name + ": moves with the ground\n";
+  const PlanModel& model = building.model;
+  return fmt::format("{}: {}, {} of freedom, {}, first period {} s\n", building.name, counted(model.floors(), "floor"),
+                     counted(model.dofs(), "degree"), counted(std::ssize(model.planes), "plane"),
+                     number(modal_properties(building.modes, model.load.col(0)).periods(0)));
+}
+
+std::string gap_line(const LoadedPlan& loaded, std::size_t g) {
+  const PlanGap& gap = loaded.problem.gaps[g];
+  const std::string& length = loaded.c.units.length;
+  return fmt::format("{}: {} {} apart along {}, {} {} of stretch, {}, {}\n", gap_name(loaded.problem, gap),
+                     number(gap.stretch.width), length, gap.stretch.across == 0 ? "x" : "y",
+                     number(gap.stretch.to - gap.stretch.from), length,
+                     counted(std::ssize(gap.contacts), "contact point"), loaded.c.gaps[g].contact.law);
+}
+
+/// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].
+std::string modes_text(const PlanBuilding& building) {
+  if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
+  const Modes& modes = building.modes;
+  const ModalProperties x = modal_properties(modes, building.model.load.col(0));
+  const ModalProperties y = modal_properties(modes, building.model.load.col(1));
+  std::vector<std::string> numbers, mass_x, mass_y, rotation;
+  std::vector<double> periods;
+  for (Eigen::Index mode = 0; mode < modes.omega.size(); ++mode) {
+    const Eigen::ArrayXd parts = building.model.mass.diagonal().array() * modes.shapes.col(mode).array().square();
+    double turning = 0;
+    for (Eigen::Index f = 0; f < building.model.floors(); ++f) turning += parts(3 * f + 2);
+    numbers.push_back(std::to_string(mode + 1));
+    periods.push_back(x.periods(mode));
+    mass_x.push_back(fmt::format("{:.2f}", 100 * x.effective_mass_fraction(mode)));
+    mass_y.push_back(fmt::format("{:.2f}", 100 * y.effective_mass_fraction(mode)));
+    rotation.push_back(fmt::format("{:.2f}", 100 * turning));
+  }
+  Table table;
+  table.add("mode", "", numbers);
+  table.add("period", "s", periods);
+  table.add("mass along x", "%", mass_x);
+  table.add("mass along y", "%", mass_y);
+  table.add("rotation in it", "%", rotation);
+  return building.name + "\n\n" + table.text();
+}
+
+}  // namespace
+
+void check_plan(const std::string& file, const std::string& language) {
+  const LoadedPlan loaded = load_plan(file, language);
+  std::string text = fmt::format("{}: no errors\n", file);
+  if (!loaded.c.title.empty()) text += loaded.c.title + "\n";
+  for (const PlanBuilding& building : loaded.problem.buildings) text += building_line(building);
+  for (std::size_t g = 0; g < loaded.problem.gaps.size(); ++g) text += gap_line(loaded, g);
+  text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
+                      loaded.c.analysis.energy_audit ? ", energy audit" : "");
+  print(fitted(text));
+}
+
+void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
+  LoadedPlan loaded = load_plan(file, "en");
+  for (PlanBuilding& building : loaded.problem.buildings) {
+    if (by_jacobi && !building.is_rigid()) {
+      building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+    }
+  }
+  if (json) return print(plan_modes_json(loaded.problem));
+  std::string text;
+  for (const PlanBuilding& building : loaded.problem.buildings)
+    text += (text.empty() ? "" : "\n") + modes_text(building);
+  print(fitted(text));
+}
+
+void run_plan(const std::string& file, bool quiet, const std::string& language) {
+  LoadedPlan loaded = load_plan(file, language);
+  PlanResponse response;
+  {
+    const StopOnSignal stop;
+    Progress display("of the duration simulated");
+    RunOptions options = run_options(loaded.c);
+    options.progress = [&](double fraction) {
+      if (!quiet) display.show(fraction);
+      return !StopOnSignal::asked();
+    };
+    response = solve(loaded.problem, loaded.c.analysis.solver, options);
+  }
+  if (response.status == Status::stopped) throw Failure(exit_other, error_words("Stopped", language));
+  if (response.status != Status::done) {
+    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + response.message, language));
+  }
+  if (!quiet)
+    print(plan_summary_json({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, BENTUR_VERSION));
+}
+
+}  // namespace bentur::cli

@@ -1,0 +1,254 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numbers>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/case/plan/plan_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
+
+namespace bentur {
+namespace {
+
+std::optional<PlanPoint> read_pair(const TomlView& view, Range range) {
+  const std::vector<double> pair = view.as_numbers(range, {2, "x and y"});
+  return pair.size() == 2 ? std::optional(PlanPoint(pair[0], pair[1])) : std::nullopt;
+}
+
+std::optional<PlanPoint> read_pair(const TableView& table, const char* key) {
+  const auto given = table.get(key);
+  return given ? read_pair(*given, table.key(key).range) : std::nullopt;
+}
+
+/// One pair for all, or a list of one each; empty (and an error) unless all are right.
+std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t storeys) {
+  const auto given = table.get(key);
+  if (!given) return {};
+  const Range range = table.key(key).range;
+  const bool nested = given->is(TomlValue::Kind::list) && given->size() > 0 && given->item(0).is(TomlValue::Kind::list);
+  if (!nested) {
+    const auto one = read_pair(*given, range);
+    return one ? std::vector<PlanPoint>{*one} : std::vector<PlanPoint>{};
+  }
+  if (!given->is_list_of("pairs", {storeys, "one per storey"})) return {};
+  std::vector<PlanPoint> pairs;
+  for (const TomlView& item : given->items()) {
+    const auto one = read_pair(item, range);
+    if (one) pairs.push_back(*one);
+  }
+  return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
+}
+
+bool read_footprint(const TableView& table, Footprint& footprint) {
+  const auto corner = read_pair(table, "corner"), size = read_pair(table, "size");
+  if (!corner || !size) return false;
+  footprint = {.corner = *corner, .size = *size};
+  return true;
+}
+
+/// Centres of mass stand on the floor.
+void check_centres(const TableView& table, const Plan& plan) {
+  const auto given = table.find("centres_of_mass");
+  for (std::size_t i = 0; given && i < plan.centres_of_mass.size(); ++i) {
+    const PlanPoint& centre = plan.centres_of_mass[i];
+    if ((centre.array() <= plan.footprint.size.array()).all()) continue;
+    const bool nested = given->item(0).is(TomlValue::Kind::list);
+    (nested ? given->item(i) : *given)
+        .error(fmt::format("is outside the footprint of {} by {}", plan.footprint.size.x(), plan.footprint.size.y()));
+  }
+}
+
+/// The line that a plane stands on.
+void read_line(const TableView& table, PlanPlane& plane) {
+  const auto line = table.exactly_one("line");
+  if (line == "along") {
+    table.refuse({"through"}, "goes with angle, which is not given");
+    const auto axis = table.word("along");
+    if (!table.has("at")) table.error_missing("at", "where along is given");
+    const double at = table.number("at").value_or(0);
+    if (axis == "y") plane.direction = PlanPoint::UnitY();
+    plane.through = axis == "y" ? PlanPoint(at, 0) : PlanPoint(0, at);
+  } else if (line == "angle") {
+    table.refuse({"at"}, "goes with along, which is not given");
+    const double angle = table.number("angle").value_or(0) * std::numbers::pi / 180;
+    plane.direction = {std::cos(angle), std::sin(angle)};
+    if (!table.has("through")) table.error_missing("through", "where angle is given");
+    if (table.has("through")) plane.through = read_pair(table, "through").value_or(PlanPoint::Zero());
+  }
+}
+
+/// @return whether its stiffnesses are known
+bool read_plane(const TableView& table, std::size_t storeys, PlanPlane& plane) {
+  read_line(table, plane);
+  plane.storeys.stiffnesses = table.numbers_for_each("stiffnesses", storeys);
+  const std::vector<double>& stiffnesses = plane.storeys.stiffnesses;
+  const bool known = stiffnesses.size() == storeys && storeys > 0;
+  if (known && std::all_of(stiffnesses.begin(), stiffnesses.end(), [](double k) { return k == 0; })) {
+    table.find("stiffnesses")->error("must have one that is > 0");
+  }
+  read_yielding(table, storeys, plane.storeys);
+  return known;
+}
+
+/// @return whether all that holds the storeys is known
+bool read_planes(const TableView& building, std::size_t storeys, Plan& plan) {
+  const auto list = building.find("plane");
+  if (!list) return true;
+  if (!list->is_list_of("tables")) return false;
+  bool known = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string number = fmt::format("plane {}", i + 1);
+    TomlView entry = list->item(i);
+    const TomlValue* const named = entry.value().find("name");
+    if (named != nullptr && !named->text.empty()) {
+      entry = entry.renamed(fmt::format("{}[{}]", list->path(), in_quotes(named->text)));
+    }
+    const auto table = TableView::of(entry, plane_keys());
+    if (!table) {
+      known = false;
+      continue;
+    }
+    PlanPlane plane;
+    const auto name = table->find("name");
+    plane.name = name ? name->as_line().value_or(number) : number;
+    const auto same = [&](const PlanPlane& other) { return other.name == plane.name; };
+    if (std::any_of(plan.planes.begin(), plan.planes.end(), same)) {
+      (name ? *name : entry).error(fmt::format("another plane of the building is called {}", in_quotes(plane.name)));
+    }
+    known = read_plane(*table, storeys, plane) && known;
+    plan.planes.push_back(std::move(plane));
+  }
+  return known;
+}
+
+bool read_rigidity(const TableView& building, std::size_t storeys, Plan& plan) {
+  const auto table = building.table("rigidity");
+  if (!table) return !building.has("rigidity");
+  PlanRigidity rigidity{.centres = read_pairs(*table, "centre", storeys)};
+  for (const auto& [key, list] :
+       {std::pair{"x", &rigidity.x}, std::pair{"y", &rigidity.y}, std::pair{"torsion", &rigidity.torsion}}) {
+    if (!table->has(key)) continue;
+    *list = table->numbers(key, storeys);
+    if (list->empty()) return false;
+  }
+  if (rigidity.centres.empty()) return false;
+  plan.rigidity = std::move(rigidity);
+  return true;
+}
+
+/// Storeys that nothing holds, at the building.
+void check_held(const TableView& building, const Plan& plan) {
+  if (plan.planes.empty() && !plan.rigidity) {
+    building.error("has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both");
+    return;
+  }
+  for (const UnheldStorey& found : unheld_storeys(plan)) {
+    building.error(found.direction == "rotation"
+                       ? fmt::format("has nothing that holds storey {} against rotation", found.storey + 1)
+                       : fmt::format("has nothing that holds storey {} along {}", found.storey + 1, found.direction));
+  }
+}
+
+void read_wall(const TableView& building, ReadPlanBuilding& read) {
+  std::vector<std::string> keys = building.keys().names();
+  std::erase_if(keys, [](const std::string& key) {
+    return key == "name" || key == "rigid" || key == "elevations" || key == "base_elevation" || key == "plan";
+  });
+  building.refuse(keys, "is not for a rigid building, which moves with the ground");
+  read_rigid(building, read.told);
+  PlanWall wall{.footprint = {}, .elevations = read.told.elevations};
+  const auto table = building.table("plan");
+  if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
+  const bool placed = table && read_footprint(*table, wall.footprint);
+  read.is_whole = placed && !wall.elevations.empty();
+  read.spec.structure = std::move(wall);
+}
+
+void read_floors(const TableView& building, ReadPlanBuilding& read) {
+  building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
+  building.refuse({"calibrate_period", "width", "p_delta", "gravity_loads", "soil", "isolation", "frame", "stick",
+                   "matrices", "modal", "generic"},
+                  "does not go with buildings in plan");
+  Plan plan;
+  if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
+  const auto table = building.table("plan");
+  bool known = table && read_footprint(*table, plan.footprint);
+  std::size_t storeys = 0;
+  if (table) {
+    const auto heights = table->find("storey_heights");
+    storeys = heights ? heights->size() : 0;
+    plan.storey_heights = table->numbers("storey_heights");
+    plan.masses = table->numbers("masses", storeys);
+    if (table->has("centres_of_mass")) {
+      plan.centres_of_mass = read_pairs(*table, "centres_of_mass", storeys);
+      known = known && !plan.centres_of_mass.empty();
+    }
+    if (table->has("inertias")) plan.inertias = table->numbers("inertias", storeys);
+    known = known && plan.storey_heights.size() == storeys && storeys > 0 && plan.masses.size() == storeys;
+    if (known) check_centres(*table, plan);
+  }
+  const bool planes = read_planes(building, storeys, plan);
+  const bool held = read_rigidity(building, storeys, plan) && planes;
+  if (known && held) check_held(building, plan);
+  read.told.modes = 3 * storeys;
+  read.told.elevations = floor_elevations(plan.storey_heights);
+  if (const auto damping = building.get("damping")) {
+    read.spec.damping = read_damping(*damping, read.told.modes);
+  } else {
+    building.error_missing("damping");
+  }
+  if (const auto word = building.find("damping_stiffness")) {
+    read.spec.tangent_damping = building.word("damping_stiffness") == "tangent";
+    const auto yields = [](const PlanPlane& plane) { return !plane.storeys.yield_forces.empty(); };
+    if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
+      word->error_value("needs planes that can yield: plane.yield_forces");
+    }
+  }
+  read.is_whole = known;
+  read.spec.structure = std::move(plan);
+}
+
+}  // namespace
+
+std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root) {
+  std::vector<ReadPlanBuilding> buildings;
+  const auto list = root.tables("building", "two or more [[building]] tables");
+  if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
+  std::vector<ReadBuilding> before;
+  for (const TomlView& entry : list->items()) {
+    ReadPlanBuilding read{.spec = {}, .told = {}, .view = entry};
+    if (read_name(entry, before, read.told)) {
+      read.view = entry.renamed(read.told.path);
+      read.spec.name = read.told.spec.name;
+      const TableView view = *TableView::of(read.view, building_keys());
+      read.spec.base_elevation = view.number("base_elevation").value_or(0);
+      if (view.flag("rigid")) {
+        read_wall(view, read);
+      } else {
+        read_floors(view, read);
+      }
+      read.told.spec.base_elevation = read.spec.base_elevation;
+      for (double& elevation : read.told.elevations) elevation += read.spec.base_elevation;
+    }
+    before.push_back(read.told);
+    buildings.push_back(std::move(read));
+  }
+  if (list->size() < 2) list->error("has " + list->entries() + ", expected two or more");
+  return buildings;
+}
+
+void check_made(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings) {
+  for (const ReadPlanBuilding& building : buildings) {
+    try {
+      const PlanBuilding made = make_plan_building(building.spec);
+      check_mode_times(building.view, made.modes, made.modal_damping, c.analysis.duration);
+    } catch (const std::exception& error) {
+      building.view.error(std::string("cannot be computed with: ") + error.what());
+    }
+  }
+}
+
+}  // namespace bentur

@@ -1,0 +1,285 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "bentur/io/case/plan/plan_parts.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
+
+namespace bentur {
+namespace {
+
+/// [plan], as far as it could be read.
+struct PlanDefaults {
+  std::optional<TableView> view = {};
+  std::optional<double> clearance = {};
+  int points = 2;
+  std::optional<ContactSpec> contact = {};
+};
+
+PlanDefaults read_defaults(const TomlView& root) {
+  PlanDefaults defaults;
+  const auto given = root.find("plan");
+  if (given) defaults.view = TableView::of(*given, plan_keys());
+  if (!defaults.view) return defaults;
+  defaults.clearance = defaults.view->number("clearance");
+  defaults.points = static_cast<int>(defaults.view->whole("points").value_or(2));
+  if (!defaults.view->has("contact")) return defaults;
+  // As of one level: what differs from level to level is a gap's own.
+  ReadBuilding none;
+  none.path = "a building in plan";
+  const TomlView contact = *defaults.view->find("contact");
+  bool lists = false;
+  for (const TomlMember& member : contact.value().members) {
+    if (member.value.kind != TomlValue::Kind::list) continue;
+    contact.find(member.key)->error_value("must be one for all pairs: a [[gap]] has lists, over its levels");
+    lists = true;
+  }
+  if (lists) return defaults;
+  const std::vector<double> one_level = {0.0};
+  defaults.contact = read_contact(*defaults.view, {none, none, one_level}, Need::required);
+  return defaults;
+}
+
+std::string names_of(const std::vector<ReadPlanBuilding>& buildings, std::size_t one, std::size_t other) {
+  return fmt::format("{} and {}", in_quotes(buildings[one].spec.name), in_quotes(buildings[other].spec.name));
+}
+
+/// Footprints that overlap, at the second of the two.
+bool overlaps_are_said(const std::vector<ReadPlanBuilding>& buildings) {
+  bool any = false;
+  for (std::size_t b = 1; b < buildings.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (!buildings[a].is_whole || !buildings[b].is_whole) continue;
+      const Footprint &one = buildings[a].spec.footprint(), &other = buildings[b].spec.footprint();
+      if (!overlap(one, other)) continue;
+      const PlanPoint low = one.corner.cwiseMax(other.corner);
+      const PlanPoint common = one.far_corner().cwiseMin(other.far_corner()) - low;
+      buildings[b].view.error(
+          fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
+                      in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
+      any = true;
+    }
+  }
+  return any;
+}
+
+template <class Index>
+std::pair<Index, Index> in_order(Index one, Index other) {
+  return std::minmax(one, other);
+}
+
+/// The pair of two buildings along their stretch.
+PlanGapSpec pair_of(const Stretch& stretch, std::size_t one, std::size_t other) {
+  const auto [left, right] = stretch.swapped ? std::pair(other, one) : std::pair(one, other);
+  return {.left = static_cast<Eigen::Index>(left), .right = static_cast<Eigen::Index>(right), .stretch = stretch};
+}
+
+/// Every law of a pair is made once; errors go to where its contact stands.
+void check_laws(const TomlView& contact, const PlanGapSpec& gap, const std::vector<ReadPlanBuilding>& buildings) {
+  std::vector<PlanBuildingSpec> specs;
+  for (const ReadPlanBuilding& building : buildings) specs.push_back(building.spec);
+  for (std::size_t level = 0; level < gap.levels.size(); ++level) {
+    PlanGapSpec one = gap;  // of this level alone, with its entry of every list
+    one.levels = {gap.levels[level]};
+    for (auto& [key, list] : one.contact.numbers) list = {list.size() == 1 ? list.front() : list.at(level)};
+    try {
+      (void)contacts_of(one, specs);
+    } catch (const InvalidParameter& fault) {
+      if (say_of_law(contact, fault, level)) return;
+    }
+  }
+}
+
+class Pairs {
+ public:
+  Pairs(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings)
+      : defaults_(read_defaults(root)), buildings_(buildings) {
+    for (const ReadPlanBuilding& building : buildings) told_.push_back(building.told);
+  }
+
+  void read_named(const TomlView& entry);
+  void add_near(const TomlView& root);
+  std::vector<PlanGapSpec> take();
+
+ private:
+  [[nodiscard]] bool is_named(std::size_t one, std::size_t other) const {
+    return std::find(named_.begin(), named_.end(), in_order(one, other)) != named_.end();
+  }
+  [[nodiscard]] std::vector<LevelPair> levels_of(const PlanGapSpec& gap, std::optional<double> tolerance) const {
+    return level_floors(floor_levels(told_[gap.left]), floor_levels(told_[gap.right]), tolerance);
+  }
+  /// What a pair without a contact of its own has; an error at `at` where there is none.
+  void take_default_contact(const TomlView& at, PlanGapSpec& gap);
+  void read_levels(const TableView& table, PlanGapSpec& gap);
+  /// One point per end alone where impacts take no time.
+  void check_points(const TomlView& at, const PlanGapSpec& gap);
+
+  PlanDefaults defaults_;
+  const std::vector<ReadPlanBuilding>& buildings_;
+  std::vector<ReadBuilding> told_;
+  std::vector<std::pair<std::size_t, std::size_t>> named_;  ///< each the lower index first
+  std::vector<PlanGapSpec> gaps_;
+};
+
+void Pairs::take_default_contact(const TomlView& at, PlanGapSpec& gap) {
+  if (defaults_.contact) {
+    gap.contact = *defaults_.contact;
+    check_laws(*defaults_.view->find("contact"), gap, buildings_);
+  } else if (!defaults_.view || !defaults_.view->has("contact")) {
+    at.error(fmt::format("needs a contact for {}: give plan.contact, or a [[gap]] between them",
+                         names_of(buildings_, gap.left, gap.right)));
+  }
+}
+
+void Pairs::check_points(const TomlView& at, const PlanGapSpec& gap) {
+  if (gap.contact.law == "restitution" && gap.points != 2) {
+    const auto points = at.find("points");
+    (points ? *points : at).error(fmt::format("must be 2 with law = \"restitution\", not {}", gap.points));
+  }
+}
+
+void Pairs::read_levels(const TableView& table, PlanGapSpec& gap) {
+  const std::optional<double> tolerance = table.number("level_tolerance");
+  gap.levels = levels_of(gap, tolerance);
+  const ReadBuilding &left = told_[gap.left], &right = told_[gap.right];
+  if (gap.levels.empty()) {
+    table.error(
+        fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
+                    "floors that nearly meet do so with level_tolerance",
+                    in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
+                    fmt::join(right.elevations, ", ")));
+    return;
+  }
+  const auto given = table.find("elevations");
+  if (!given) return;
+  if (given->is(TomlValue::Kind::list) && given->size() == 0) {
+    given->error("must not be empty: of buildings in plan no pair is left without contact yet");
+    return;
+  }
+  const std::vector<double> wanted = given->as_numbers(table.key("elevations").range);
+  if (wanted.empty()) return;
+  if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
+    given->error("must ascend");
+    return;
+  }
+  const std::vector<double> named =
+      named_elevations(*given, wanted, gap.levels, floor_levels(left), floor_levels(right));
+  std::vector<LevelPair> chosen;
+  for (const double elevation : named) {
+    LevelPair level = *pair_at(elevation, gap.levels, floor_levels(left), floor_levels(right));
+    level.elevation = elevation;
+    chosen.push_back(level);
+  }
+  gap.levels = std::move(chosen);
+}
+
+void Pairs::read_named(const TomlView& entry) {
+  const auto made = TableView::of(entry, gap_keys());
+  if (!made) return;
+  const TableView& table = *made;
+  table.refuse({"width"}, "is not for buildings in plan: their footprints say how far they are apart");
+  table.refuse({"strikes_columns", "column_capacity"}, "does not go with buildings in plan");
+  const auto between = read_between(table, told_, "two buildings");
+  const std::optional<std::int64_t> points = table.whole("points");
+  if (!between) return;
+  const auto [one, other] = *between;
+  if (one == other) {
+    table.find("between")->error("must be two buildings");
+    return;
+  }
+  if (is_named(one, other)) {
+    table.find("between")->error(
+        fmt::format("another [[gap]] is between {} already", names_of(buildings_, one, other)));
+    return;
+  }
+  named_.push_back(in_order(one, other));
+  if (!buildings_[one].is_whole || !buildings_[other].is_whole) return;
+  if (buildings_[one].spec.is_rigid() && buildings_[other].spec.is_rigid()) {
+    table.find("between")->error(fmt::format("is between two walls, {}", names_of(buildings_, one, other)));
+    return;
+  }
+  const auto stretch = facing(buildings_[one].spec.footprint(), buildings_[other].spec.footprint());
+  if (!stretch && overlap(buildings_[one].spec.footprint(), buildings_[other].spec.footprint())) return;  // said
+  if (!stretch) {
+    table.find("between")->error(
+        fmt::format("is between buildings of which no edge faces the other, {}", names_of(buildings_, one, other)));
+    return;
+  }
+  PlanGapSpec gap = pair_of(*stretch, one, other);
+  gap.points = static_cast<int>(points.value_or(defaults_.points));
+  read_levels(table, gap);
+  if (gap.levels.empty()) return;
+  if (!table.has("contact")) {
+    take_default_contact(table, gap);
+  } else {
+    std::vector<double> elevations;
+    for (const LevelPair& level : gap.levels) elevations.push_back(level.elevation);
+    const auto contact = read_contact(table, {told_[gap.left], told_[gap.right], elevations}, Need::required);
+    if (contact) {
+      gap.contact = *contact;
+      check_laws(*table.find("contact"), gap, buildings_);
+    }
+  }
+  check_points(table, gap);
+  gaps_.push_back(std::move(gap));
+}
+
+void Pairs::add_near(const TomlView& root) {
+  if (!defaults_.clearance) {
+    if (gaps_.empty() && named_.empty()) {
+      root.error_missing("gap", "without plan.clearance it says which buildings may touch");
+    }
+    return;
+  }
+  const TomlView clearance = *defaults_.view->find("clearance");
+  for (std::size_t a = 0; a < buildings_.size(); ++a) {
+    for (std::size_t b = a + 1; b < buildings_.size(); ++b) {
+      if (!buildings_[a].is_whole || !buildings_[b].is_whole || is_named(a, b)) continue;
+      if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
+      const auto stretch = facing(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
+      if (!stretch || stretch->width > *defaults_.clearance) continue;
+      PlanGapSpec gap = pair_of(*stretch, a, b);
+      gap.points = defaults_.points;
+      gap.levels = levels_of(gap, std::nullopt);
+      if (gap.levels.empty()) {
+        clearance.error(
+            fmt::format("brings together {}, which have no floors at one elevation: give a [[gap]] between "
+                        "them with level_tolerance",
+                        names_of(buildings_, a, b)));
+        continue;
+      }
+      take_default_contact(*defaults_.view, gap);
+      check_points(*defaults_.view, gap);
+      gaps_.push_back(std::move(gap));
+    }
+  }
+  if (gaps_.empty() && named_.empty()) {
+    clearance.error_value("brings no two buildings together: make it larger, or give a [[gap]] between two");
+  }
+}
+
+std::vector<PlanGapSpec> Pairs::take() {
+  std::sort(gaps_.begin(), gaps_.end(), [](const PlanGapSpec& a, const PlanGapSpec& b) {
+    return in_order(a.left, a.right) < in_order(b.left, b.right);
+  });
+  return std::move(gaps_);
+}
+
+}  // namespace
+
+std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings) {
+  Pairs pairs(root, buildings);
+  const bool overlapping = overlaps_are_said(buildings);
+  if (root.has("gap")) {
+    if (const auto list = root.tables("gap", "")) {
+      for (const TomlView& entry : list->items()) pairs.read_named(entry);
+    }
+  }
+  if (!overlapping) pairs.add_near(root);
+  return pairs.take();
+}
+
+}  // namespace bentur

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "bentur/io/case/case_parts.h"
+#include "bentur/model/plan/plan_case.h"
+
+// The parts that a case of buildings in plan is read in, as case_parts.h has those of a row.
+namespace bentur {
+
+/// A building as read; `told` is what readers that it shares with buildings of a row take: name, path and levels.
+struct ReadPlanBuilding {
+  PlanBuildingSpec spec;
+  ReadBuilding told;
+  TomlView view;
+  bool is_whole = false;  ///< its footprint and floors are known
+};
+
+/// plan_buildings.cpp
+[[nodiscard]] std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root);
+/// Modes and damping, and that every storey is held, of buildings that are right otherwise.
+void check_made(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings);
+
+/// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
+[[nodiscard]] std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root,
+                                                      const std::vector<ReadPlanBuilding>& buildings);
+
+/// plan_excitation.cpp: both components, and the angle of their axes, into the case.
+void read_plan_excitation(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings, const CaseFiles& files,
+                          PlanCase& c);
+
+/// plan_excitation.cpp @param moves set when something is given an initial displacement or velocity.
+[[nodiscard]] InitialSpec read_plan_initial(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings,
+                                            bool& moves);
+
+}  // namespace bentur

@@ -1,0 +1,105 @@
+#include "bentur/io/case/plan/plan_toml.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/case/plan/plan_parts.h"
+#include "bentur/io/file_identity.h"
+#include "bentur/io/input_file.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
+
+namespace bentur {
+namespace {
+
+/// What analyses of a row have and these have not.
+void refuse_analysis(const TomlView& root) {
+  const auto analysis = root.find("analysis");
+  if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
+  analysis->refuse({"collapse_drift", "output_step"}, "does not go with buildings in plan");
+  const auto solver = analysis->find("solver");
+  if (solver && solver->value().text == "runge-kutta") solver->error_value("does not go with buildings in plan");
+}
+
+/// The excitation that says how long the ground moves: the longer record.
+const ExcitationSpec& longer_of(const std::array<ExcitationSpec, 2>& excitation) {
+  const auto length = [](const ExcitationSpec& one) { return one.record ? one.record->duration : 0.0; };
+  return length(excitation[1]) > length(excitation[0]) ? excitation[1] : excitation[0];
+}
+
+PlanCase read_parts(const TomlView& root, const CaseFiles& files) {
+  PlanCase c;
+  (void)TableView::of(root, case_keys());
+  root.refuse({"link", "code", "screening", "project"}, "does not go with buildings in plan");
+  const auto title = root.find("title");
+  c.title = title ? title->as_line().value_or("") : "";
+  c.units = read_units(root);
+  const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root);
+  for (const ReadPlanBuilding& building : buildings) c.buildings.push_back(building.spec);
+  c.gaps = read_plan_gaps(root, buildings);
+  read_plan_excitation(root, buildings, files, c);
+  bool moves = false;
+  c.initial = read_plan_initial(root, buildings, moves);
+  refuse_analysis(root);
+  c.analysis = read_analysis(root, longer_of(c.excitation));
+  check_values(root, case_keys());
+  if (!files.diagnostics.ok()) return c;
+  const TomlView excitation = *root.find("excitation");
+  const auto still = [](const ExcitationSpec& one) { return std::holds_alternative<NoMotion>(one.motion); };
+  if (std::all_of(c.excitation.begin(), c.excitation.end(), still) && !moves) {
+    excitation.find("kind")->error_value(
+        "nothing would move: give [initial] displacements or velocities, or a ground motion");
+  }
+  check_made(c, buildings);
+  check_motion_times(excitation, c.excitation[0].motion, c.analysis.duration, c.units);
+  if (const auto y = excitation.find("y")) {
+    check_motion_times(*y, c.excitation[1].motion, c.analysis.duration, c.units);
+  }
+  if (!files.diagnostics.ok()) return c;
+  try {
+    (void)make_plan_problem(c);
+  } catch (const InvalidParameter& fault) {  // an overlap at the start, of contacts without time
+    const auto initial = root.find("initial");
+    (initial ? *initial : root).error(std::string("cannot be computed with: ") + fault.what());
+  }
+  return c;
+}
+
+}  // namespace
+
+bool is_plan_case(const std::filesystem::path& file) {
+  Diagnostics ignored;
+  const auto text = read_input(file, case_input, ignored);
+  const std::string name = file.string();
+  const auto root = text ? parse_toml(*text, name, ignored) : std::nullopt;
+  return root && plan_of(TomlView(*root, "", name, ignored)).has_value();
+}
+
+std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
+                                            Diagnostics& diagnostics) {
+  Diagnostics found;
+  const std::string name = file.string();
+  std::optional<PlanCase> c;
+  const auto root = parse_toml(text, name, found);
+  if (root) c = read_parts(TomlView(*root, "", name, found), {file.parent_path(), found});
+  diagnostics.add(found);
+  if (!found.ok()) return std::nullopt;
+  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return c;
+}
+
+std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const auto text = read_input(file, case_input, diagnostics);
+  return text ? read_plan_case_text(*text, file, diagnostics) : std::nullopt;
+}
+
+std::vector<std::filesystem::path> files_read(const PlanCase& c) {
+  std::vector<std::filesystem::path> files;
+  for (const ExcitationSpec& one : c.excitation) {
+    if (one.record && !one.record->path.empty()) files.emplace_back(one.record->path);
+  }
+  return files;
+}
+
+}  // namespace bentur

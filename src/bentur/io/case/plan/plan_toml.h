@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/model/plan/plan_case.h"
+
+namespace bentur {
+
+/// Whether a file is a case of buildings in plan; of one that cannot be read: no.
+[[nodiscard]] bool is_plan_case(const std::filesystem::path& file);
+
+/// Reads and validates a case of buildings in plan and the records it names, as read_case() does one of a row: every
+/// error goes to `diagnostics`.
+[[nodiscard]] std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// The same of a text; the folder of `file` is the one record files are in.
+[[nodiscard]] std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
+                                                          Diagnostics& diagnostics);
+
+/// The files that were read for it beside its own.
+[[nodiscard]] std::vector<std::filesystem::path> files_read(const PlanCase& c);
+
+}  // namespace bentur

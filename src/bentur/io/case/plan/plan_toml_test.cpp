@@ -1,0 +1,257 @@
+#include "bentur/io/case/plan/plan_toml.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/results/plan/plan_json.h"
+
+namespace bentur {
+namespace {
+
+const std::string plan_text = R"(
+title = "Two in plan"
+[units]
+length = "m"
+force = "kN"
+[plan]
+clearance = 0.1
+points = 3
+contact = { law = "kelvin-voigt", stiffness = 4e5, restitution = 0.5 }
+[[building]]
+name = "A"
+damping = 0.05
+base_elevation = 1.0
+[building.plan]
+corner = [0.0, 0.0]
+size = [12.0, 18.0]
+storey_heights = [3.5, 3.2]
+masses = [200, 180]
+centres_of_mass = [[6.2, 8.7], [6.0, 9.0]]
+[[building.plane]]
+name = "south wall"
+along = "x"
+at = 0.5
+stiffnesses = [9e4, 7e4]
+yield_forces = [900, inf]
+hysteresis = "peak-oriented"
+[[building.plane]]
+along = "y"
+at = 11
+stiffnesses = 8e4
+[building.rigidity]
+centre = [6.5, 8.0]
+x = 2e4
+torsion = [3e5, 2e5]
+[[building]]
+name = "B"
+damping = { modal = [0.05, 0.04, 0.03, 0.02, 0.02, 0.02] }
+plan = { corner = [12.02, 4.0], size = [9.0, 20.0], storey_heights = [4.5, 3.2], masses = [100, 90] }
+plane = [{ along = "x", at = 1, stiffnesses = 5e4 }, { angle = 75.0, through = [4, 10], stiffnesses = 6e4 },
+         { along = "x", at = 18, stiffnesses = 5e4 }]
+[[building]]
+name = "W"
+rigid = true
+elevations = [4.5]
+plan = { corner = [-1.0, 2.0], size = [0.95, 4.0] }
+[[gap]]
+between = ["B", "A"]
+contact = { law = "linear", stiffness = [5e5, 3e5] }
+[excitation]
+kind = "harmonic"
+period = 0.6
+displacement_amplitude = 0.02
+wave_velocity = 500
+wave_angle = 90
+angle = 30
+[excitation.y]
+kind = "harmonic"
+period = 0.5
+acceleration_amplitude = "0.1 g"
+[initial]
+velocities = { A = [[0.1, 0.0, 0.002], [0.2, 0.0, 0.004]] }
+[analysis]
+duration = 2
+)";
+
+struct Read {
+  std::optional<PlanCase> c;
+  std::vector<std::string> errors;
+};
+
+Read read_text(const std::string& text) {
+  Diagnostics diagnostics;
+  Read read{read_plan_case_text(text, "a.toml", diagnostics), {}};
+  for (const Diagnostic& error : diagnostics.errors()) read.errors.push_back(error.message());
+  return read;
+}
+
+/// With one piece of the text replaced, all of its errors.
+std::vector<std::string> errors_with(const std::string& from, const std::string& to) {
+  std::string text = plan_text;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return read_text(text.replace(at, from.size(), to)).errors;
+}
+
+using Errors = std::vector<std::string>;
+
+TEST(PlanToml, ReadsAll) {
+  const Read read = read_text(plan_text);
+  ASSERT_TRUE(read.c) << ::testing::PrintToString(read.errors);
+  const PlanCase& c = *read.c;
+  EXPECT_EQ(c.title, "Two in plan");
+  ASSERT_EQ(c.buildings.size(), 3U);
+  const Plan& plan = std::get<Plan>(c.buildings[0].structure);
+  EXPECT_EQ(plan.footprint.size, PlanPoint(12, 18));
+  EXPECT_EQ(plan.centres_of_mass[1], PlanPoint(6, 9));
+  EXPECT_EQ(plan.planes[0].name, "south wall");
+  EXPECT_EQ(plan.planes[1].name, "plane 2");
+  EXPECT_EQ(plan.planes[1].direction, PlanPoint(0, 1));
+  EXPECT_EQ(plan.planes[1].through, PlanPoint(11, 0));
+  EXPECT_EQ(plan.planes[1].storeys.stiffnesses, (std::vector<double>{8e4, 8e4}));
+  EXPECT_EQ(plan.planes[0].storeys.hysteresis, "peak-oriented");
+  EXPECT_EQ(plan.rigidity->torsion, (std::vector<double>{3e5, 2e5}));
+  EXPECT_TRUE(c.buildings[2].is_rigid());
+  // The wall by its clearance, with the contact of all; A and B with their own. W has the lower coordinate.
+  ASSERT_EQ(c.gaps.size(), 2U);
+  EXPECT_EQ(c.gaps[0].left, 0);
+  EXPECT_EQ(c.gaps[0].right, 1);
+  EXPECT_EQ(c.gaps[0].contact.law, "linear");
+  EXPECT_EQ(c.gaps[0].points, 3);
+  EXPECT_EQ(c.gaps[0].levels.size(), 2U);
+  EXPECT_EQ(c.gaps[1].left, 2);
+  EXPECT_EQ(c.gaps[1].right, 0);
+  EXPECT_NEAR(c.gaps[1].stretch.width, 0.05, 1e-15);
+  EXPECT_EQ(c.gaps[1].contact.law, "kelvin-voigt");
+  EXPECT_EQ(c.angle, 30);
+  // Middles of footprints at y = 9, 14 and 4; the wave goes along y.
+  EXPECT_NEAR(c.excitation[0].delays[0], 5.0 / 500, 1e-15);
+  EXPECT_NEAR(c.excitation[0].delays[1], 10.0 / 500, 1e-15);
+  EXPECT_EQ(c.excitation[0].delays[2], 0);
+  EXPECT_EQ(c.initial.velocities[0], (std::vector<double>{0.1, 0.0, 0.002, 0.2, 0.0, 0.004}));
+  EXPECT_EQ(c.initial.velocities[1], std::vector<double>(6, 0.0));
+
+  const PlanProblem problem = make_plan_problem(c);
+  EXPECT_NEAR(problem.axes(0, 0), std::sqrt(3) / 2, 1e-15);
+  // Shares of a law: of all that has force in it, and of the mass by which a damping ratio acts (P-9).
+  const PlanContact& end = problem.gaps[0].contacts[3];
+  EXPECT_EQ(end.elevation, 4.5 + 3.2);
+  EXPECT_EQ(end.law->parameters()[0].second, 3e5 * 0.25);
+  double damping = 0, whole = 0;
+  for (const PlanContact& contact : problem.gaps[1].contacts) damping += contact.law->branch({.branch = 1}).damping;
+  const ContactSpec& spec = c.gaps[1].contact;
+  whole = make_contact_law(spec, contact_input(spec, 0, 200))->branch({.branch = 1}).damping;
+  EXPECT_NEAR(damping, whole, 1e-12 * whole);
+  const PlanResponse response = solve(problem);
+  EXPECT_EQ(response.status, Status::done) << response.message;
+  EXPECT_NE(plan_summary_json({c, problem, response}, "test").find("\"peak_storey_torque\""), std::string::npos);
+}
+
+TEST(PlanToml, SaysEveryErrorOfBuildings) {
+  EXPECT_EQ(errors_with("plan = { corner = [12.02, 4.0]", "plan = { corner = [11.0, 4.0]"),
+            (Errors{"building[\"B\"] overlaps \"A\": their footprints have 1 by 14 at (11, 4) in common"}));
+  EXPECT_EQ(errors_with(
+                "plan = { corner = [12.02, 4.0], size = [9.0, 20.0], storey_heights = [4.5, 3.2], masses = [100, 90] }",
+                "stick = { storey_heights = [4.5, 3.2], masses = [100, 90], stiffnesses = [1, 1] }"),
+            (Errors{"building[\"B\"].plan is missing (buildings stand in plan, all of them or none)",
+                    "building[\"B\"].stick does not go with buildings in plan"}));
+  EXPECT_EQ(errors_with("centres_of_mass = [[6.2, 8.7], [6.0, 9.0]]", "centres_of_mass = [[6.2, 8.7], [12.1, 9.0]]"),
+            (Errors{"building[\"A\"].plan.centres_of_mass[1] is outside the footprint of 12 by 18"}));
+  EXPECT_EQ(errors_with(
+                "plane = [{ along = \"x\", at = 1, stiffnesses = 5e4 }, { angle = 75.0, through = [4, 10], stiffnesses "
+                "= 6e4 },\n"
+                "         { along = \"x\", at = 18, stiffnesses = 5e4 }]",
+                "plane = [{ along = \"x\", at = 1, stiffnesses = 5e4 }, { along = \"x\", at = 9, stiffnesses = 5e4 }]"),
+            (Errors{"building[\"B\"] has nothing that holds storey 1 along y",
+                    "building[\"B\"] has nothing that holds storey 2 along y"}));
+  EXPECT_EQ(errors_with("at = 0.5\n", ""),
+            (Errors{"building[\"A\"].plane[\"south wall\"].at is missing (where along is given)"}));
+  EXPECT_EQ(errors_with("along = \"x\"\nat = 0.5", "angle = 3\nat = 1"),
+            (Errors{"building[\"A\"].plane[\"south wall\"].through is missing (where angle is given)",
+                    "building[\"A\"].plane[\"south wall\"].at goes with along, which is not given"}));
+  EXPECT_EQ(errors_with("0.02, 0.02, 0.02]", "0.02]"),
+            (Errors{"building[\"B\"].damping.modal has 4 entries, expected 6 (one per mode)"}));
+  EXPECT_EQ(errors_with("elevations = [4.5]\n", "elevations = [4.5]\ndamping = 0.1\n"),
+            (Errors{"building[\"W\"].damping is not for a rigid building, which moves with the ground"}));
+  EXPECT_EQ(errors_with("base_elevation = 1.0", "base_elevation = 1.0\np_delta = true"),
+            (Errors{"building[\"A\"].p_delta does not go with buildings in plan"}));
+}
+
+TEST(PlanToml, SaysEveryErrorOfPairs) {
+  EXPECT_EQ(errors_with("corner = [-1.0, 2.0], size = [0.95, 4.0] }\n[[gap]]\nbetween = [\"B\", \"A\"]",
+                        "corner = [-1.0, 25.0], size = [0.95, 4.0] }\n[[gap]]\nbetween = [\"B\", \"W\"]"),
+            (Errors{"gap[0].between is between buildings of which no edge faces the other, \"B\" and \"W\""}));
+  EXPECT_EQ(errors_with("between = [\"B\", \"A\"]", "between = [\"B\", \"B\"]"),
+            (Errors{"gap[0].between must be two buildings"}));
+  EXPECT_EQ(errors_with("stiffness = [5e5, 3e5] }", "stiffness = [5e5, 3e5] }\nwidth = 0.02"),
+            (Errors{"gap[0].width is not for buildings in plan: their footprints say how far they are apart"}));
+  EXPECT_EQ(errors_with("points = 3", "points = 51"),
+            (Errors{"plan.points = 51, must be a whole number from 2 to 50"}));
+  EXPECT_EQ(errors_with("{ law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5 }",
+                        "{ law = \"restitution\", restitution = 0.5 }"),
+            (Errors{"plan.points must be 2 with law = \"restitution\", not 3"}));
+  EXPECT_EQ(errors_with("contact = { law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5 }\n", ""),
+            (Errors{"plan needs a contact for \"W\" and \"A\": give plan.contact, or a [[gap]] between them"}));
+  EXPECT_EQ(
+      errors_with("stiffness = 4e5, restitution", "stiffness = [4e5, 1], restitution"),
+      (Errors{"plan.contact.stiffness is a list, must be one for all pairs: a [[gap]] has lists, over its levels"}));
+  EXPECT_EQ(
+      errors_with("law = \"linear\", stiffness = [5e5, 3e5] }", "law = \"linear\", stiffness = 1, friction = 0.3 }")
+          .size(),
+      1U);
+  EXPECT_EQ(
+      errors_with("elevations = [4.5]", "elevations = [6.0]"),
+      (Errors{"plan.clearance brings together \"A\" and \"W\", which have no floors at one elevation: give a [[gap]] "
+              "between them with level_tolerance"}));
+}
+
+TEST(PlanToml, SaysWhatIsNotBuilt) {
+  EXPECT_EQ(errors_with("[analysis]\nduration = 2",
+                        "[analysis]\nduration = 2\nsolver = \"runge-kutta\"\ncollapse_drift = 0.1"),
+            (Errors{"analysis.solver = \"runge-kutta\", does not go with buildings in plan",
+                    "analysis.collapse_drift does not go with buildings in plan"}));
+  EXPECT_EQ(errors_with("[analysis]", "[screening]\nseismicity = \"high\"\n[analysis]"),
+            (Errors{"screening does not go with buildings in plan"}));
+  EXPECT_EQ(errors_with("A = [[0.1, 0.0, 0.002], [0.2, 0.0, 0.004]]",
+                        "A = [[0.1, 0.0], [0.2, 0.0, 0.004]], W = [[0, 0, 0]], Q = []"),
+            (Errors{"initial.velocities.A[0] has 2 entries, expected 3 (x, y and rotation)",
+                    "initial.velocities.W is of a wall, which moves with the ground",
+                    "initial.velocities.Q is for no building of the case, the buildings are A, B, W"}));
+  const Errors of_spectrum = errors_with("kind = \"harmonic\"", "kind = \"spectrum\"");
+  EXPECT_EQ(std::count(of_spectrum.begin(), of_spectrum.end(),
+                       "excitation.kind = \"spectrum\", does not go with buildings in plan"),
+            1);
+}
+
+TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_case_text(plan_text, "a.toml", diagnostics));
+  ASSERT_EQ(diagnostics.errors().size(), 1U);
+  EXPECT_EQ(diagnostics.errors()[0].message(),
+            "plan is of buildings in plan, which bentur check, modes and run take: nothing else does");
+  const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more) {
+    Diagnostics found;
+    (void)read_case_text(
+        "[[building]]\nname = \"A\"\ndamping = 0\nstick = { storey_heights = [3], masses = [1], stiffnesses = [1] }\n"
+        "[[building]]\nname = \"B\"\ndamping = 0\nstick = { storey_heights = [3], masses = [1], stiffnesses = [1] }\n"
+        "[[gap]]\nbetween = [\"A\", \"B\"]\ncontact = { law = \"linear\", stiffness = 1 }\n" +
+            more_of_gap + "[excitation]\nkind = \"harmonic\"\nperiod = 1\ndisplacement_amplitude = 1\n" + more +
+            "[analysis]\nduration = 1\n",
+        "a.toml", found);
+    Errors errors;
+    for (const Diagnostic& error : found.errors()) errors.push_back(error.message());
+    return errors;
+  };
+  EXPECT_EQ(errors_of_row("width = 1\n", ""), Errors{});
+  EXPECT_EQ(errors_of_row("points = 2\n", "angle = 3\n"),
+            (Errors{"gap[0].width is missing", "gap[0].points is of buildings in plan: give them [building.plan]",
+                    "excitation.angle is of buildings in plan: give them [building.plan]"}));
+}
+
+}  // namespace
+}  // namespace bentur

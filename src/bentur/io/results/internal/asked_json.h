@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "bentur/model/case.h"
+
+// What a run was asked for, as results tell it.
+namespace bentur {
+
+using Json = nlohmann::ordered_json;
+
+[[nodiscard]] Json units_json(const Units& units);
+[[nodiscard]] Json excitation_json(const ExcitationSpec& excitation);
+/// The file the case was read from, as far as it can be told apart from others.
+[[nodiscard]] Json source_json(const std::optional<CaseSource>& source);
+
+/// The law with everything it works with, given or derived, and the choices that apply.
+[[nodiscard]] Json contact_json(const ContactLaw& law, const ContactSpec& spec);
+
+}  // namespace bentur

@@ -1,0 +1,128 @@
+#include "bentur/elements/hysteretic_laws.h"
+#include "bentur/io/schema/case_keys.h"
+
+namespace bentur {
+namespace {
+
+constexpr int most_floors_in_plan = 1000;
+
+Key corner_of_footprint() {
+  return Key::number("corner", dimension::length, Range::level, {"Corner", "Sudut"},
+                     "the lower left one of the footprint, in the common plan")
+      .list("x and y", 2);
+}
+
+Key size_of_footprint() {
+  return Key::number("size", dimension::length, Range::size, {"Size", "Ukuran"}, "of the footprint, along x and y")
+      .list("along x and y", 2);
+}
+
+}  // namespace
+
+const KeyTable& plan_keys() {
+  static const KeyTable table = {
+      "plan",
+      "buildings in plan: which of them may touch, and how",
+      {Key::number("clearance", dimension::length, Range::distance, {"Clearance", "Jarak batas"},
+                   "footprints whose edges are at most this far apart may touch")
+           .optional("pairs that a `[[gap]]` names, alone"),
+       Key::whole("points", 2, 50, {"Contact points", "Titik kontak"},
+                  "of each stretch and level, evenly spaced, ends included")
+           .by_default(2),
+       Key::sub_table("contact", contact_keys(), {"Contact", "Kontak"},
+                      "of every pair without its own; numbers are one for all levels")
+           .optional("each pair needs its own")}};
+  return table;
+}
+
+const KeyTable& building_plan_keys() {
+  static const KeyTable table = {
+      "building.plan",
+      "a building in plan",
+      {corner_of_footprint(), size_of_footprint(),
+       Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
+                   "bottom to top")
+           .list("one per storey")
+           .up_to(most_floors_in_plan),
+       Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
+           .list("one per storey"),
+       Key::number("centres_of_mass", dimension::length, Range::distance, {"Centres of mass", "Pusat massa"},
+                   "from the corner: one pair for all floors, or a list of one per floor")
+           .matrix("one per storey", true)
+           .optional("the middle of the footprint"),
+       Key::number("inertias", dimension::mass_inertia, Range::positive, {"Inertias", "Inersia"},
+                   "of the floors about the vertical through their centre of mass")
+           .list("one per storey")
+           .optional("m (a² + b²)/12 of a footprint a × b")}};
+  return table;
+}
+
+const KeyTable& wall_plan_keys() {
+  static const KeyTable table = {
+      "building.plan", "the footprint of a wall", {corner_of_footprint(), size_of_footprint()}};
+  return table;
+}
+
+const KeyTable& plane_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "building.plane",
+        "a frame or wall of a building in plan, on a line",
+        {Key::of("name", Key::Kind::line, {"Name", "Nama"}, "different from the others").optional("`\"plane 1\"`, …"),
+         Key::choice("along", {"x", "y"}, {"Along", "Sejajar"}, "the axis that its line is parallel to; or")
+             .one_of("line"),
+         Key::number("at", dimension::length, Range::finite, {"At", "Letak"},
+                     "of a line along x its y, of one along y its x, from the corner")
+             .optional("needed with `along`")
+             .goes_with("along"),
+         Key::number("angle", dimension::none, Range::finite, {"Angle", "Sudut arah"},
+                     "of its line with x, counter-clockwise; exactly one of the two")
+             .one_of("line")
+             .counted_in("degrees"),
+         Key::number("through", dimension::length, Range::finite, {"Through", "Melalui"},
+                     "a point of its line, from the corner")
+             .list("x and y", 2)
+             .optional("needed with `angle`")
+             .goes_with("angle"),
+         Key::number("stiffnesses", dimension::stiffness, Range::not_negative, {"Stiffnesses", "Kekakuan"},
+                     "of its storeys, one of them > 0")
+             .for_each("one per storey"),
+         Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
+                     "the force at which the storey of the plane yields; `inf`: it stays elastic")
+             .for_each("one per storey")
+             .optional("none yields"),
+         Key::number("hardening", dimension::none, Range::ratio, {"Hardening", "Pengerasan"},
+                     "stiffness after yielding over that before")
+             .for_each("one per storey")
+             .goes_with("yield_forces")
+             .by_default(0)}};
+    add_laws(
+        hysteretic_laws(),
+        Key::choice("hysteresis", {}, {"Planes that yield", "Bidang yang leleh"}).optional().goes_with("yield_forces"),
+        made.keys);
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& rigidity_keys() {
+  static const KeyTable table = {
+      "building.rigidity",
+      "what holds the storeys of a building in plan, in place of planes or beside them",
+      {Key::number("centre", dimension::length, Range::finite, {"Centre of rigidity", "Pusat kekakuan"},
+                   "from the corner: one pair for all storeys, or a list of one per storey")
+           .matrix("one per storey", true),
+       Key::number("x", dimension::stiffness, Range::not_negative, {"Along x", "Sejajar x"})
+           .for_each("one per storey")
+           .by_default(0),
+       Key::number("y", dimension::stiffness, Range::not_negative, {"Along y", "Sejajar y"})
+           .for_each("one per storey")
+           .by_default(0),
+       Key::number("torsion", dimension::moment, Range::not_negative, {"Against rotation", "Terhadap rotasi"},
+                   "about that centre, per radian")
+           .for_each("one per storey")
+           .by_default(0)}};
+  return table;
+}
+
+}  // namespace bentur

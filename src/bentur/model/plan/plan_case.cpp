@@ -1,0 +1,124 @@
+#include "bentur/model/plan/plan_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+namespace {
+
+/// The axes along which motions act that are turned by an angle [degrees], as columns; right angles exactly.
+Eigen::Matrix2d axes_at(double degrees) {
+  const double quarters = degrees / 90;
+  double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+  if (quarters == std::round(quarters)) {
+    c = std::round(c);
+    s = std::round(s);
+  }
+  Eigen::Matrix2d axes;
+  axes << c, -s, s, c;
+  return axes;
+}
+
+double floor_mass(const PlanBuildingSpec& spec, int floor) {
+  const Plan* const plan = std::get_if<Plan>(&spec.structure);
+  return plan != nullptr ? plan->masses.at(static_cast<std::size_t>(floor)) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<double>>& given) {
+  std::vector<Eigen::VectorXd> vectors;
+  for (const std::vector<double>& one : given) {
+    vectors.emplace_back(Eigen::Map<const Eigen::VectorXd>(one.data(), std::ssize(one)));
+  }
+  return vectors;
+}
+
+}  // namespace
+
+const Footprint& PlanBuildingSpec::footprint() const {
+  const Plan* const plan = std::get_if<Plan>(&structure);
+  return plan != nullptr ? plan->footprint : std::get<PlanWall>(structure).footprint;
+}
+
+FloorLevels PlanBuildingSpec::levels() const {
+  FloorLevels levels{.elevations = {}, .base = base_elevation};
+  if (const Plan* const plan = std::get_if<Plan>(&structure)) {
+    levels.elevations.resize(plan->storey_heights.size());
+    std::partial_sum(plan->storey_heights.begin(), plan->storey_heights.end(), levels.elevations.begin());
+  } else {
+    levels.elevations = std::get<PlanWall>(structure).elevations;
+  }
+  for (double& elevation : levels.elevations) elevation += base_elevation;
+  return levels;
+}
+
+PlanModel plan_model(const PlanBuildingSpec& spec) {
+  if (const Plan* const plan = std::get_if<Plan>(&spec.structure)) return plan_model(*plan, spec.base_elevation);
+  return make_plan_building(spec).model;
+}
+
+PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
+  if (spec.is_rigid()) return rigid_plan_building(spec.name, spec.footprint(), spec.levels().elevations);
+  return make_plan_building(spec.name, plan_model(spec), spec.damping, spec.tangent_damping);
+}
+
+std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<PlanBuildingSpec>& buildings) {
+  std::vector<PlanContact> contacts;
+  for (std::size_t level = 0; level < gap.levels.size(); ++level) {
+    const LevelPair& floors = gap.levels[level];
+    const double m_e = effective_mass(floor_mass(buildings.at(gap.left), floors.left_floor),
+                                      floor_mass(buildings.at(gap.right), floors.right_floor));
+    for (const StretchPoint& point : points_of(gap.stretch, gap.points)) {
+      contacts.push_back({.left_floor = floors.left_floor,
+                          .right_floor = floors.right_floor,
+                          .elevation = floors.elevation,
+                          .along = point.along,
+                          .law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share))});
+    }
+  }
+  return contacts;
+}
+
+PlanProblem make_plan_problem(const PlanCase& c) {
+  PlanProblem problem;
+  for (const PlanBuildingSpec& spec : c.buildings) problem.buildings.push_back(make_plan_building(spec));
+  for (const PlanGapSpec& gap : c.gaps) {
+    problem.gaps.push_back({gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings)});
+  }
+  problem.motions = {c.excitation[0].motion, c.excitation[1].motion};
+  problem.axes = axes_at(c.angle);
+  problem.delays = c.excitation[0].delays;
+  problem.kinematics = c.excitation[0].kinematics;
+  problem.initial_displacement = initial_vectors(c.initial.displacements);
+  problem.initial_velocity = initial_vectors(c.initial.velocities);
+  problem.duration = c.analysis.duration;
+  validate(problem);
+  return problem;
+}
+
+std::string beyond_limits(const PlanCase& c, const Effort& effort) {
+  const LimitsSpec& limits = c.analysis.limits;
+  if (effort.certain_steps > limits.steps) {
+    return fmt::format(
+        "a run takes {:.3g} steps or more, over the limit of {:.3g}. Is that meant? [analysis] limits = {{ steps = "
+        "{:.1e} }} lets it run",
+        effort.certain_steps, limits.steps, 2 * effort.most_steps);
+  }
+  if (effort.memory > 1e6 * limits.memory) {
+    return fmt::format(
+        "a run takes {:.3g} MB of memory, over the limit of {:.3g}. Make duration shorter, or let it run with "
+        "[analysis] limits = {{ memory = {:.0f} }}",
+        effort.memory / 1e6, limits.memory, std::ceil(effort.memory / 1e6));
+  }
+  return {};
+}
+
+RunOptions run_options(const PlanCase& c) {
+  return {.most_steps = static_cast<long>(c.analysis.limits.steps), .energy_audit = c.analysis.energy_audit};
+}
+
+}  // namespace bentur

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/pounding/plan/plan_pounding.h"
+
+// A case of buildings in plan (docs/theory/plan.md), beside Case, which is of a row.
+namespace bentur {
+
+/// What moves with the ground.
+struct PlanWall {
+  Footprint footprint;
+  std::vector<double> elevations;  ///< [length] above the base, ascending
+};
+
+struct PlanBuildingSpec {
+  std::string name;
+  std::variant<Plan, PlanWall> structure;
+  Damping damping = {};
+  bool tangent_damping = false;  ///< as BuildingSpec's
+  double base_elevation = 0;     ///< [length]
+
+  [[nodiscard]] const Footprint& footprint() const;
+  [[nodiscard]] bool is_rigid() const { return std::holds_alternative<PlanWall>(structure); }
+  /// Floors above the common datum.
+  [[nodiscard]] FloorLevels levels() const;
+};
+
+/// A pair of buildings that may touch.
+struct PlanGapSpec {
+  Eigen::Index left = 0, right = 0;  ///< L and R of its stretch (P-6)
+  Stretch stretch;
+  std::vector<LevelPair> levels = {};  ///< floors of L and R that meet, from the lowest up
+  int points = 2;                      ///< of each level
+  ContactSpec contact = {};            ///< lists are over the levels
+};
+
+/// A case as plain data, validated, in its own consistent units.
+struct PlanCase {
+  std::string title;
+  Units units;
+  std::vector<PlanBuildingSpec> buildings;
+  std::vector<PlanGapSpec> gaps;
+  std::array<ExcitationSpec, 2> excitation;  ///< of [excitation] and [excitation.y]; delays and kinematics of the first
+  double angle = 0;                          ///< of both, from x and y counter-clockwise [degrees] (P-3)
+  InitialSpec initial;                       ///< u_x, u_y, θ of each floor
+  AnalysisSpec analysis;
+  std::optional<CaseSource> source = {};
+};
+
+[[nodiscard]] PlanModel plan_model(const PlanBuildingSpec& spec);
+/// @throws InvalidParameter when a value is out of its range.
+[[nodiscard]] PlanBuilding make_plan_building(const PlanBuildingSpec& spec);
+
+/// The contacts of a gap, level after level and along the stretch, with the law of each point's share (P-7), (P-9).
+/// @throws InvalidParameter, naming the key at fault, when the values of the law do not go together.
+[[nodiscard]] std::vector<PlanContact> contacts_of(const PlanGapSpec& gap,
+                                                   const std::vector<PlanBuildingSpec>& buildings);
+
+/// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
+[[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);
+
+/// Why a run is refused before any work is done; empty where it is within the case's limits.
+[[nodiscard]] std::string beyond_limits(const PlanCase& c, const Effort& effort);
+
+/// What a single run of a case is asked for, its limit of steps too.
+[[nodiscard]] RunOptions run_options(const PlanCase& c);
+
+/// A run of buildings in plan, just solved.
+struct PlanRun {
+  PlanCase c;
+  PlanProblem problem;
+  PlanResponse response;
+};
+
+}  // namespace bentur

@@ -1,0 +1,180 @@
+#include "bentur/pounding/plan/plan_pounding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/summaries.h"
+#include "bentur/structure/plan/plan_body.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// What yielding did in the storeys of a plane, whose elements begin at `member`, which is moved on past them.
+BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Plane& plane, const VectorXd& drift_ratio,
+                                    const std::vector<ElementFound>& members, std::size_t& member) {
+  BuildingPeaks::Yielding yielding;
+  const Index storeys = model.floors();
+  yielding.ductility.setConstant(storeys, std::numeric_limits<double>::quiet_NaN());
+  yielding.residual_drift_ratio.setZero(storeys);
+  yielding.hysteretic_energy.setZero(storeys);
+  const std::size_t first = member;
+  for (Index j = 0; j < storeys; ++j) {
+    if (!plane.laws[j]) continue;
+    const double height = model.storey_heights[j];
+    yielding.ductility(j) = drift_ratio(j) * height / plane.laws[j]->yield_deformation();
+    yielding.residual_drift_ratio(j) = members[member].residual / height;
+    yielding.hysteretic_energy(j) = members[member++].energy_lost;
+  }
+  return member == first ? BuildingPeaks::Yielding{} : yielding;
+}
+
+PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>& outputs,
+                   const std::vector<ElementFound>& members) {
+  const Index n = building.model.floors();
+  const auto peak = [&](PlanOutput kind) -> const VectorXd& { return outputs[static_cast<std::size_t>(kind)].peak; };
+  const auto part = [&](PlanOutput kind, Index i) -> VectorXd { return peak(kind).segment(i * n, n); };
+  PlanPeaks peaks;
+  peaks.x = part(PlanOutput::movement, 0);
+  peaks.y = part(PlanOutput::movement, 1);
+  peaks.south = part(PlanOutput::movement, 2);
+  peaks.north = part(PlanOutput::movement, 3);
+  peaks.west = part(PlanOutput::movement, 4);
+  peaks.east = part(PlanOutput::movement, 5);
+  peaks.rotation = peak(PlanOutput::rotation);
+  peaks.acceleration_x = part(PlanOutput::acceleration, 0);
+  peaks.acceleration_y = part(PlanOutput::acceleration, 1);
+  peaks.angular_acceleration = peak(PlanOutput::angular_acceleration);
+  if (building.is_rigid()) return peaks;
+  const Eigen::Map<const Eigen::Matrix3Xd> forces(peak(PlanOutput::storey_force).data(), 3, n);
+  peaks.shear_x = forces.row(0);
+  peaks.shear_y = forces.row(1);
+  peaks.torque = forces.row(2);
+  std::size_t member = 0;
+  for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
+    PlanPeaks::Plane& plane = peaks.planes.emplace_back();
+    plane.drift_ratio = part(PlanOutput::plane_drift, p);
+    plane.shear = part(PlanOutput::plane_shear, p);
+    plane.yielding = yielding_of(building.model, building.model.planes[p], plane.drift_ratio, members, member);
+  }
+  return peaks;
+}
+
+std::vector<PlanPeaks> peaks_of(const PlanProblem& problem, const Solution& solution) {
+  std::vector<PlanPeaks> peaks;
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    peaks.push_back(peaks_of(problem.buildings[b], solution.outputs[b], solution.members[b]));
+  }
+  return peaks;
+}
+
+/// Whether the free response to the ground motion times −1 is the free response times −1.
+bool is_mirrored(const PlanProblem& problem) {
+  const auto rests = [](const std::vector<VectorXd>& initial) {
+    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
+  };
+  const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
+  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
+                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
+  return moves && rests(problem.initial_displacement) && rests(problem.initial_velocity) &&
+         std::all_of(problem.buildings.begin(), problem.buildings.end(), [&](const PlanBuilding& building) {
+           return std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
+             return std::all_of(plane.laws.begin(), plane.laws.end(), odd);
+           });
+         });
+}
+
+bool some_contact_is_integrated(const PlanProblem& problem) {
+  return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
+    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
+                       [](const PlanContact& contact) { return is_integrated(*contact.law); });
+  });
+}
+
+/// Every number that is told is one.
+bool is_finite(const PlanResponse& response) {
+  const auto finite = [](const PlanPeaks& peaks) {
+    bool all = true;
+    for (const VectorXd* list : {&peaks.x, &peaks.y, &peaks.south, &peaks.north, &peaks.west, &peaks.east,
+                                 &peaks.rotation, &peaks.acceleration_x, &peaks.acceleration_y,
+                                 &peaks.angular_acceleration, &peaks.shear_x, &peaks.shear_y, &peaks.torque}) {
+      all = all && list->allFinite();
+    }
+    return all && std::all_of(peaks.planes.begin(), peaks.planes.end(), [](const PlanPeaks::Plane& plane) {
+             return plane.drift_ratio.allFinite() && plane.shear.allFinite() &&
+                    plane.yielding.residual_drift_ratio.allFinite() && plane.yielding.hysteretic_energy.allFinite();
+           });
+  };
+  return std::all_of(response.buildings.begin(), response.buildings.end(), finite) &&
+         std::all_of(response.buildings_no_contact.begin(), response.buildings_no_contact.end(), finite) &&
+         std::all_of(response.points.begin(), response.points.end(), [](const PointSummary& p) {
+           return std::isfinite(p.gap_needed + p.contact_duration + p.peak_force + p.peak_tension + p.peak_penetration +
+                                p.peak_closing_speed + p.impulse + p.energy_lost);
+         });
+}
+
+void check_response(const PlanProblem& problem, const Solver& solver, const SelfMeasures& measures,
+                    PlanResponse& response) {
+  if (response.status != Status::done) return;
+  if (!is_finite(response)) {
+    response.status = Status::failed;
+    response.message = "a number of the results is not finite";
+    return;
+  }
+  check_measures(measures, response.energy, solver, some_contact_is_integrated(problem),
+                 {response.status, response.message, response.discrepancies});
+}
+
+PlanProblem validated(PlanProblem problem) {
+  validate(problem);
+  return problem;
+}
+
+}  // namespace
+
+PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
+  const auto began = std::chrono::steady_clock::now();
+  const System system = system_of(validated(problem));
+  constexpr double free_part = 0.25;  // of the work, for the progress shown
+  RunOptions rest = options;
+  std::function<bool(double)> first;
+  if (options.progress) {
+    first = [&](double fraction) { return options.progress(free_part * fraction); };
+    rest.progress = [&](double fraction) { return options.progress(free_part + (1 - free_part) * fraction); };
+  }
+  const FreeSolution free(system, solver, first, options.most_steps);
+  PlanResponse response;
+  response.buildings_no_contact = peaks_of(problem, free.solution());
+  const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    PointSummary& point = response.points.emplace_back();
+    point.gap_needed = free.solution().needed[i];
+    if (mirrored) point.gap_needed_reversed = free.solution().watched_free[i].reach;
+  }
+  Solution solution = free.solve(system.contacts, rest);
+  response.status = solution.status;
+  response.message = std::move(solution.message);
+  response.steps = solution.steps;
+  response.events = solution.events;
+  response.buildings = peaks_of(problem, solution);
+  response.impacts = std::move(solution.impacts);
+  summarise(response.impacts, response.points);
+  response.energy = std::move(solution.energy);
+  check_response(problem, solver, solution.checks, response);
+  response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return response;
+}
+
+Effort effort(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
+  return effort(system_of(validated(problem)), solver, options);
+}
+
+}  // namespace bentur

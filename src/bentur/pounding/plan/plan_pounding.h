@@ -1,0 +1,48 @@
+#pragma once
+
+#include "bentur/pounding/plan/plan_problem.h"
+#include "bentur/pounding/response.h"
+#include "bentur/solve/effort.h"
+
+namespace bentur {
+
+/// Extrema of the continuous response of a building in plan; each list from the lowest floor or storey up.
+struct PlanPeaks {
+  Eigen::VectorXd x, y;  ///< max |u_x|, max |u_y| of the centres of mass, from the own base [length]
+  Eigen::VectorXd south, north, west, east;  ///< max |u_x| at the lower and upper edge, |u_y| at the left and right one
+  Eigen::VectorXd rotation;                  ///< max |θ| [rad]
+  Eigen::VectorXd acceleration_x, acceleration_y;  ///< absolute [length/s²]
+  Eigen::VectorXd angular_acceleration;            ///< [rad/s²]
+  Eigen::VectorXd shear_x, shear_y, torque;        ///< of storeys [force], [force·length]; empty of a wall
+  /// Of one plane, storey by storey.
+  struct Plane {
+    Eigen::VectorXd drift_ratio;            ///< max |Δ_j|/h_j [-]
+    Eigen::VectorXd shear;                  ///< max |V_j| [force]
+    BuildingPeaks::Yielding yielding = {};  ///< empty where no storey of it can yield
+  };
+  std::vector<Plane> planes;
+};
+
+/// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.
+struct PlanResponse {
+  Status status = Status::done;
+  std::string message = {};  ///< why and when, unless done
+  long steps = 0, events = 0;
+  double wall_time = 0;  ///< of the solution alone [s]
+  std::vector<PlanPeaks> buildings;
+  std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
+  std::vector<PointSummary> points;             ///< of all gaps, as their contacts
+  std::vector<Impact> impacts;                  ///< by start, then point, then end
+  std::optional<EnergyAudit> energy = {};       ///< when asked for
+  std::vector<Discrepancy> discrepancies = {};
+};
+
+/// The free response first, then the response with contact. Numerical trouble is a status with time and reason, never
+/// an exception. @throws InvalidParameter when the problem or the solver's parameter is not valid.
+[[nodiscard]] PlanResponse solve(const PlanProblem& problem, const Solver& solver = ExactSolver{},
+                                 const RunOptions& options = {});
+
+/// What a run takes (effort.h). @throws InvalidParameter as solve().
+[[nodiscard]] Effort effort(const PlanProblem& problem, const Solver& solver, const RunOptions& options);
+
+}  // namespace bentur

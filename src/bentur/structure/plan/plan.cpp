@@ -1,0 +1,265 @@
+#include "bentur/structure/plan/plan.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Row = Eigen::RowVector3d;  ///< over u_x, u_y, θ of one floor
+
+constexpr double unheld = 1e-12;  // of the largest eigenvalue of a storey's stiffness
+
+/// How far a point moves along a direction, both from one corner, with a floor whose centre of mass is `centre` (P-1).
+Row movement_row(const PlanPoint& at, const PlanPoint& direction, const PlanPoint& centre) {
+  const PlanPoint arm = at - centre;
+  return {direction.x(), direction.y(), arm.x() * direction.y() - arm.y() * direction.x()};
+}
+
+/// One for all, or one each.
+template <class Value>
+const Value& of_list(const std::vector<Value>& list, Index i) {
+  return list[list.size() == 1 ? 0 : i];
+}
+
+PlanPoint centre_of(const Plan& plan, Index floor) {
+  return plan.centres_of_mass.empty() ? PlanPoint(0.5 * plan.footprint.size) : of_list(plan.centres_of_mass, floor);
+}
+
+/// A spring of a storey: of the floor above it and, times −1, of the floor below.
+struct Spring {
+  double stiffness = 0;
+  Row above, below;
+};
+
+/// On the line through a point.
+Spring spring_at(const Plan& plan, Index storey, const PlanPoint& at, const PlanPoint& direction, double k) {
+  return {k, movement_row(at, direction, centre_of(plan, storey)),
+          storey > 0 ? movement_row(at, direction, centre_of(plan, storey - 1)) : Row(Row::Zero())};
+}
+
+std::vector<Spring> springs_of_rigidity(const Plan& plan, Index storey) {
+  if (!plan.rigidity) return {};
+  const PlanRigidity& rigidity = *plan.rigidity;
+  const auto of = [&](const std::vector<double>& list) { return list.empty() ? 0.0 : of_list(list, storey); };
+  const PlanPoint& at = of_list(rigidity.centres, storey);
+  return {spring_at(plan, storey, at, PlanPoint::UnitX(), of(rigidity.x)),
+          spring_at(plan, storey, at, PlanPoint::UnitY(), of(rigidity.y)),
+          {of(rigidity.torsion), Row(0, 0, 1), storey > 0 ? Row(0, 0, 1) : Row(0, 0, 0)}};
+}
+
+Spring plane_spring(const Plan& plan, const PlanPlane& plane, Index storey) {
+  return spring_at(plan, storey, plane.through, plane.direction, plane.storeys.stiffnesses[storey]);
+}
+
+/// All that hold a storey.
+std::vector<Spring> springs_of(const Plan& plan, Index storey) {
+  std::vector<Spring> springs = springs_of_rigidity(plan, storey);
+  for (const PlanPlane& plane : plan.planes) springs.push_back(plane_spring(plan, plane, storey));
+  return springs;
+}
+
+/// The deformation of a spring as a row over all degrees of freedom.
+Eigen::RowVectorXd over_dofs(const Spring& spring, Index storey, Index dofs) {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(dofs);
+  const Index at = 3 * storey;
+  row.segment<3>(at) = spring.above;
+  if (storey > 0) row.segment<3>(at - 3) = -spring.below;
+  return row;
+}
+
+void check_point(const std::string& name, const PlanPoint& at) {
+  require_finite(name, at.x());
+  require_finite(name, at.y());
+}
+
+void check_footprint(const Footprint& footprint) {
+  check_point("corner", footprint.corner);
+  require_positive("size", footprint.size.x());
+  require_positive("size", footprint.size.y());
+}
+
+/// One value for all or one per storey.
+void check_list(const std::string& name, const std::vector<double>& list, Index storeys) {
+  if (list.size() > 1) require_size(name, list.size(), storeys);
+  for (std::size_t i = 0; i < list.size(); ++i) require_not_negative(indexed(name, i), list[i]);
+}
+
+void check_floors(const Plan& plan) {
+  const Index floors = std::ssize(plan.storey_heights);
+  if (floors == 0) throw InvalidParameter("storey_heights", "an empty list", "must have at least one entry");
+  require_size("masses", plan.masses.size(), floors);
+  if (plan.centres_of_mass.size() > 1) require_size("centres_of_mass", plan.centres_of_mass.size(), floors);
+  if (!plan.inertias.empty()) require_size("inertias", plan.inertias.size(), floors);
+  for (Index i = 0; i < floors; ++i) {
+    require_positive(indexed("storey_heights", i), plan.storey_heights[i]);
+    require_positive(indexed("masses", i), plan.masses[i]);
+    if (!plan.inertias.empty()) require_positive(indexed("inertias", i), plan.inertias[i]);
+    const PlanPoint centre = centre_of(plan, i);
+    if (!((centre.array() >= 0).all() && (centre.array() <= plan.footprint.size.array()).all())) {
+      throw InvalidParameter(indexed("centres_of_mass", i), "", "must be inside the footprint");
+    }
+  }
+}
+
+void check_holds(const Plan& plan) {
+  const Index floors = std::ssize(plan.storey_heights);
+  for (const PlanPlane& plane : plan.planes) {
+    check_point("through", plane.through);
+    if (!(std::abs(plane.direction.norm() - 1) <= 1e-12)) {
+      throw InvalidParameter("direction", plane.name, "must be of length 1");
+    }
+    require_size("stiffnesses", plane.storeys.stiffnesses.size(), floors);
+    check_list("stiffnesses", plane.storeys.stiffnesses, floors);
+  }
+  if (plan.rigidity) {
+    const PlanRigidity& rigidity = *plan.rigidity;
+    if (rigidity.centres.size() != 1) require_size("centre", rigidity.centres.size(), floors);
+    for (const PlanPoint& centre : rigidity.centres) check_point("centre", centre);
+    check_list("x", rigidity.x, floors);
+    check_list("y", rigidity.y, floors);
+    check_list("torsion", rigidity.torsion, floors);
+  }
+  if (const std::vector<UnheldStorey> found = unheld_storeys(plan); !found.empty()) {
+    throw InvalidParameter("planes", "storey " + std::to_string(found.front().storey + 1),
+                           "must hold it: nothing does in " + std::string(found.front().direction));
+  }
+}
+
+/// A plane over the degrees of freedom of a model that has its floors.
+PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, const PlanModel& model) {
+  const Index floors = model.floors();
+  PlanModel::Plane made{.name = plane.name,
+                        .drifts = MatrixXd::Zero(floors, model.dofs()),
+                        .pushes = MatrixXd::Zero(3, floors),
+                        .stiffnesses = plane.storeys.stiffnesses,
+                        .laws = {}};
+  for (Index j = 0; j < floors; ++j) {
+    const Spring spring = plane_spring(plan, plane, j);
+    made.drifts.row(j) = over_dofs(spring, j, model.dofs());
+    made.pushes.col(j) = spring.above.transpose();
+    made.laws.push_back(spring.stiffness > 0 ? storey_law(plane.storeys, j, spring.stiffness) : nullptr);
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
+  constexpr std::array<std::string_view, 3> directions = {"x", "y", "rotation"};
+  std::vector<UnheldStorey> found;
+  const Eigen::Vector3d scale(1, 1, 1 / plan.footprint.size.maxCoeff());
+  for (Index j = 0; j < std::ssize(plan.storey_heights); ++j) {
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    for (const Spring& spring : springs_of(plan, j)) {
+      const Eigen::Vector3d row = scale.asDiagonal() * spring.above.transpose();
+      stiffness += spring.stiffness * row * row.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(stiffness);
+    std::array<bool, 3> free = {};
+    for (Index k = 0; k < 3; ++k) {
+      if (solved.eigenvalues()(k) > unheld * solved.eigenvalues()(2)) continue;
+      Index largest = 0;
+      solved.eigenvectors().col(k).cwiseAbs().maxCoeff(&largest);
+      free[static_cast<std::size_t>(largest)] = true;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (free[k]) found.push_back({j, directions[k]});
+    }
+  }
+  return found;
+}
+
+VectorXd PlanModel::movement(Index floor, const PlanPoint& at, const PlanPoint& direction) const {
+  VectorXd row = VectorXd::Zero(dofs());
+  row.segment<3>(3 * floor) = movement_row(at - footprint.corner, direction, centres[floor]).transpose();
+  return row;
+}
+
+PlanModel plan_model(const Plan& plan, double base_elevation) {
+  check_footprint(plan.footprint);
+  check_floors(plan);
+  check_holds(plan);
+  require_finite("base_elevation", base_elevation);
+  PlanModel model;
+  model.footprint = plan.footprint;
+  model.storey_heights = plan.storey_heights;
+  model.floor_masses = plan.masses;
+  model.elevations.resize(plan.storey_heights.size());
+  std::partial_sum(plan.storey_heights.begin(), plan.storey_heights.end(), model.elevations.begin());
+  for (double& elevation : model.elevations) elevation += base_elevation;
+  const Index dofs = model.dofs();
+  VectorXd mass(dofs);
+  model.load = MatrixXd::Zero(dofs, 2);
+  for (Index f = 0; f < model.floors(); ++f) {
+    const double m = plan.masses[f];
+    const Index at = 3 * f;
+    const double of_rectangle = m * plan.footprint.size.squaredNorm() / 12;
+    mass.segment<3>(at) << m, m, plan.inertias.empty() ? of_rectangle : plan.inertias[f];
+    model.load.block<2, 2>(at, 0) = m * Eigen::Matrix2d::Identity();
+    model.centres.push_back(centre_of(plan, f));
+  }
+  model.mass = mass.asDiagonal();
+  for (const PlanPlane& plane : plan.planes) model.planes.push_back(plane_over_dofs(plan, plane, model));
+  model.stiffness = MatrixXd::Zero(dofs, dofs);
+  model.storey_forces = MatrixXd::Zero(dofs, dofs);
+  for (Index j = 0; j < model.floors(); ++j) {
+    for (const Spring& spring : springs_of(plan, j)) {
+      const Eigen::RowVectorXd row = over_dofs(spring, j, dofs);
+      model.stiffness += spring.stiffness * row.transpose() * row;
+      model.storey_forces.middleRows<3>(3 * j) += spring.stiffness * spring.above.transpose() * row;
+    }
+  }
+  return model;
+}
+
+PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping, bool tangent) {
+  PlanBuilding building{.name = std::move(name), .model = std::move(model), .modes = {}, .modal_damping = {}};
+  building.modes = modes(building.model.mass, building.model.stiffness);
+  building.modal_damping = modal_damping(damping, building.modes);
+  if (tangent) {
+    const auto beta = stiffness_part(damping, building.modes.omega(0));
+    if (!beta || *beta < 0) {
+      throw InvalidParameter("damping_stiffness", "tangent",
+                             "needs damping with a stiffness part that is not negative");
+    }
+    building.tangent_damping = *beta;
+  }
+  return building;
+}
+
+PlanBuilding rigid_plan_building(std::string name, const Footprint& footprint, const std::vector<double>& elevations) {
+  check_footprint(footprint);
+  if (elevations.empty()) throw InvalidParameter("elevations", "an empty list", "must have at least one entry");
+  PlanBuilding building{.name = std::move(name), .model = {}, .modes = {}, .modal_damping = MatrixXd::Zero(0, 0)};
+  PlanModel& model = building.model;
+  model.footprint = footprint;
+  model.elevations = elevations;
+  for (std::size_t i = 0; i < elevations.size(); ++i) {
+    require_finite(indexed("elevations", i), elevations[i]);
+    if (i > 0 && !(elevations[i] > elevations[i - 1])) {
+      throw InvalidParameter(indexed("elevations", i), std::to_string(elevations[i]), "must ascend");
+    }
+    model.storey_heights.push_back(i > 0 ? elevations[i] - elevations[i - 1] : 0.0);
+  }
+  model.floor_masses.assign(elevations.size(), std::numeric_limits<double>::infinity());
+  model.centres.assign(elevations.size(), 0.5 * footprint.size);
+  model.mass = model.stiffness = model.storey_forces = MatrixXd::Zero(model.dofs(), model.dofs());
+  model.load = MatrixXd::Zero(model.dofs(), 2);
+  building.modes.shapes = MatrixXd::Zero(model.dofs(), 0);
+  return building;
+}
+
+}  // namespace bentur

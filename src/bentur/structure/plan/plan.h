@@ -1,0 +1,120 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/structure/building.h"
+#include "bentur/structure/damping.h"
+#include "bentur/structure/stick.h"
+
+// A building in plan (docs/theory/plan.md): floors that are rigid in their plane, with three degrees of freedom each,
+// u_x, u_y [length] and θ [rad, counter-clockwise] of the centre of mass, floor after floor from the lowest up.
+namespace bentur {
+
+/// A place or a vector in plan: x to the right, y up the page.
+using PlanPoint = Eigen::Vector2d;
+
+/// A rectangle parallel to the axes.
+struct Footprint {
+  PlanPoint corner = PlanPoint::Zero();  ///< the lower left one, in the common plan [length]
+  PlanPoint size = PlanPoint::Zero();    ///< along x, along y [length] > 0
+
+  [[nodiscard]] PlanPoint far_corner() const { return corner + size; }
+};
+
+/// A frame or a wall on a line in plan: one spring per storey along it (P-4).
+struct PlanPlane {
+  std::string name;
+  PlanPoint through = PlanPoint::Zero();     ///< a point of the line, from the footprint's corner [length]
+  PlanPoint direction = PlanPoint::UnitX();  ///< t, of length 1
+  /// What its storeys are as those of a shear building: stiffnesses [force/length] ≥ 0, one of them > 0, and how they
+  /// yield. Its heights and masses are not looked at.
+  Stick storeys = {};
+};
+
+/// What holds storeys otherwise (P-5): of each list one for all or one per storey; of stiffnesses none: 0.
+struct PlanRigidity {
+  std::vector<PlanPoint> centres;      ///< of rigidity, from the footprint's corner [length]
+  std::vector<double> x = {}, y = {};  ///< [force/length] ≥ 0
+  std::vector<double> torsion = {};    ///< about that centre [force·length] ≥ 0
+};
+
+/// What an engineer knows of a building in plan; lists from the lowest up.
+struct Plan {
+  Footprint footprint;
+  std::vector<double> storey_heights;           ///< [length]
+  std::vector<double> masses;                   ///< [mass]
+  std::vector<PlanPoint> centres_of_mass = {};  ///< from the footprint's corner, one for all or one per floor
+                                                ///< [length]; empty: its middle
+  std::vector<double> inertias = {};            ///< about these, one per floor [mass·length²]; empty: (P-2)
+  std::vector<PlanPlane> planes = {};
+  std::optional<PlanRigidity> rigidity = {};  ///< beside the planes
+};
+
+/// A direction in which nothing holds a storey, counted from 0.
+struct UnheldStorey {
+  Eigen::Index storey = 0;
+  std::string_view direction;  ///< "x", "y" or "rotation"
+};
+
+/// Mass and stiffness of a building in plan, or of a wall that moves with the ground, whose matrices are zero.
+struct PlanModel {
+  Footprint footprint;
+  std::vector<double> elevations;      ///< [length] of the floors above the common datum
+  std::vector<double> storey_heights;  ///< [length]
+  std::vector<double> floor_masses;    ///< [mass]; infinite of a wall
+  std::vector<PlanPoint> centres;      ///< c_f from the footprint's corner [length]
+  Eigen::MatrixXd mass, stiffness;     ///< dofs × dofs
+  Eigen::MatrixXd load;                ///< dofs × 2: p = −load · (a_x, a_y) [mass]
+  /// A plane as rows over the dofs, storey by storey.
+  struct Plane {
+    std::string name;
+    Eigen::MatrixXd drifts;  ///< Δ_j, storeys × dofs
+    Eigen::MatrixXd pushes;  ///< what V_j = 1 is on the floor above: x, y and about its centre of mass, 3 × storeys
+    std::vector<double> stiffnesses;                         ///< [force/length]
+    std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
+  };
+  std::vector<Plane> planes;
+  /// Of storeys, three rows each over the dofs: shear along x and y [force/length] and torque about the centre of mass
+  /// of the floor above [force], of planes and rigidity.
+  Eigen::MatrixXd storey_forces;
+
+  [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
+  [[nodiscard]] Eigen::Index dofs() const { return 3 * floors(); }
+  /// How far the point at `at` of the common plan moves along `direction` with floor `floor`, as a row over the dofs
+  /// (P-1).
+  [[nodiscard]] Eigen::VectorXd movement(Eigen::Index floor, const PlanPoint& at, const PlanPoint& direction) const;
+};
+
+/// A building in plan as the rest of the program sees it.
+struct PlanBuilding {
+  std::string name;
+  PlanModel model;
+  Modes modes;
+  Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s]
+  double tangent_damping = 0;     ///< as Building's [s]
+  [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
+};
+
+/// The directions in which storeys are not held: the least eigenvalue of their stiffness, rotations times the longer
+/// side, is at most 1e-12 of the largest. Of a plan whose lists have the right lengths.
+[[nodiscard]] std::vector<UnheldStorey> unheld_storeys(const Plan& plan);
+
+/// @throws InvalidParameter, naming the key, when lists have wrong lengths, a value is out of its range, a centre of
+/// mass is outside the footprint or a storey is not held.
+[[nodiscard]] PlanModel plan_model(const Plan& plan, double base_elevation = 0.0);
+
+/// With its modes and damping. @param tangent whether the stiffness part of damping follows that of a plane that yields
+/// @throws InvalidParameter as modal_damping(), and when damping is to follow the stiffness but has no such part.
+[[nodiscard]] PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping,
+                                              bool tangent = false);
+
+/// A wall that moves with the ground; elevations above the common datum ascend.
+[[nodiscard]] PlanBuilding rigid_plan_building(std::string name, const Footprint& footprint,
+                                               const std::vector<double>& elevations);
+
+}  // namespace bentur
