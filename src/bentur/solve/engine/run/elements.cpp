@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
 namespace bentur::engine {
