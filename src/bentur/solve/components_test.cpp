@@ -45,7 +45,7 @@ Body body_of(const MatrixXd& mass, const MatrixXd& stiffness, double damping, co
   return body;
 }
 
-Solution solved(const System& system, const Solver& solver = ExactSolver{}) {
+Solution response_of(const System& system, const Solver& solver = ExactSolver{}) {
   const FreeSolution free(system, solver);
   EXPECT_EQ(free.solution().status, Status::done) << free.solution().message;
   Solution solution = free.solve(system.contacts, {.output_step = 0.05, .energy_audit = true});
@@ -53,18 +53,18 @@ Solution solved(const System& system, const Solver& solver = ExactSolver{}) {
   return solution;
 }
 
-constexpr double mass = 20, along_stiffness = 9e3, across_stiffness = 5e3, duration = 8;
+constexpr double lighter = 20, along_stiffness = 9e3, across_stiffness = 5e3, duration = 8;
 
 /// Two masses that strike and are linked along a line, the second one reached later; absolute kinematics.
 System on_a_line(const GroundMotion& motion) {
   System system;
   for (const double by : {1.0, 1.7}) {
     const MatrixXd one = MatrixXd::Ones(1, 1);
-    system.bodies.push_back(body_of(by * mass * one, along_stiffness * one, 0.03, by * mass * one, {}));
+    system.bodies.push_back(body_of(by * lighter * one, along_stiffness * one, 0.03, by * lighter * one, {}));
   }
   const VectorXd one = VectorXd::Ones(1);
   const Interface both{{0, one, one, 0}, {1, -one, -one, 0}};
-  system.contacts = {{both, std::make_shared<KelvinVoigtApproach>(2e5, 0.1, mass), 0.004}};
+  system.contacts = {{both, std::make_shared<KelvinVoigtApproach>(2e5, 0.1, lighter), 0.004}};
   system.joints = {{both, std::make_shared<SpringDashpot>(0, 30)}};
   system.motions = {motion};
   system.delays = {0, 0.013};
@@ -107,10 +107,10 @@ TEST(Components, BodyTurnedByAnAngleIsTheBodyOnALine) {
   };
   for (const One& one :
        {One{ExactSolver{}, 1e-9}, One{AdaptiveSolver{1e-12}, 1e-8}, One{RungeKuttaSolver{1e-3}, 1e-6}}) {
-    const Solution line = solved(on_a_line(along), one.solver);
+    const Solution line = response_of(on_a_line(along), one.solver);
     ASSERT_GT(line.impacts.size(), 10U);
     for (const double angle : {0.0, std::numbers::pi / 2, 0.4}) {
-      const Solution plane = solved(turned(angle, along, across), one.solver);
+      const Solution plane = response_of(turned(angle, along, across), one.solver);
       if (std::holds_alternative<ExactSolver>(one.solver)) {
         EXPECT_LT(plane.energy->relative_residual(), 1e-12) << angle;
       }
@@ -151,16 +151,16 @@ System coupled(const std::vector<GroundMotion>& motions) {
 TEST(Components, ResponsesAddUp) {
   const std::vector<GroundMotion> all = {
       noise(5, 0.02, 250), HarmonicMotion{.period = 0.31, .displacement_amplitude = 0.02}, noise(6, 0.05, 80)};
-  const Solution together = solved(coupled(all));
+  const Solution together = response_of(coupled(all));
   for (std::size_t k = 0; k < 2; ++k) {
     MatrixXd sum = MatrixXd::Zero(3, together.outputs[0][k].history.cols());
     for (std::size_t c = 0; c < all.size(); ++c) {
       std::vector<GroundMotion> alone(all.size(), NoMotion{});
       alone[c] = all[c];
-      sum += solved(coupled(alone)).outputs[0][k].history;
+      sum += response_of(coupled(alone)).outputs[0][k].history;
     }
     expect_near(together.outputs[0][k].history, sum, 1e-11);
-    const Solution adaptive = solved(coupled(all), AdaptiveSolver{1e-12});
+    const Solution adaptive = response_of(coupled(all), AdaptiveSolver{1e-12});
     expect_near(adaptive.outputs[0][k].history, together.outputs[0][k].history, 1e-8);
     // Peaks of the continuous response: samples come near them, and the other solver finds the same.
     const VectorXd sampled = together.outputs[0][k].history.cwiseAbs().rowwise().maxCoeff();

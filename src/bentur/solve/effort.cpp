@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/solve/engine/motion/modal_system.h"
 #include "bentur/solve/engine/motion/series.h"
 #include "bentur/solve/engine/motion/step_buffer.h"
@@ -26,7 +27,7 @@ constexpr double copies = 4.0;                 // of histories while their file 
 constexpr double overhead = 48e6;              // [byte] of the program and of what its search for peaks keeps
 
 /// The force of every point while its bodies touch, and of every joint where it is stiffest.
-engine::ElementForces touching(const System& system, bool& nonlinear) {
+engine::ElementForces touching(const System& system, const ModalSystem& modal, bool& nonlinear) {
   engine::ElementForces forces;
   for (Eigen::Index i = 0; i < std::ssize(system.contacts); ++i) {
     const Law& law = *system.contacts[i].law;
@@ -48,6 +49,16 @@ engine::ElementForces touching(const System& system, bool& nonlinear) {
     }
     forces.pressing.push_back(std::ssize(forces.linear));
     forces.linear.push_back({0.0, stiffest.stiffness, stiffest.damping});
+  }
+  // Of what rubs, both deformations as if each were alone, and it sticks.
+  forces.linear.resize(modal.elements.size());
+  for (std::size_t n = 0; n < system.rubbing.size(); ++n) {
+    const Rubbing& rubbing = *system.rubbing[n].law;
+    const Eigen::Index i = modal.opening(modal.switched + static_cast<Eigen::Index>(n));
+    const Branch branch = rubbing.normal().branch(rubbing.normal().next({}, 0, 0.0, 0.0, 1.0));
+    forces.linear[i] = {0.0, branch.stiffness, branch.damping};
+    forces.linear[i + 1] = {0.0, rubbing.tangential_stiffness(), 0.0};
+    for (const Eigen::Index row : {i, i + 1}) forces.pressing.push_back(row);
   }
   return forces;
 }
@@ -75,11 +86,14 @@ Effort::Fastest fastest_apart(const System& given, const ModalSystem& system) {
 /// The same with contacts, each as if it were the only one.
 Effort::Fastest fastest_in_contact(const ModalSystem& system, const engine::ElementForces& forces,
                                    Effort::Fastest fastest) {
-  for (Eigen::Index i = 0; i < system.switched; ++i) {
-    const double own = system.coupling(i, i);
-    raise(fastest, std::sqrt(own * forces.linear[i].stiffness), {.by = By::contact, .point = i});
-    raise(fastest, 0.5 * own * forces.linear[i].damping, {.by = By::contact, .point = i});
-    raise(fastest, forces.fading, {.by = By::contact, .point = i});
+  for (Eigen::Index point = 0; point < system.points(); ++point) {
+    const Eigen::Index first = system.opening(point);
+    for (Eigen::Index i = first; i <= (point < system.switched ? first : first + 1); ++i) {
+      const double own = system.coupling(i, i);
+      raise(fastest, std::sqrt(own * forces.linear[i].stiffness), {.by = By::contact, .point = point});
+      raise(fastest, 0.5 * own * forces.linear[i].damping, {.by = By::contact, .point = point});
+    }
+    raise(fastest, forces.fading, {.by = By::contact, .point = point});
   }
   return fastest;
 }
@@ -93,7 +107,7 @@ void add_memory(Effort& effort, const System& given, const ModalSystem& system, 
       sampled += static_cast<double>(group.count());
     }
   }
-  const auto points = static_cast<double>(given.contacts.size());
+  const auto points = static_cast<double>(system.points());
   const auto size = static_cast<double>(system.size);
   const auto inputs = static_cast<double>(given.bodies.size() * given.motions.size());
   const double plan = segments * inputs * sizeof(engine::kernels::FlightInput);
@@ -117,7 +131,7 @@ Effort effort(const System& given, const Solver& solver, const RunOptions& optio
   const ModalSystem system(given);
   const engine::TimeGrid grid(given, exact);
   bool nonlinear = false;
-  const engine::ElementForces forces = touching(given, nonlinear);
+  const engine::ElementForces forces = touching(given, system, nonlinear);
 
   Effort result;
   result.apart = fastest_apart(given, system);

@@ -4,8 +4,8 @@ namespace bentur {
 namespace {
 
 void scale(Sampled& sampled, double by) {
-  for (Eigen::MatrixXd* of : {&sampled.ground_acceleration, &sampled.opening, &sampled.force,
-                              &sampled.joint_deformation, &sampled.joint_force}) {
+  for (Eigen::MatrixXd* of : {&sampled.ground_acceleration, &sampled.opening, &sampled.force, &sampled.slip,
+                              &sampled.force_along, &sampled.joint_deformation, &sampled.joint_force}) {
     *of *= by;
   }
 }
@@ -23,11 +23,13 @@ void scale(EnergyAudit& energy, double by) {
 }
 
 void scale(Impact& impact, double by) {
-  for (double* of : {&impact.closing_speed, &impact.separation_speed, &impact.peak_force, &impact.peak_penetration,
-                     &impact.impulse, &impact.peak_tension}) {
+  for (double* of :
+       {&impact.closing_speed, &impact.separation_speed, &impact.peak_force, &impact.peak_penetration, &impact.impulse,
+        &impact.peak_tension, &impact.peak_tangential_force, &impact.tangential_impulse, &impact.sliding}) {
     *of *= by;
   }
   impact.energy_lost *= by * by;
+  impact.friction_loss *= by * by;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace bentur {
 
 /// One contact from touching to parting.
 struct Impact {
-  Eigen::Index point = 0;    ///< index into System::contacts
+  Eigen::Index point = 0;    ///< index into System::contacts, and beyond these into System::rubbing
   double start = 0;          ///< [s]
   double end = 0;            ///< [s]; the end of the analysis where `open_ended`
   bool open_ended = false;   ///< still closed when the analysis ended
@@ -25,6 +25,11 @@ struct Impact {
   double impulse = 0;           ///< ∫F dt [force·s]
   double peak_tension = 0;      ///< largest pull, of laws that can [force] ≥ 0
   double energy_lost = 0;       ///< work on the contact that it does not give back [force·length]
+  // Of contacts that rub, for which energy_lost is that of the force across alone:
+  double peak_tangential_force = 0;  ///< max |F_t| [force]
+  double tangential_impulse = 0;     ///< ∫F_t dt [force·s]
+  double sliding = 0;                ///< path slid [length] ≥ 0
+  double friction_loss = 0;          ///< work of F_t that it does not give back [force·length]
   /// Separation speed over closing speed [-]; nothing where that is not known or means nothing.
   [[nodiscard]] std::optional<double> restitution() const {
     if (open_ended || !(closing_speed > 0)) return std::nullopt;
@@ -54,11 +59,13 @@ struct ElementFound {
   std::optional<StrengthLoss> loss = {};    ///< of members that can lose strength
 };
 
-/// Times, and at each the openings w − δ and forces of contacts, and δ and F of joints; a column each.
+/// Times, and at each the openings w − δ and forces of contacts (those that rub last), slips and forces along of those
+/// that rub, δ and F of joints; a column each.
 struct Sampled {
-  std::vector<double> time = {};             ///< [s]
-  Eigen::MatrixXd ground_acceleration = {};  ///< per component, without delay [length/s²]; of samples alone
-  Eigen::MatrixXd opening = {}, force = {};  ///< [length], [force]
+  std::vector<double> time = {};                ///< [s]
+  Eigen::MatrixXd ground_acceleration = {};     ///< per component, without delay [length/s²]; of samples alone
+  Eigen::MatrixXd opening = {}, force = {};     ///< [length], [force]
+  Eigen::MatrixXd slip = {}, force_along = {};  ///< of samples alone
   Eigen::MatrixXd joint_deformation = {}, joint_force = {};
 };
 
@@ -108,7 +115,7 @@ struct Solution {
   std::optional<Passed> passed = {};
   std::vector<std::vector<OutputsFound>> outputs = {};  ///< per body, as Body::outputs
   std::vector<Impact> impacts = {};                     ///< in the order in which they ended
-  std::vector<double> needed = {};                      ///< per contact in the free response, max(0, δ) [length]
+  std::vector<double> needed = {};  ///< per contact in the free response (those that rub last), max(0, δ) [length]
   std::vector<ElementFound> joints = {};
   std::vector<std::vector<ElementFound>> members = {};  ///< per body, as Body::elements
   std::vector<CoupledState> coupled = {};               ///< of all bodies' Body::coupled, at the end

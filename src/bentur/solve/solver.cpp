@@ -79,7 +79,7 @@ struct FreeParts {
   FlightPlan plan{modal, affordable(grid, system.duration, most_steps), system.duration, exact};
   FreeResult result;
   Solution solution;
-  // Scales per contact: of both sides and the ground together.
+  // Scales per contact, those that rub last: of both sides and the ground together.
   std::vector<double> largest_displacement;  ///< [length]
   std::vector<double> largest_speed;         ///< [length/s]; where nothing moves there, the largest of all
 };
@@ -142,6 +142,9 @@ void validate(const Solver& solver) {
 FreeSolution::FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress,
                            long most_steps) {
   validate(solver);
+  if (!system.rubbing.empty() && std::holds_alternative<RungeKuttaSolver>(solver)) {
+    throw InvalidParameter("solver", "runge-kutta", "does not take contacts that rub");
+  }
   const auto parts = std::make_shared<engine::FreeParts>(std::move(system), solver, most_steps);
   const System& given = parts->system;
   engine::FreeRun run({parts->modal, given, parts->laws, parts->solver, parts->grid, parts->plan, most_steps});
@@ -156,6 +159,9 @@ FreeSolution::FreeSolution(System system, const Solver& solver, const std::funct
   for (const Contact& contact : given.contacts) {
     parts->largest_displacement.push_back(engine::largest_length(contact.at, solution, run, parts->modal.components()));
   }
+  for (const RubbingContact& contact : given.rubbing) {
+    parts->largest_displacement.push_back(engine::largest_length(contact.at, solution, run, parts->modal.components()));
+  }
   parts->result = run.take_result();
   std::vector<double>& speeds = parts->largest_speed;
   speeds = parts->result.speeds;
@@ -168,12 +174,14 @@ const System& FreeSolution::system() const { return parts_->system; }
 
 const Solution& FreeSolution::solution() const { return parts_->solution; }
 
-Solution FreeSolution::solve(const std::vector<Contact>& contacts, const RunOptions& options) const {
+Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing,
+                             const RunOptions& options) const {
   const engine::FreeParts& parts = *parts_;
   Solution solution = parts.solution;
   if (solution.status != Status::done && solution.status != Status::collapsed) return solution;
   std::vector<double> widths;
   for (const Contact& contact : contacts) widths.push_back(contact.width);
+  for (const RubbingContact& contact : rubbing) widths.push_back(contact.width);
   // Of approximate solvers the state alone is not all there is to go on with.
   const long first_contact = parts.exact ? engine::first_contact(parts.result, widths) : 0;
   const bool records = options.output_step > 0.0 || options.course || options.energy_audit;
@@ -181,7 +189,7 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const RunOpti
 
   engine::Elements::Scales scales{parts.largest_displacement, parts.largest_speed};
   for (std::size_t i = 0; i < widths.size(); ++i) scales.displacement[i] += widths[i];
-  const engine::Elements::Laws laws = engine::laws_of(parts.system, parts.modal, contacts);
+  const engine::Elements::Laws laws = engine::laws_of(parts.system, parts.modal, contacts, rubbing);
   engine::PoundingRun run({parts.modal, parts.system, laws, parts.solver, parts.grid, parts.plan, options.most_steps},
                           scales, first_contact, options);
   if (options.course) {

@@ -56,7 +56,8 @@ struct FreeParts;
 class FreeSolution {
  public:
   /// Numerical trouble is a status with time and reason, never an exception.
-  /// @throws InvalidParameter when the solver's parameter is not valid, or there are too many steps.
+  /// @throws InvalidParameter when the solver's parameter is not valid, when there are too many steps, when loads and
+  ///   motions do not fit together, or where contacts rub that "runge-kutta" is to solve.
   FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress = {},
                long most_steps = 0);
 
@@ -66,7 +67,11 @@ class FreeSolution {
   [[nodiscard]] const Solution& solution() const;
   /// The response with these contacts, which are at the places of the system's. Of a free response that did not get to
   /// its end it is that one.
-  [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const RunOptions& options = {}) const;
+  [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const RunOptions& options = {}) const {
+    return solve(contacts, system().rubbing, options);
+  }
+  [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing,
+                               const RunOptions& options) const;
 
  private:
   std::shared_ptr<const engine::FreeParts> parts_;

@@ -40,6 +40,15 @@ struct Contact {
   double width = 0;  ///< w [length] ≥ 0
 };
 
+class Rubbing;
+
+/// Bodies that may touch and rub along one another: δ as of a Contact, s the slip. Both are of the same bodies.
+struct RubbingContact {
+  Interface at, along;
+  std::shared_ptr<const Rubbing> law;
+  double width = 0;  ///< w [length] ≥ 0
+};
+
 /// Ways in which the ground moves at most.
 inline constexpr std::size_t most_components = 3;
 
@@ -47,6 +56,7 @@ inline constexpr std::size_t most_components = 3;
 struct System {
   std::vector<Body> bodies;
   std::vector<Contact> contacts;             ///< switched off in the free response
+  std::vector<RubbingContact> rubbing = {};  ///< likewise
   std::vector<Element> joints;               ///< which act in the free response too
   std::vector<Element> limits;               ///< whose passing ends a run
   std::vector<Interface> watched;            ///< how far their δ go is asked for

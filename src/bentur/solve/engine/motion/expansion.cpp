@@ -45,11 +45,11 @@ void Expansion::fill_forces(const ElementForces& forces) {
 }
 
 void Expansion::fill_coupled(const ElementForces::Coupled& of) {
+  if (system_->elements[of.at.front()].force < 0) return;
   const Eigen::MatrixXd& pull = of.modal->pull;
   const double* begin = c_.data() + of.modal->begin;
   for (Index n = 0; n < std::ssize(of.at); ++n) {
     const Index to = system_->elements[of.at[n]].force;
-    if (to < 0) continue;
     moving_.push_back(to);
     Polynomial force;
     kernels::row_series({0, nullptr, begin}, {pull.rows(), pull.col(n).data(), begin}, c_.rows(), degree_,

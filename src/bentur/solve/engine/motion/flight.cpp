@@ -103,7 +103,7 @@ Flight::Flight(const ModalSystem& system, double length)
   const Index components = system_->components();
   const bool linear = system_->fastest_input() == 0.0;
   const double chord = length_ * length_ / 8.0;
-  const bool loaded = system.members < std::ssize(system.elements);
+  const bool loaded = system.members < system.rubs;
   if (loaded) map_.loads.assign(system_->size * Map::load_columns, 0.0);
   for (Index j = 0; j < system_->size; ++j) {
     const double w2 = system_->omega_squared(j);
@@ -157,6 +157,9 @@ kernels::FlightInput Flight::input(const GroundInput& ground, double nu) const {
 
 void Flight::advance(std::size_t b, const GroundInput* ground, const kernels::FlightArrays& arrays) const {
   const auto& block = system_->blocks[b];
+  if (system_->nu.size() == 1) {
+    return kernels::fly(map_, {block.begin, block.padded_size}, input(*ground, system_->nu.front()), arrays);
+  }
   std::array<kernels::FlightInput, most_components> inputs;
   auto* to = inputs.begin();
   for (const double nu : system_->nu) *to++ = input(*ground++, nu);

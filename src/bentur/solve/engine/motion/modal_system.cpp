@@ -104,6 +104,9 @@ Side side_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Bo
 
 ModalSystem::Relation relation_of(const std::vector<ModalSystem::Block>& blocks, const std::vector<Body>& bodies,
                                   const Interface& interface) {
+  if (interface.right.body >= 0 && interface.right.body < interface.left.body) {  // bodies in their order
+    return relation_of(blocks, bodies, {interface.right, interface.left});
+  }
   const Side left = side_of(blocks, bodies, interface.left);
   ModalSystem::Relation relation;
   relation.left = relation.right = left.body;
@@ -204,9 +207,16 @@ ModalSystem::ModalSystem(const System& of) {
   for (Index b = 0; b < std::ssize(blocks); ++b) {
     Index force = ground_of(b) + ways + std::ssize(of.bodies[b].elements);
     for (const CoupledElement& element : of.bodies[b].coupled) {
-      coupled.push_back({std::ssize(elements), element.rows.rows(), element.law});
+      coupled.push_back({std::ssize(elements), element.rows.rows()});
       for (const auto& row : element.rows.rowwise()) add_member(b, row.transpose(), 0.0, 0.0, force++);
     }
+  }
+  rubs = std::ssize(elements);
+  rubbing = std::ssize(of.rubbing);
+  for (const RubbingContact& contact : of.rubbing) {
+    coupled.push_back({std::ssize(elements), 2});
+    add(contact.at);
+    add(contact.along);
   }
   for (Element& element : elements) let_push(blocks, ways, element.relation);
   for (const Interface& interface : of.watched) watched.push_back(relation_of(blocks, of.bodies, interface));
@@ -271,11 +281,12 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
   ElementForces::Coupled::Modal of;
   const Relation& first = elements[at.front()].relation;
   of.begin = first.left_begin;
-  MatrixXd rows(first.left_size, std::ssize(at));
+  MatrixXd rows(first.size(), std::ssize(at));
   of.push.resizeLike(rows);
   for (Index n = 0; n < rows.cols(); ++n) {
-    rows.col(n) = elements[at[n]].relation.left_row;
-    of.push.col(n) = elements[at[n]].relation.left_push;
+    const Relation& each = elements[at[n]].relation;
+    Relation::spread(each.left_row, each.right_row, rows.col(n));
+    Relation::spread(each.left_push, each.right_push, of.push.col(n));
   }
   of.pull = rows * stiffness.transpose();
   if (rows.rows() <= 2 * rows.cols()) of.tied = of.push * of.pull.transpose();
@@ -337,12 +348,11 @@ VectorXd ModalSystem::deformations(const std::vector<Index>& at, const std::vect
   return result;
 }
 
-void ModalSystem::fill_forces(const ElementForces::Coupled& of, const std::vector<double>& offsets,
-                              State& state) const {
-  const VectorXd forces = of.base + of.stiffness * deformations(of.at, offsets, state.q);
+void ModalSystem::fill_forces(const ElementForces::Coupled& of, State& state) const {
+  if (elements[of.at.front()].force < 0) return;
+  const VectorXd forces = of.base + of.stiffness * speeds(of.at, state.q);
   const VectorXd rates = of.stiffness * speeds(of.at, state.v);
   for (Index n = 0; n < forces.size(); ++n) {
-    if (elements[of.at[n]].force < 0) continue;
     state.q(elements[of.at[n]].force) = forces(n);
     state.v(elements[of.at[n]].force) = rates(n);
   }
@@ -361,7 +371,7 @@ void ModalSystem::push(Index i, double force, VectorXd& result) const {
 const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& load) const {
   const Block& block = blocks[b];
   bool any = false;
-  for (Index i = members; i < std::ssize(elements); ++i) {
+  for (Index i = members; i < rubs; ++i) {
     const Element& element = elements[i];
     if (element.relation.left_begin != block.begin || q[element.force] == 0.0) continue;
     if (!any) {
@@ -376,7 +386,7 @@ const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& loa
 
 const double* ModalSystem::load_of(const double* q, VectorXd& load) const {
   bool any = false;
-  for (Index i = members; i < std::ssize(elements); ++i) {
+  for (Index i = members; i < rubs; ++i) {
     if (q[elements[i].force] == 0.0) continue;
     if (!any) load.setZero(size);
     any = true;

@@ -31,12 +31,12 @@ struct ElementForces {
   /// F = base + stiffness δ + damping δ̇ of several elements, whose deformations act on one another.
   struct Coupled {
     std::vector<Eigen::Index> at;
-    Eigen::VectorXd base;
+    Eigen::VectorXd base;                ///< offsets of δ included: F where all q are zero
     Eigen::MatrixXd stiffness, damping;  ///< damping empty: none
-    /// The same over what moves of their body.
+    /// The same over what moves of their bodies.
     struct Modal {
       Eigen::Index begin = 0;  ///< first coordinate
-      Eigen::MatrixXd push;    ///< a column each
+      Eigen::MatrixXd push;    ///< a column each, over both bodies and what lies between
       Eigen::MatrixXd pull;    ///< forces beyond `base`, a column each: F − base = pullᵀ q
       Eigen::MatrixXd tied;    ///< push · pullᵀ where that is less than both; else empty
       // Norms of what they add and take away, of stiffness and damping [1/s²], [1/s]:
@@ -104,6 +104,15 @@ struct ModalSystem {
     [[nodiscard]] double along(const Eigen::VectorXd& x) const { return along(x.data()); }
     /// δ so many times, as what is watched.
     [[nodiscard]] Relation times(double factor) const;
+    // As one list, over the coordinates of both bodies and of what lies between them:
+    [[nodiscard]] Eigen::Index size() const {
+      return right_size > 0 ? right_begin + right_size - left_begin : left_size;
+    }
+    static void spread(const Eigen::VectorXd& left, const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> to) {
+      to.tail(to.size() - left.size()).setZero();
+      to.head(left.size()) = left;
+      if (right.size() > 0) to.tail(right.size()) += right;
+    }
     /// |row| · |x|.
     [[nodiscard]] double along_abs(const double* x) const {
       return kernels::dot_abs(right_size, right_row.data(), x + right_begin) +
@@ -119,10 +128,9 @@ struct ModalSystem {
     Eigen::Index force = -1;     ///< its force coordinate; −1: it has none
   };
 
-  /// Those of `elements` that are the deformations of one element of several, and the law that they share.
+  /// Those of `elements` that are the deformations of one element of several.
   struct Coupled {
     Eigen::Index first = 0, count = 0;
-    std::shared_ptr<const CoupledLaw> law;
   };
 
   explicit ModalSystem(const System& of);
@@ -134,16 +142,25 @@ struct ModalSystem {
   /// 1 for modes, 0 for ground coordinates: these have no mass, so that a sum of squares over both has no dimension.
   Eigen::VectorXd of_mode;
   std::vector<Block> blocks;
-  /// Contacts, joints and limits as System has them, the bodies' own elements; then those that are coupled.
+  /// Contacts, joints and limits as System has them, the bodies' own elements; then those that are coupled: the bodies'
+  /// own ones and, of two deformations each, what rubs.
   std::vector<Element> elements;
-  std::vector<Coupled> coupled;  ///< in the order of the bodies
+  std::vector<Coupled> coupled;  ///< in the order of the bodies, then what rubs
   Eigen::Index switched = 0;     ///< contacts: the first ones, which the free response leaves out
+  Eigen::Index rubbing = 0;      ///< how many rub, which it leaves out too
+  Eigen::Index rubs = 0;         ///< where they begin
   Eigen::Index joints = 0;       ///< how many come after them
   Eigen::Index members = 0;      ///< where the bodies' own elements begin
   Eigen::Index alone = 0;        ///< how many elements are not coupled: the first ones
   std::vector<Relation> watched, watched_free;
   /// δ of joints, and then −δ: how far they close and open.
   std::vector<Relation> spans;
+  /// Contacts are points: those of one deformation, then those that rub.
+  [[nodiscard]] Eigen::Index points() const { return switched + rubbing; }
+  /// The element that opens and closes at a point.
+  [[nodiscard]] Eigen::Index opening(Eigen::Index point) const {
+    return point < switched ? point : rubs + 2 * (point - switched);
+  }
   /// The joint that System::joints has at this place, as an element.
   [[nodiscard]] Eigen::Index joint(Eigen::Index number) const { return switched + number; }
   Eigen::MatrixXd coupling;    ///< −push_i · row_j [1/mass], elements × elements
@@ -162,7 +179,7 @@ struct ModalSystem {
   /// X ≥ 0 and Y ≤ 0, symmetric, and any Z added, the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) + ‖Z‖ at most.              (T-7)
   [[nodiscard]] double rate(const ElementForces& forces) const;
 
-  /// What some coupled elements of one body do to it, by their stiffness and damping (empty: none).
+  /// What some coupled elements of the same bodies do to them, by their stiffness and damping (empty: none).
   [[nodiscard]] ElementForces::Coupled::Modal modal_of(const std::vector<Eigen::Index>& at,
                                                        const Eigen::MatrixXd& stiffness,
                                                        const Eigen::MatrixXd& damping) const;
@@ -187,7 +204,7 @@ struct ModalSystem {
                                              const Eigen::VectorXd& q) const;
   [[nodiscard]] Eigen::VectorXd speeds(const std::vector<Eigen::Index>& at, const Eigen::VectorXd& v) const;
   /// Makes the force coordinates of coupled elements what their springs' forces are.
-  void fill_forces(const ElementForces::Coupled& of, const std::vector<double>& offsets, State& state) const;
+  void fill_forces(const ElementForces::Coupled& of, State& state) const;
 
   /// result += push_i F for one element.
   void push(Eigen::Index element, double force, Eigen::VectorXd& result) const;

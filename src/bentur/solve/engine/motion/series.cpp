@@ -36,14 +36,13 @@ void Series::note_grounds(std::size_t first, std::size_t end, const GroundInput*
     const auto& block = system_->blocks[b];
     for (Index c = 0; c < system_->components(); ++c, ++input) {
       const double phase = system_->nu[c] * h;
-      const kernels::GroundSeries ground{block.begin,          block.moving_size,
-                                         input->value * h * h, input->slope * h * h * h,
-                                         phase * phase,        system_->gamma.col(c).data()};
-      if (c == 0) {
-        grounds_[b - first] = ground;
-      } else {
-        further_.push_back(ground);
-      }
+      kernels::GroundSeries& ground = c == 0 ? grounds_[b - first] : further_.emplace_back();
+      ground.begin = block.begin;
+      ground.size = block.moving_size;
+      ground.even = input->value * h * h;
+      ground.odd = input->slope * h * h * h;
+      ground.nu_squared = phase * phase;
+      ground.gamma = system_->gamma.col(c).data();
     }
   }
 }
@@ -89,9 +88,6 @@ void Series::add_coupled(const ElementForces::Coupled& of, int k) {
     for (Index n = 0; n < count; ++n) along_(n) = system_->elements[of.at[n]].relation.along(c_->col(power).data());
   };
   take(k);
-  if (k == 0) {
-    for (Index n = 0; n < count; ++n) along_(n) += offsets_[of.at[n]];
-  }
   pushes_.noalias() = of.stiffness * along_;
   pushes_ *= h_ * h_;
   if (k == 0) pushes_ += h_ * h_ * of.base;
@@ -155,9 +151,10 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                        modal.tied.size() > 0 ? modal.tied.data() : nullptr, modal.pull.data(), modal.push.data(),
                        of.steady.data(), h * h});
     }
+    // First, as what ties bodies looks at what lies between them.
+    hold_forces(0, system_->blocks.size(), motion.degree());
     kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load, further_}, grounds_, pressing_, tied_,
                     motion.degree(), system_->size, c_->data());
-    hold_forces(0, system_->blocks.size(), motion.degree());
   }
   motion.fill_forces(forces);
 }

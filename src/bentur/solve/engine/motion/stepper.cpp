@@ -223,7 +223,7 @@ void Stepper::finish_expansion(const Start& start, Expansion& motion, State& to)
     to.q(at) = linear.base + linear.stiffness * (offsets_[i] + relation.along(to.q));
     to.v(at) = linear.stiffness * relation.along(to.v);
   }
-  for (const ElementForces::Coupled& of : start.forces.coupled) system_->fill_forces(of, offsets_, to);
+  for (const ElementForces::Coupled& of : start.forces.coupled) system_->fill_forces(of, to);
   fill_resting(start, to, motion);
 }
 

@@ -114,7 +114,7 @@ void TimeGrid::input(long segment, std::vector<GroundInput>& inputs) const {
 }
 
 void TimeGrid::input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const {
-  inputs.resize(delays_.size() * motions_->size());
+  inputs.resize(delays_.size() * steps_.size());
   GroundInput* at = inputs.data();
   for (std::size_t b = 0; b < delays_.size(); ++b) {
     const bool before_phase = kind < delays_[b].offset;

@@ -25,6 +25,15 @@ Index only_one(const CoupledBranch& branch, const CoupledGuard& guard) {
   return branch.set->own[guard.deformation];
 }
 
+/// Whether sets that a law has made one after the other are the same.
+bool alike(const CoupledSet& one, const CoupledSet& other) {
+  const auto same = [](const MatrixXd& a, const MatrixXd& b) {
+    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+  };
+  return one.moving == other.moving && one.own == other.own && same(one.stiffness, other.stiffness) &&
+         same(one.damping, other.damping) && same(one.over, other.over);
+}
+
 /// What guards that depend on one deformation alone say of each.
 std::vector<Branch> branches_of(const CoupledBranch& branch, Index count) {
   std::vector<Branch> branches(count);
@@ -38,28 +47,43 @@ std::vector<Branch> branches_of(const CoupledBranch& branch, Index count) {
 
 }  // namespace
 
-std::vector<Branch> CoupledElements::first_branches(const ModalSystem& system) {
+std::vector<Branch> CoupledElements::first_branches(const ModalSystem& system, const Laws& laws) {
   std::vector<Branch> all;
-  for (const ModalSystem::Coupled& of : system.coupled) {
-    const CoupledState rest = of.law->begin(VectorXd::Zero(of.count));
-    for (const Branch& branch : branches_of(of.law->branch(rest), of.count)) all.push_back(branch);
+  for (std::size_t e = 0; e < system.coupled.size(); ++e) {
+    const Index count = system.coupled[e].count;
+    if (e >= laws.size()) {
+      all.resize(all.size() + count);
+      continue;
+    }
+    const CoupledState rest = laws[e]->begin(VectorXd::Zero(count));
+    for (const Branch& branch : branches_of(laws[e]->branch(rest), count)) all.push_back(branch);
   }
   return all;
 }
 
-CoupledElements::CoupledElements(const ModalSystem& system, const std::vector<double>& offsets, const State& state)
-    : system_(&system), offsets_(offsets), now_(system.coupled.size()) {
+CoupledElements::CoupledElements(const ModalSystem& system, const Laws& laws, const std::vector<double>& offsets,
+                                 const State& state)
+    : system_(&system),
+      laws_(laws),
+      own_(system.coupled.size() - system.rubbing),
+      offsets_(offsets),
+      now_(laws.size()) {
   double fastest = 0.0;
   for (const ModalSystem::Block& block : system.blocks) fastest = std::max(fastest, block.omega_max);
   soon_ = fastest > 0.0 ? soon_part / fastest : 0.0;
-  for (const ModalSystem::Coupled& of : system.coupled) {
+  for (std::size_t e = 0; e < laws.size(); ++e) {
+    const ModalSystem::Coupled& of = system.coupled[e];
     std::vector<Index>& at = all_.emplace_back(of.count);
     std::iota(at.begin(), at.end(), of.first);
-    const ModalSystem::Relation& first = system.elements[of.first].relation;
-    MatrixXd& rows = rows_.emplace_back(first.left_size, of.count);
-    for (Index n = 0; n < of.count; ++n) rows.col(n) = system.elements[of.first + n].relation.left_row;
+    MatrixXd& rows = rows_.emplace_back(system.elements[of.first].relation.size(), of.count);
+    VectorXd& shifts = shifts_.emplace_back(of.count);
+    for (Index n = 0; n < of.count; ++n) {
+      const ModalSystem::Relation& each = system.elements[of.first + n].relation;
+      ModalSystem::Relation::spread(each.left_row, each.right_row, rows.col(n));
+      shifts(n) = offsets[of.first + n];
+    }
     sizes_.emplace_back(rows.cwiseAbs());
-    states_.push_back(of.law->begin(deformation(all_.size() - 1, state)));
+    states_.push_back(laws[e]->begin(deformation(e, state)));
   }
 }
 
@@ -71,6 +95,10 @@ void CoupledElements::watch(GuardMonitor& monitor) {
 std::shared_ptr<const CoupledElements::Known> CoupledElements::known(std::size_t e,
                                                                      const std::shared_ptr<const CoupledSet>& of) {
   if (const auto found = known_.find({e, of.get()}); found != known_.end()) return found->second;
+  const std::pair<std::size_t, const CoupledSet*> first{e, nullptr};
+  for (auto at = known_.lower_bound(first); e >= own_ && at != known_.end() && at->first.first == e; ++at) {
+    if (alike(*at->second->set, *of)) return at->second;
+  }
   if (known_.size() >= most_known) known_.clear();
   const CoupledSet& set = *of;
   const auto result = std::make_shared<Known>();
@@ -94,11 +122,23 @@ std::shared_ptr<const CoupledElements::Known> CoupledElements::known(std::size_t
 void CoupledElements::enter(std::size_t e) {
   const ModalSystem::Coupled& of = system_->coupled[e];
   Now& now = now_[e];
-  now.branch = of.law->branch(states_[e]);
+  now.branch = laws_[e]->branch(states_[e]);
   now.begins = true;
   now.known = known(e, now.branch.set);
+  now.branch.set = now.known->set;
   now.may_fly = now.known->at.empty();
-  if (!now.may_fly) return;
+  if (now.may_fly) tell_monitor(e);
+  if (e < own_) return;  // whose offsets are zero
+  for (CoupledGuard& guard : now.branch.guards) {
+    if (guard.deformation >= 0) {
+      guard.constant += guard.sense * now.branch.set->row(guard.deformation, of.count).dot(shifts_[e]);
+    }
+  }
+}
+
+void CoupledElements::tell_monitor(std::size_t e) {
+  const ModalSystem::Coupled& of = system_->coupled[e];
+  Now& now = now_[e];
   const std::vector<Branch> branches = branches_of(now.branch, of.count);
   std::vector<char> watched(of.count, 0);
   for (Index n = 0; n < of.count; ++n) watched[n] = monitor_->enter(of.first + n, branches[n]) ? 1 : 0;
@@ -109,14 +149,16 @@ void CoupledElements::enter(std::size_t e) {
 }
 
 VectorXd CoupledElements::deformation(std::size_t e, const State& state) const {
-  return rows_[e].transpose() * state.q.segment(begin_of(e), rows_[e].rows());
+  VectorXd result = rows_[e].transpose() * state.q.segment(begin_of(e), rows_[e].rows());
+  if (e >= own_) result += shifts_[e];
+  return result;
 }
 
 CoupledMotion CoupledElements::motion_of(std::size_t e, const State& state, const VectorXd& acceleration) const {
   const auto along = [&](const VectorXd& x) -> VectorXd {
     return rows_[e].transpose() * x.segment(begin_of(e), rows_[e].rows());
   };
-  return {along(state.q), along(state.v), along(acceleration), soon_};
+  return {deformation(e, state), along(state.v), along(acceleration), soon_};
 }
 
 bool CoupledElements::gather(ElementForces& forces, State& state) const {
@@ -145,11 +187,12 @@ bool CoupledElements::gather(ElementForces& forces, State& state) const {
     ElementForces::Coupled& of = forces.coupled.emplace_back();
     of.at = now.known->at;
     of.base = now.branch.base(set.moving);
+    if (e >= own_) of.base += set.stiffness * shifts_[e](set.moving);
     of.stiffness = set.stiffness;
     of.damping = set.damping;
     of.modal = now.known->modal;
     of.steady = of.modal->push * of.base;
-    system_->fill_forces(of, offsets_, state);
+    system_->fill_forces(of, state);
   }
   return may_fly;
 }
@@ -289,44 +332,43 @@ void CoupledElements::go_on() {
 
 void CoupledElements::change(const Event& event, double time, const State& state, const VectorXd& acceleration) {
   const std::size_t e = event.element;
-  states_[e] =
-      system_->coupled[e].law->next(states_[e], now_[e].branch, event.guard, time, motion_of(e, state, acceleration));
+  states_[e] = laws_[e]->next(states_[e], now_[e].branch, event.guard, time, motion_of(e, state, acceleration));
   enter(e);
 }
 
 void CoupledElements::settle(double time, const State& state, const VectorXd& acceleration) {
   for (std::size_t e = 0; e < states_.size(); ++e) {
-    states_[e] = system_->coupled[e].law->settle(states_[e], time, motion_of(e, state, acceleration));
+    states_[e] = laws_[e]->settle(states_[e], time, motion_of(e, state, acceleration));
     enter(e);
   }
 }
 
 void CoupledElements::resume(const std::vector<CoupledState>& states) {
-  states_ = states;
+  std::copy(states.begin(), states.end(), states_.begin());
   for (std::size_t e = 0; e < states_.size(); ++e) enter(e);
   go_on();  // their branches began before
 }
 
 std::vector<CoupledState> CoupledElements::states_at(const State& state) const {
   std::vector<CoupledState> result;
-  for (std::size_t e = 0; e < states_.size(); ++e) {
-    result.push_back(system_->coupled[e].law->at(states_[e], deformation(e, state)));
+  for (std::size_t e = 0; e < own_; ++e) {
+    result.push_back(laws_[e]->at(states_[e], deformation(e, state)));
   }
   return result;
 }
 
 double CoupledElements::stored_energy(const State& state) const {
   double sum = 0.0;
-  for (std::size_t e = 0; e < states_.size(); ++e) {
-    sum += system_->coupled[e].law->stored_energy(states_[e], deformation(e, state));
+  for (std::size_t e = 0; e < own_; ++e) {
+    sum += laws_[e]->stored_energy(states_[e], deformation(e, state));
   }
   return sum;
 }
 
 double CoupledElements::lost_energy(const State& state) const {
   double sum = 0.0;
-  for (std::size_t e = 0; e < states_.size(); ++e) {
-    sum += system_->coupled[e].law->lost_energy(states_[e], deformation(e, state));
+  for (std::size_t e = 0; e < own_; ++e) {
+    sum += laws_[e]->lost_energy(states_[e], deformation(e, state));
   }
   return sum;
 }

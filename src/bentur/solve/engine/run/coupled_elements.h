@@ -12,14 +12,16 @@
 namespace bentur::engine {
 
 /// Where the elements of several deformations stand, for Elements, whose rules they share: each guard has its band of
-/// round-off. A guard that is to begin its branch at zero is divided by the power of time that it begins with.
+/// round-off. They are the bodies' own, and contacts that rub. A guard that is to begin its branch at zero is divided
+/// by the power of time that it begins with.
 class CoupledElements {
  public:
-  /// Brought to `state` from rest in one go.
-  CoupledElements(const ModalSystem& system, const std::vector<double>& offsets, const State& state);
+  using Laws = std::vector<std::shared_ptr<const CoupledLaw>>;
+  /// Brought to `state` from rest in one go. Those beyond the last law do nothing.
+  CoupledElements(const ModalSystem& system, const Laws& laws, const std::vector<double>& offsets, const State& state);
 
   /// What a monitor is to know of each deformation, beginning with the first, where nothing has happened.
-  [[nodiscard]] static std::vector<Branch> first_branches(const ModalSystem& system);
+  [[nodiscard]] static std::vector<Branch> first_branches(const ModalSystem& system, const Laws& laws);
   /// Tells the monitor of all branches, after which it is told of every change.
   void watch(GuardMonitor& monitor);
 
@@ -55,8 +57,11 @@ class CoupledElements {
   void settle(double time, const State& state, const Eigen::VectorXd& acceleration);
 
   [[nodiscard]] bool none() const { return states_.empty(); }
+  [[nodiscard]] const CoupledBranch& branch(std::size_t element) const { return now_[element].branch; }
   [[nodiscard]] const std::vector<CoupledState>& states() const { return states_; }
+  /// Of the first ones; the others begin.
   void resume(const std::vector<CoupledState>& states);
+  // Of the bodies' own:
   /// With what they remember up to date.
   [[nodiscard]] std::vector<CoupledState> states_at(const State& state) const;
   /// Beyond what the modes hold of them [force·length].
@@ -67,13 +72,13 @@ class CoupledElements {
   /// What a set of an element's law is over the coordinates.
   struct Known {
     std::shared_ptr<const CoupledSet> set;
-    Eigen::MatrixXd rows;          ///< what guards look at, over what moves of the body: a column each
+    Eigen::MatrixXd rows;          ///< what guards look at, over what moves of the bodies: a column each
     kernels::PackedRows packed;    ///< the same
     std::vector<Eigen::Index> at;  ///< of ModalSystem::elements, those that move
     std::shared_ptr<const ElementForces::Coupled::Modal> modal;  ///< of these; none where none moves
   };
   struct Now {
-    CoupledBranch branch;
+    CoupledBranch branch;  ///< constants of its guards with the offsets of δ
     std::shared_ptr<const Known> known;
     bool may_fly = false;
     bool begins = true;
@@ -91,11 +96,15 @@ class CoupledElements {
                                              const State& from, const Bands& bands) const;
   [[nodiscard]] std::shared_ptr<const Known> known(std::size_t element, const std::shared_ptr<const CoupledSet>& set);
   void enter(std::size_t element);
+  void tell_monitor(std::size_t element);
 
   const ModalSystem* system_;
+  Laws laws_;
+  std::size_t own_ = 0;  ///< of bodies: the first ones
   std::vector<double> offsets_;
   std::vector<std::vector<Eigen::Index>> all_;  ///< per element: of ModalSystem::elements
-  std::vector<Eigen::MatrixXd> rows_, sizes_;   ///< δ of each over what moves of its body: a column each; |δ|
+  std::vector<Eigen::MatrixXd> rows_, sizes_;   ///< δ of each over what moves of its bodies: a column each; |δ|
+  std::vector<Eigen::VectorXd> shifts_;         ///< offsets of each δ
   /// Of sets that have been met, per element: two may share a law.
   std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const Known>> known_;
   std::vector<CoupledState> states_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
 namespace bentur::engine {
@@ -45,21 +46,21 @@ double potential(const Branch& branch, double deformation) {
   return (branch.base + 0.5 * branch.stiffness * deformation) * deformation;
 }
 
-std::vector<GuardMonitor::Watched> watched(const ModalSystem& system,
-                                           const std::vector<std::shared_ptr<const Law>>& laws,
-                                           const std::vector<double>& offsets) {
+std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const Elements::Laws& laws) {
   std::vector<GuardMonitor::Watched> all;
-  const std::vector<Branch> coupled = CoupledElements::first_branches(system);
+  const std::vector<Branch> coupled = CoupledElements::first_branches(system, laws.coupled);
   for (Index i = 0; i < std::ssize(system.elements); ++i) {
-    const Branch first = i < system.alone ? laws[i]->branch({}) : coupled[i - system.alone];
-    all.push_back({&system.elements[i].relation, offsets[i], first, i < system.switched});
+    const Branch first = i < system.alone ? laws.laws[i]->branch({}) : coupled[i - system.alone];
+    const bool switched = i < system.switched || i >= system.rubs;
+    all.push_back({&system.elements[i].relation, laws.offsets[i], first, switched});
   }
   return all;
 }
 
 }  // namespace
 
-Elements::Laws laws_of(const System& system, const ModalSystem& modal, const std::vector<Contact>& contacts) {
+Elements::Laws laws_of(const System& system, const ModalSystem& modal, const std::vector<Contact>& contacts,
+                       const std::vector<RubbingContact>& rubbing) {
   Elements::Laws result{{}, std::vector<double>(modal.elements.size(), 0.0)};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     result.laws.push_back(contacts[i].law);
@@ -70,6 +71,12 @@ Elements::Laws laws_of(const System& system, const ModalSystem& modal, const std
   }
   for (const Body& body : system.bodies) {
     for (const BuildingElement& element : body.elements) result.laws.push_back(element.law);
+    for (const CoupledElement& element : body.coupled) result.coupled.push_back(element.law);
+  }
+  for (const RubbingContact& contact : rubbing) {
+    result.offsets[modal.opening(modal.switched + std::ssize(result.rubbing))] = -contact.width;
+    result.coupled.push_back(contact.law);
+    result.rubbing.push_back(contact.law);
   }
   return result;
 }
@@ -81,25 +88,31 @@ Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, cons
       offsets_(laws.offsets),
       idle_(idle),
       tolerances_(offsets_.size(), 0.0),
-      least_speeds_(laws_.size(), 0.0),
+      least_speeds_(offsets_.size(), 0.0),
       start_slack_(std::max(least_slack, accuracy / round_off_band)),
       states_(laws_.size()),
       branches_(laws_.size()),
       bodies_(offsets_.size(), 0),
       watched_(laws_.size(), 0),
-      coupled_(system, offsets_, state),
-      monitor_(watched(system, laws_, offsets_), system.size),
+      rubbing_(laws.rubbing),
+      along_(rubbing_.size(), 0.0),
+      coupled_(system, laws.coupled, offsets_, state),
+      monitor_(watched(system, laws), system.size),
       touches_(laws_.size()),
       leaves_band_(laws_.size(), 0),
-      log_(laws_.size()),
+      log_(laws_.size() + rubbing_.size()),
       accounts_(laws_.size()),
       worst_openings_(laws_.size(), 0.0) {
   forces_.linear.resize(offsets_.size());
-  for (Index i = 0; i < std::ssize(scales.displacement); ++i) {
-    tolerances_[i] = round_off_band * scales.displacement[i];
-    least_speeds_[i] = least_speed * scales.speed[i];
-    fastest_ = std::max(fastest_, free_part * scales.speed[i]);
+  for (Index point = 0; point < std::ssize(scales.displacement); ++point) {
+    const Index i = system_->opening(point);
+    for (Index row = i; row <= (point < system_->switched ? i : i + 1); ++row) {
+      tolerances_[row] = round_off_band * scales.displacement[point];
+      least_speeds_[row] = least_speed * scales.speed[point];
+    }
+    fastest_ = std::max(fastest_, free_part * scales.speed[point]);
   }
+  std::fill(bodies_.begin() + system_->rubs, bodies_.end(), 1);
   for (Index i = 0; i < count(); ++i) {
     enter(i, {});
     bodies_[i] = branches_[i].bodies != Bodies::none ? 1 : 0;
@@ -311,6 +324,7 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
       if (sign <= 0.0) account.peak_tension = std::max(account.peak_tension, link.peak_tension);
     }
   }
+  accumulate_rubbing(motion, time, end);
 }
 
 void Elements::note_touches(const Expansion& motion, double time, double end, State& state) {
@@ -400,6 +414,7 @@ void Elements::gather(State& state) {
     state.v(element.force) = constant ? 0.0 : linear.stiffness * speed(i, state);
   }
   may_fly_ = coupled_.gather(forces_, state) && may_fly_;
+  for (std::size_t n = 0; n < rubbing_.size(); ++n) any_touching_ = any_touching_ || touches(rub(n));
   forces_.rate = system_->rate(forces_);
   for (const Index i : forces_.constant) {
     if (!forces_.loaded) forces_.load.setZero(system_->size);
@@ -413,9 +428,7 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
   jumps_.clear();
   began_ = false;
   if (i >= count()) {
-    const auto element = static_cast<std::size_t>(i - count());
-    coupled_.change({element, event.guard}, time, state, acceleration(state, inputs));
-    gather(state);
+    change_coupled(event, time, inputs, state);
     return;
   }
   if (two_bodies(i)) ++events_;
@@ -469,7 +482,7 @@ void Elements::resume(const Memory& memory, State& state) {
     accounts_[i] = memory.accounts[i];
     tolerances_[i] = memory.tolerances[i];
   }
-  for (Index i = count(); i < std::ssize(tolerances_); ++i) tolerances_[i] = memory.tolerances[i];
+  for (Index i = count(); i < system_->rubs; ++i) tolerances_[i] = memory.tolerances[i];
   coupled_.resume(memory.coupled);
   gather(state);
 }

@@ -35,7 +35,7 @@ class Elements {
     double energy_lost = 0;  ///< [force·length]
   };
 
-  /// How large the numbers are whose difference δ is, and how fast they change, per element.
+  /// How large the numbers are whose difference δ is, and how fast they change, per point of contact.
   struct Scales {
     std::vector<double> displacement;  ///< [length]; grows with what the run does
     std::vector<double> speed;         ///< [length/s]
@@ -53,6 +53,8 @@ class Elements {
   struct Laws {
     std::vector<std::shared_ptr<const Law>> laws;  ///< but those that are coupled
     std::vector<double> offsets;                   ///< [length]
+    CoupledElements::Laws coupled = {};            ///< of contacts that rub only where these act
+    std::vector<std::shared_ptr<const Rubbing>> rubbing = {};
   };
   /// The first `idle` elements do nothing. `accuracy`: how well states at events are known, relative to displacements
   /// and speeds; a guard that starts its branch below zero by no more starts at zero. `state` is that at the start,
@@ -96,6 +98,10 @@ class Elements {
   /// Work of the forces of all other elements by which the initial state came about [force·length].
   [[nodiscard]] double initial_work() const { return initial_work_; }
   [[nodiscard]] bool two_bodies(Eigen::Index element) const { return bodies_[element] != 0; }
+  /// Whether it is one of two bodies of one deformation.
+  [[nodiscard]] bool of_contact(const Event& event) const {
+    return event.element < count() && two_bodies(event.element);
+  }
 
   /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way and to what links do.
   void accumulate(const Expansion& motion, double time, double end);
@@ -119,7 +125,7 @@ class Elements {
   [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }
 
   /// Ends the run at `time`: contacts still closed count as impacts.
-  void finish(double time) { log_.finish(branches_, time); }
+  void finish(double time);
 
   /// What is remembered of elements that are not idle, to go on from some state without contact.
   struct Memory {
@@ -175,6 +181,17 @@ class Elements {
   void let_go(Eigen::Index element, State& state);
   void note_opening(Eigen::Index element, double time, const State& state);
   void collide(Eigen::Index element, double time, State& state);
+  /// A contact that rubs, as CoupledElements has it now.
+  struct Rub {
+    std::size_t number = 0;        ///< of those that rub
+    std::size_t coupled = 0;       ///< of those that are coupled
+    Eigen::Index at = 0, log = 0;  ///< its first element, and where its impacts are noted
+    const Rubbing* law = nullptr;
+  };
+  [[nodiscard]] Rub rub(std::size_t number) const;
+  [[nodiscard]] bool touches(const Rub& of) const;
+  void accumulate_rubbing(const Expansion& motion, double time, double end);
+  void change_coupled(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
   [[nodiscard]] CoupledElements::Bands bands() const;
   [[nodiscard]] Eigen::VectorXd acceleration(const State& state, const std::vector<GroundInput>& inputs) const;
 
@@ -189,6 +206,8 @@ class Elements {
   std::vector<Branch> branches_;      ///< of states_
   std::vector<char> bodies_;          ///< whether an element is two bodies
   std::vector<char> watched_;         ///< whether the monitor watches all that ends its branch
+  std::vector<std::shared_ptr<const Rubbing>> rubbing_;
+  std::vector<double> along_;  ///< force of each along, where the last step ended [force]
   CoupledElements coupled_;
   GuardMonitor monitor_;
   ElementForces forces_;
@@ -213,8 +232,9 @@ class Elements {
   std::vector<double> worst_openings_;
 };
 
-/// Those of a system, with these contacts.
+/// Those of a system, with these contacts; those that rub act where there are as many of them as in the system.
 [[nodiscard]] Elements::Laws laws_of(const System& system, const ModalSystem& modal,
-                                     const std::vector<Contact>& contacts);
+                                     const std::vector<Contact>& contacts,
+                                     const std::vector<RubbingContact>& rubbing = {});
 
 }  // namespace bentur::engine

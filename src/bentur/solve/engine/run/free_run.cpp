@@ -15,6 +15,9 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}, setup.system.watched_free) {
   for (const Reach& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
   result_.speeds.resize(result_.reaches.size(), 0.0);
+  for (Eigen::Index point = 0; point < system_.points(); ++point) {
+    points_.push_back(&system_.elements[system_.opening(point)].relation);
+  }
 }
 
 /// How far a point reaches in a segment; a reach that is no number may be any.
@@ -29,7 +32,7 @@ void FreeRun::note(Eigen::Index i, long segment, double reach) {
 /// At the ends of steps only: what it is for needs no more.
 void FreeRun::note_speeds(const double* v) {
   for (std::size_t i = 0; i < result_.speeds.size(); ++i) {
-    const ModalSystem::Relation& of = system_.elements[i].relation;
+    const ModalSystem::Relation& of = *points_[i];
     const double left = kernels::dot(of.left_size, of.left_row.data(), v + of.left_begin);
     const double right = kernels::dot(of.right_size, of.right_row.data(), v + of.right_begin);
     result_.speeds[i] = std::max(result_.speeds[i], std::abs(left) + std::abs(right));

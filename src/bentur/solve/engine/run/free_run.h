@@ -40,6 +40,7 @@ class FreeRun final : public Run {
   void note_reaches(const RelationGroup& group, const StepBuffer& buffer);
 
   FreeResult result_;
+  std::vector<const ModalSystem::Relation*> points_;
 };
 
 }  // namespace bentur::engine

@@ -135,6 +135,28 @@ void ImpactLog::accumulate(Eigen::Index point, const Stretch& stretch) {
   }
 }
 
+double ImpactLog::rub(Eigen::Index point, const Stretch& at, const Along& along) {
+  const CoupledBranch& branch = along.branch;
+  const CoupledSet& set = *branch.set;
+  if (set.moving.size() < 2) return 0.0;
+  Polynomial force = force_of({branch.base(1), set.stiffness(1, 0), set.damping.size() > 0 ? set.damping(1, 0) : 0.0},
+                              at.penetration, at.h);
+  for (int k = 0; k <= along.slip.degree; ++k) force[k] += set.stiffness(1, 1) * along.slip[k];
+  Impact& impact = under_way_[point];
+  double where = 0.0;
+  raise_to_maximum(force, at.end, impact.peak_tangential_force, where);
+  raise_to_maximum(force, at.end, impact.peak_tangential_force, where, -1.0);
+  impact.tangential_impulse += integral(force, at.end) * at.h;
+  const auto power = [&](double s) { return value(force, s) * first_derivative(along.slip, s); };
+  impact.friction_loss += Gauss::integrate(power, 0.0, at.end);
+  const double last = value(force, at.end);
+  if (along.slides != 0) {
+    const double springs = (last - force[0]) / along.tangential_stiffness;
+    impact.sliding += along.slides * (value(along.slip, at.end) - along.slip[0] - springs);
+  }
+  return last;
+}
+
 void ImpactLog::rest(Eigen::Index point, const Polynomial& force, double h, double time, double end) {
   Impact& impact = under_way_[point];
   double where = 0.0;

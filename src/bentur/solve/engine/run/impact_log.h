@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bentur/contact/law.h"
+#include "bentur/elements/coupled_law.h"
 #include "bentur/solve/engine/motion/polynomial.h"
 #include "bentur/solve/solution.h"
 
@@ -28,6 +29,16 @@ class ImpactLog {
     double force_band = 0;          ///< pulls up to this are round-off [force]
   };
   void accumulate(Eigen::Index point, const Stretch& stretch);
+
+  /// What rubs along the bodies over a stretch: forces by a branch whose second deformation is the slip.
+  struct Along {
+    const CoupledBranch& branch;
+    int slides = 0;               ///< κ; 0: it sticks
+    const Polynomial& slip;       ///< s [length]
+    double tangential_stiffness;  ///< k_t [force/length]
+  };
+  /// Adds it to what accumulate() has. The force along at its end [force].
+  double rub(Eigen::Index point, const Stretch& stretch, const Along& along);
 
   /// Adds a stretch of resting contact under the force λ(s).
   void rest(Eigen::Index point, const Polynomial& force, double h, double time, double end);

@@ -25,13 +25,17 @@ Eigen::Index PoundingRun::quiet(Eigen::Index count) {
   const Eigen::Index others = Run::quiet(count);
   if (segment() + others <= first_contact_) return others;
   const Eigen::Index before = std::max<Eigen::Index>(first_contact_ - segment(), 0);
-  return std::min(others, std::max(before, elements_.quiet(buffer_, count, 0, system_.switched)));
+  Eigen::Index apart = elements_.quiet(buffer_, count, 0, system_.switched);
+  if (system_.rubbing > 0) {
+    apart = std::min(apart, elements_.quiet(buffer_, count, system_.rubs, std::ssize(system_.elements)));
+  }
+  return std::min(others, std::max(before, apart));
 }
 
 void PoundingRun::take_step(double time, double cut) {
   sampler_.take(motion_, time, time + cut * motion_.h(), inputs_, elements_);
   follow(time, cut, inputs_);
-  momentum_.take(motion_, cut, state_, elements_, event() && elements_.two_bodies(event()->element));
+  momentum_.take(motion_, cut, state_, elements_, event() && elements_.of_contact(*event()));
   if (energy_) energy_->take(motion_, time, cut, inputs_, elements_);
 }
 

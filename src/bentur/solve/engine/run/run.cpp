@@ -46,6 +46,10 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
   replayed_forces_.rate = system_.rate({});
   std::vector<ModalSystem::Relation> idle_ones;
   for (Eigen::Index i = 0; i < idle; ++i) idle_ones.push_back(system_.elements[i].relation);
+  const bool rub = system_.rubbing == std::ssize(setup.laws.rubbing);
+  for (Eigen::Index point = system_.switched; !rub && point < system_.points(); ++point) {
+    idle_ones.push_back(system_.elements[system_.opening(point)].relation);
+  }
   watches_.emplace_back(system_, system_.watched, setup.grid);
   watches_.emplace_back(system_, system_.spans, setup.grid);
   watches_.emplace_back(system_, idle_ones, setup.grid);

@@ -30,8 +30,8 @@ class Run {
     const FlightPlan& plan;
     long most_steps = 0;  ///< more are a failure; 0: no limit
   };
-  /// The first `idle` elements do nothing; `scales` as Elements takes them. `others` are watched besides what every run
-  /// watches.
+  /// The first `idle` elements do nothing, nor do contacts that rub which `setup` has no laws of; `scales` as Elements
+  /// takes them. `others` are watched besides what every run watches.
   Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
       const std::vector<ModalSystem::Relation>& others = {});
   virtual ~Run() = default;
@@ -75,7 +75,7 @@ class Run {
   /// In how many of `count` flights from segment() on, which follow the last step of buffer_, nothing can have
   /// happened.
   [[nodiscard]] virtual Eigen::Index quiet(Eigen::Index count) {
-    return elements_.quiet(buffer_, count, system_.switched, std::ssize(system_.elements));
+    return elements_.quiet(buffer_, count, system_.switched, system_.rubs);
   }
   /// Takes in the steps of the buffer, which is emptied after that.
   virtual void take_buffer(const StepBuffer& buffer);

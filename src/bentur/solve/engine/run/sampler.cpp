@@ -23,7 +23,8 @@ Sampler::Sampler(const ModalSystem& system, const System& given, const std::vect
     for (const auto& group : block.outputs) lists.emplace_back(MatrixXd::Zero(group.count(), count_));
   }
   samples_.ground_acceleration = MatrixXd::Zero(system.components(), count_);
-  samples_.opening = samples_.force = MatrixXd::Zero(system.switched, count_);
+  samples_.opening = samples_.force = MatrixXd::Zero(system.points(), count_);
+  samples_.slip = samples_.force_along = MatrixXd::Zero(system.rubbing, count_);
   samples_.joint_deformation = samples_.joint_force = MatrixXd::Zero(system.joints, count_);
 }
 
@@ -49,9 +50,13 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
         block.outputs[k].evaluate(of(state_.q), of(state_.v), of(acceleration_), outputs_[b][k].col(taken_));
       }
     }
-    for (Index i = 0; i < system_->switched; ++i) {
-      samples_.opening(i, taken_) = -offsets_[i] - system_->elements[i].relation.along(state_.q);
-      samples_.force(i, taken_) = forces_(i);
+    for (Index point = 0; point < system_->points(); ++point) {
+      const Index i = system_->opening(point);
+      samples_.opening(point, taken_) = -offsets_[i] - system_->elements[i].relation.along(state_.q);
+      samples_.force(point, taken_) = forces_(i);
+      if (point < system_->switched) continue;
+      samples_.slip(point - system_->switched, taken_) = system_->elements[i + 1].relation.along(state_.q);
+      samples_.force_along(point - system_->switched, taken_) = forces_(i + 1);
     }
     for (Index i = 0; i < system_->joints; ++i) {
       samples_.joint_deformation(i, taken_) = system_->elements[system_->joint(i)].relation.along(state_.q);
@@ -70,8 +75,8 @@ void Sampler::finish(Solution& solution) {
       solution.outputs[b][k].history = std::move(outputs_[b][k]);
     }
   }
-  for (MatrixXd* matrix : {&samples_.ground_acceleration, &samples_.opening, &samples_.force,
-                           &samples_.joint_deformation, &samples_.joint_force}) {
+  for (MatrixXd* matrix : {&samples_.ground_acceleration, &samples_.opening, &samples_.force, &samples_.slip,
+                           &samples_.force_along, &samples_.joint_deformation, &samples_.joint_force}) {
     cut(*matrix);
   }
   solution.samples = std::move(samples_);

@@ -28,7 +28,7 @@ Tracer::Tracer(const ModalSystem& system, const System& given, const std::vector
     : system_(&system),
       duration_(given.duration),
       offsets_(offsets),
-      points_(system.switched),
+      points_(system.points()),
       others_(2 * system.joints),
       room_(first_room) {
   for (const auto& block : system.blocks) {
@@ -64,12 +64,14 @@ void Tracer::evaluate(const Step& step, double s) {
 double Tracer::force(const Step& step, Index point, double s) {
   evaluate(step, s);
   step.elements.forces_at(state_, inputs_, forces_);
-  return forces_(point);
+  return forces_(system_->opening(point));
 }
 
 double Tracer::speed(const Step& step, Index row, double s) {
   step.motion.evaluate(s, state_);
-  if (row >= followed_) return -system_->elements[row - followed_].relation.along(state_.v);
+  if (row >= followed_) {
+    return -system_->elements[system_->opening(row - followed_)].relation.along(state_.v);
+  }
   for (const auto& block : system_->blocks) {
     for (const auto& group : block.outputs) {
       if (group.course != Course::followed) continue;
@@ -100,11 +102,12 @@ Tracer::Instant Tracer::at(const Step& step, double s) {
       at += group.count();
     }
   }
-  for (Index i = 0; i < points_; ++i) {
+  for (Index point = 0; point < points_; ++point) {
+    const Index i = system_->opening(point);
     const auto& relation = system_->elements[i].relation;
-    result.values(followed_ + i) = -offsets_[i] - relation.along(state_.q);
-    result.speeds(followed_ + i) = -relation.along(state_.v);
-    result.values(followed_ + points_ + i) = forces_(i);
+    result.values(followed_ + point) = -offsets_[i] - relation.along(state_.q);
+    result.speeds(followed_ + point) = -relation.along(state_.v);
+    result.values(followed_ + points_ + point) = forces_(i);
   }
   for (Index i = 0; i < system_->joints; ++i) {
     result.values(extra++) = system_->elements[system_->joint(i)].relation.along(state_.q);

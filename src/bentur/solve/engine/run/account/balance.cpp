@@ -84,7 +84,7 @@ void MomentumBalance::changed(const State& state, Elements& elements) {
 void MomentumBalance::close(const State& state, Elements& elements) {
   const std::vector<Impact>& impacts = elements.impacts();
   for (std::size_t n = impacts_before_; n < impacts.size(); ++n) {
-    system_->push(impacts[n].point, impacts[n].impulse, pushed_);
+    if (impacts[n].point < system_->switched) system_->push(impacts[n].point, impacts[n].impulse, pushed_);
   }
   double missing = 0.0;
   double largest = 0.0;
@@ -138,6 +138,11 @@ double force_imbalance(const System& given, const ModalSystem& system, const Sta
   };
   for (const Contact& contact : given.contacts) push_both(contact.at);
   for (const bentur::Element& joint : given.joints) push_both(joint.at);
+  element = system.rubs;
+  for (const RubbingContact& contact : given.rubbing) {
+    push_both(contact.at);
+    push_both(contact.along);
+  }
   element = system.members;
   for (Index b = 0; b < std::ssize(bodies); ++b) {
     for (const BuildingElement& member : bodies[b].elements) push({b, member.row}, forces(element++));

@@ -1,4 +1,5 @@
 // What elements store and take, for the account of energy.
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/solve/engine/run/elements.h"
 
 namespace bentur::engine {
@@ -9,6 +10,16 @@ double Elements::stored_in_contacts(const State& state) const {
   double sum = 0.0;
   for (Index i = idle_; i < count(); ++i) {
     if (branches_[i].touching()) sum += law(i).stored_energy(states_[i], deformation(i, state));
+  }
+  if (rubbing_.empty()) return sum;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(std::ssize(offsets_));
+  coupled_.add_forces(state, forces);
+  for (std::size_t n = 0; n < rubbing_.size(); ++n) {
+    const Rub of = rub(n);
+    if (!touches(of)) continue;
+    sum +=
+        of.law->normal().stored_energy(of.law->normal_state(coupled_.states()[of.coupled]), deformation(of.at, state));
+    sum += of.law->stored_along(forces(of.at + 1));
   }
   return sum;
 }

@@ -1,0 +1,81 @@
+// Impacts of contacts that rub.
+#include "bentur/contact/laws/rubbing.h"
+#include "bentur/solve/engine/run/elements.h"
+
+namespace bentur::engine {
+
+using Eigen::Index;
+
+Elements::Rub Elements::rub(std::size_t number) const {
+  const std::size_t coupled = system_->coupled.size() - rubbing_.size() + number;
+  return {number, coupled, system_->coupled[coupled].first, count() + static_cast<Index>(number),
+          rubbing_[number].get()};
+}
+
+bool Elements::touches(const Rub& of) const {
+  return of.law->normal().branch(of.law->normal_state(coupled_.states()[of.coupled])).touching();
+}
+
+void Elements::accumulate_rubbing(const Expansion& motion, double time, double end) {
+  for (std::size_t n = 0; n < rubbing_.size(); ++n) {
+    const Rub of = rub(n);
+    const CoupledState& state = coupled_.states()[of.coupled];
+    const LawState normal = of.law->normal_state(state);
+    const Branch branch = of.law->normal().branch(normal);
+    if (!branch.touching()) continue;
+    double band = 2.0 * branch.stiffness * tolerances_[of.at];
+    if (branch.damping != 0.0) {
+      const double speeds = relation(of.at).along_abs(motion.coefficients().col(1).data());
+      band += 2.0 * branch.damping * round_off_band * speeds / motion.h();
+    }
+    const ImpactLog::Stretch stretch{of.law->normal(), normal, motion.deformation(of.at), motion.h(), time, end, band};
+    log_.accumulate(of.log, stretch);
+    along_[n] = log_.rub(of.log, stretch,
+                         {coupled_.branch(of.coupled), of.law->slides(state), motion.deformation(of.at + 1),
+                          of.law->tangential_stiffness()});
+  }
+}
+
+/// What follows from a guard of an element of several deformations.
+void Elements::change_coupled(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state) {
+  const auto element = static_cast<std::size_t>(event.element - count());
+  const std::size_t own = system_->coupled.size() - rubbing_.size();
+  if (element < own) {
+    coupled_.change({element, event.guard}, time, state, acceleration(state, inputs));
+    gather(state);
+    return;
+  }
+  ++events_;
+  const Rub of = rub(element - own);
+  const ContactLaw& law = of.law->normal();
+  const auto normal = [&] { return of.law->normal_state(coupled_.states()[element]); };
+  const LawState before = normal();
+  const bool touched = law.branch(before).touching();
+  coupled_.change({element, event.guard}, time, state, acceleration(state, inputs));
+  gather(state);
+  const LawState after = normal();
+  const bool touches = law.branch(after).touching();
+  const double depth = deformation(of.at, state);
+  const double closing = speed(of.at, state);
+  if (touched) log_.under_way(of.log).energy_lost += law.stored_energy(before, depth);
+  if (touched && !touches) log_.end(of.log, time, -closing);
+  began_ = !touched && touches;
+  if (began_) {
+    log_.begin(of.log, time, from_rest(of.at, closing) ? 0.0 : closing);
+    log_.under_way(of.log).point = system_->switched + static_cast<Index>(of.number);
+  }
+  if (touches) log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
+}
+
+void Elements::finish(double time) {
+  for (std::size_t n = 0; n < rubbing_.size(); ++n) {
+    const Rub of = rub(n);
+    if (!touches(of)) continue;
+    log_.under_way(of.log).open_ended = true;
+    log_.under_way(of.log).friction_loss -= of.law->stored_along(along_[n]);
+    log_.end(of.log, time, 0.0);
+  }
+  log_.finish(branches_, time);
+}
+
+}  // namespace bentur::engine
