@@ -16,9 +16,9 @@
 #include "bentur/report/errors.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "session.h"
-#include "suite.h"
 #include "text/table.h"
 
 namespace bentur::cli {

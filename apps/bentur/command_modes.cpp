@@ -8,8 +8,8 @@
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
+#include "cases/plan.h"
 #include "commands.h"
-#include "plan.h"
 #include "session.h"
 #include "text/table.h"
 

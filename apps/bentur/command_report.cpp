@@ -14,10 +14,10 @@
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
 #include "bentur/report/studies/sweep_report.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
 #include "session.h"
-#include "suite.h"
 
 namespace bentur::cli {
 namespace {

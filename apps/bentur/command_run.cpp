@@ -18,12 +18,12 @@
 #include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
+#include "cases/plan.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
 #include "output/picture.h"
-#include "plan.h"
 #include "session.h"
-#include "suite.h"
 #include "text/table.h"
 
 namespace bentur::cli {

@@ -23,7 +23,7 @@
 #include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/utf8.h"
-#include "suite.h"
+#include "cases/suite.h"
 #include "text/effort_text.h"
 #include "text/table.h"
 

@@ -56,7 +56,7 @@ class Gallery(unittest.TestCase):
         for name, picture in self.pictures.items():
             self.assertLess(len(picture), 250_000, name)
             root = xml.fromstring(picture)
-            texts = [text.text or "" for text in root.iter("{http://www.w3.org/2000/svg}text")]
+            texts = ["".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")]
             if name.endswith(("-scene.svg", "-hinges.svg")):
                 continue  # have no axes
             # A label with a unit on both axes of at least one panel.

@@ -48,7 +48,7 @@ class Figures(unittest.TestCase):
             self.skipTest(f"{program} is not installed")
 
     def texts(self, file):
-        return [text.text or "" for text in xml.fromstring(file.read_text()).iter(SVG + "text")]
+        return ["".join(text.itertext()) for text in xml.fromstring(file.read_text()).iter(SVG + "text")]
 
 
 class Run(Figures):

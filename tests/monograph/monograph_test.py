@@ -75,7 +75,7 @@ class Page(unittest.TestCase):
     def test_every_axis_has_a_label_and_every_curve_is_there(self):
         for file in (self.folder / "page").glob("*.svg"):
             root = xml.fromstring(file.read_text())
-            texts = [text.text or "" for text in root.iter("{http://www.w3.org/2000/svg}text")]
+            texts = ["".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")]
             self.assertGreaterEqual(len([text for text in texts if re.search(r"\[.+\]$", text)]), 2, f"{file.name}: {texts}")
         for file in (self.folder / "work/data/examples/monograph").glob("*-data.csv"):
             with file.open(newline="") as stream:

@@ -45,7 +45,7 @@ BEYOND = {
             code-no-rule column-axial-stiffness column-capacity-of-nothing column-elevations-missing
             column-of-a-stick columns-not-asked-for contact-axial-without-frames
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
-            contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
+            contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
             isolation-strength-alone matrices-damping-none

@@ -1,4 +1,4 @@
-#include "plan.h"
+#include "cases/plan.h"
 
 #include <fmt/format.h>
 
@@ -32,16 +32,12 @@ LoadedPlan load_plan(const std::string& file, const std::string& language) {
   return {*std::move(c), std::move(problem)};
 }
 
-/// "1 floor", "2 floors".
-std::string counted(Eigen::Index number, const std::string& what) {
-  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 std::string building_line(const PlanBuilding& building) {
   if (building.is_rigid()) return building.name + ": moves with the ground\n";
   const PlanModel& model = building.model;
-  return fmt::format("{}: {}, {} of freedom, {}, first period {} s\n", building.name, counted(model.floors(), "floor"),
-                     counted(model.dofs(), "degree"), counted(std::ssize(model.planes), "plane"),
+  return fmt::format("{}: {}, {} of freedom, {}, first period {} s\n", building.name,
+                     counted(model.elevations.size(), "floor"),
+                     counted(static_cast<std::size_t>(model.dofs()), "degree"), counted(model.planes.size(), "plane"),
                      number(modal_properties(building.modes, model.load.col(0)).periods(0)));
 }
 
@@ -50,8 +46,8 @@ std::string gap_line(const LoadedPlan& loaded, std::size_t g) {
   const std::string& length = loaded.c.units.length;
   return fmt::format("{}: {} {} apart along {}, {} {} of stretch, {}, {}\n", gap_name(loaded.problem, gap),
                      number(gap.stretch.width), length, gap.stretch.across == 0 ? "x" : "y",
-                     number(gap.stretch.to - gap.stretch.from), length,
-                     counted(std::ssize(gap.contacts), "contact point"), loaded.c.gaps[g].contact.law);
+                     number(gap.stretch.to - gap.stretch.from), length, counted(gap.contacts.size(), "contact point"),
+                     loaded.c.gaps[g].contact.law);
 }
 
 /// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].
@@ -73,11 +69,11 @@ std::string modes_text(const PlanBuilding& building) {
     rotation.push_back(fmt::format("{:.2f}", 100 * turning));
   }
   Table table;
-  table.add("mode", "", numbers);
-  table.add("period", "s", periods);
-  table.add("mass along x", "%", mass_x);
-  table.add("mass along y", "%", mass_y);
-  table.add("rotation in it", "%", rotation);
+  table.add("Mode", "", numbers);
+  table.add("Period", "s", periods);
+  table.add("Mass along x", "%", mass_x);
+  table.add("Mass along y", "%", mass_y);
+  table.add("Rotation in it", "%", rotation);
   return building.name + "\n\n" + table.text();
 }
 

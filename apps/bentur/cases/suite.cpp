@@ -1,4 +1,4 @@
-#include "suite.h"
+#include "cases/suite.h"
 
 #include <fmt/format.h>
 
