@@ -65,11 +65,11 @@ bool Rubbing::takes_friction(const ContactLaw& normal) {
 Rubbing::Rubbing(std::shared_ptr<const ContactLaw> normal, double friction, double tangential_stiffness)
     : normal_(std::move(normal)), friction_(friction), tangential_stiffness_(tangential_stiffness) {
   require_not_negative("friction", friction);
-  require_positive("tangential_stiffness", tangential_stiffness);
   if (!takes_friction(*normal_)) {
     throw InvalidParameter("friction", std::to_string(friction),
                            "goes with contact whose force has straight branches and never pulls");
   }
+  require_positive("tangential_stiffness", tangential_stiffness);
 }
 
 bool Rubbing::same_as(const CoupledLaw& other) const {

@@ -144,6 +144,24 @@ bool read_choices(const TableView& contact, const LawEntry& law, ContactSpec& sp
   return good;
 }
 
+/// What rubs along the joint, of buildings in plan.
+bool read_friction(const TableView& contact, const GapSides& sides, ContactSpec& spec) {
+  bool good = true, rubs = false;
+  for (const char* const name : {"friction", "tangential_stiffness"}) {
+    const auto value = contact.find(name);
+    if (!value) continue;
+    const std::vector<double> numbers = value->as_number_or_numbers(contact.key(name).range, sides.points());
+    good = good && !numbers.empty();
+    if (!numbers.empty()) spec.numbers[name] = numbers;
+  }
+  if (const auto friction = spec.numbers.find("friction"); friction != spec.numbers.end()) {
+    rubs = std::any_of(friction->second.begin(), friction->second.end(), [](double mu) { return mu > 0; });
+  }
+  if (!good || rubs || !contact.has("tangential_stiffness")) return good;
+  contact.refuse({"tangential_stiffness"}, "goes with friction > 0");
+  return false;
+}
+
 }  // namespace
 
 Length GapSides::points() const {
@@ -164,7 +182,8 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
   spec.law = law->name;
   const bool numbers = read_numbers(contact, *law, sides, spec);
   const bool choices = read_choices(contact, *law, spec);
-  return numbers && choices ? std::optional(spec) : std::nullopt;
+  const bool friction = read_friction(contact, sides, spec);
+  return numbers && choices && friction ? std::optional(spec) : std::nullopt;
 }
 
 bool say_of_law(const TomlView& contact, const InvalidParameter& fault, std::size_t point) {
@@ -276,6 +295,9 @@ GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuil
   if (const auto contact = read_contact(gap, sides, no_contact ? Need::optional : Need::required)) {
     spec.contact = *contact;
     check_laws(*gap.find("contact"), spec, sides);
+  }
+  if (const auto contact = gap.find("contact"); contact && contact->is(TomlValue::Kind::table)) {
+    contact->refuse({"friction", "tangential_stiffness"}, "is of buildings in plan: give them [building.plan]");
   }
   return spec;
 }

@@ -54,6 +54,16 @@ const KeyTable& contact_keys() {
   static const KeyTable table = [] {
     KeyTable made = {"gap.contact", "one of the laws of contact, with the keys it takes", {}};
     add_laws(contact_laws(), Key::choice("law", {}, {"Contact law", "Hukum kontak"}), made.keys);
+    made.keys.push_back(Key::number("friction", dimension::none, Range::not_negative, {"Friction", "Gesekan"},
+                                    "between buildings in plan alone: μ along the joint, of the laws named below")
+                            .for_each("one per contact point")
+                            .by_default(0));
+    made.keys.push_back(Key::number("tangential_stiffness", dimension::stiffness, Range::positive,
+                                    {"Tangential stiffness", "Kekakuan tangensial"},
+                                    "k_t along the joint, of the spring that slides at μ times the force across")
+                            .for_each("one per contact point")
+                            .goes_with("friction")
+                            .optional("8/9 of the stiffness across, at its beginning"));
     return made;
   }();
   return table;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
 
 namespace bentur {
@@ -27,6 +28,17 @@ Eigen::Matrix2d axes_at(double degrees) {
 double floor_mass(const PlanBuildingSpec& spec, int floor) {
   const Plan* const plan = std::get_if<Plan>(&spec.structure);
   return plan != nullptr ? plan->masses.at(static_cast<std::size_t>(floor)) : std::numeric_limits<double>::infinity();
+}
+
+/// The law of a point with the friction that the contact has at a level; null where it has none.
+std::shared_ptr<const Rubbing> rubbing_of(const ContactSpec& contact, std::size_t level, double share,
+                                          const std::shared_ptr<const ContactLaw>& law) {
+  constexpr double mindlin = 8.0 / 9.0;  // 2 (1 − ν)/(2 − ν), ν = 0.2
+  const double friction = contact.number("friction", level).value_or(0);
+  if (friction == 0) return nullptr;
+  const std::optional<double> given = contact.number("tangential_stiffness", level);
+  const double across = law->branch(law->next({}, 0, 0.0, 0.0, 1.0)).stiffness;  // of what has just touched
+  return std::make_shared<const Rubbing>(law, friction, given ? share * *given : mindlin * across);
 }
 
 std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<double>>& given) {
@@ -73,11 +85,13 @@ std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<P
     const double m_e = effective_mass(floor_mass(buildings.at(gap.left), floors.left_floor),
                                       floor_mass(buildings.at(gap.right), floors.right_floor));
     for (const StretchPoint& point : points_of(gap.stretch, gap.points)) {
+      const auto law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share));
       contacts.push_back({.left_floor = floors.left_floor,
                           .right_floor = floors.right_floor,
                           .elevation = floors.elevation,
                           .along = point.along,
-                          .law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share))});
+                          .law = law,
+                          .rubbing = rubbing_of(gap.contact, level, point.share, law)});
     }
   }
   return contacts;

@@ -18,6 +18,8 @@ struct Stretch {
   double width = 0;                      ///< w between them ≥ 0 [length]
 
   [[nodiscard]] PlanPoint normal() const { return PlanPoint::Unit(across); }
+  /// t = e_z × n, along the joint.
+  [[nodiscard]] PlanPoint tangent() const { return {across == 0 ? 0.0 : -1.0, across == 0 ? 1.0 : 0.0}; }
   /// On the left (0) or right (1) edge, at `along`.
   [[nodiscard]] PlanPoint on_edge(int side, double along) const;
   /// Between the two edges.

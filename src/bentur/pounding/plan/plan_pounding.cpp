@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "bentur/pounding/checks/self_checks.h"
@@ -99,6 +100,36 @@ bool some_contact_is_integrated(const PlanProblem& problem) {
   });
 }
 
+/// Of each point of a system its place among the contacts of all gaps: those that rub are the system's last.
+std::vector<Index> places_of(const PlanProblem& problem) {
+  std::vector<Index> places, rubbing;
+  Index place = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
+  }
+  places.insert(places.end(), rubbing.begin(), rubbing.end());
+  return places;
+}
+
+/// Impacts of a system's points as those of the problem's, by start, then point, then end.
+std::vector<Impact> in_places(std::vector<Impact> impacts, const std::vector<Index>& places) {
+  for (Impact& impact : impacts) impact.point = places[impact.point];
+  std::sort(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) {
+    return std::tie(a.start, a.point, a.end) < std::tie(b.start, b.point, b.end);
+  });
+  return impacts;
+}
+
+void summarise_friction(const std::vector<Impact>& impacts, std::vector<PlanFriction>& points) {
+  for (const Impact& impact : impacts) {
+    PlanFriction& point = points[impact.point];
+    point.peak_tangential_force = std::max(point.peak_tangential_force, impact.peak_tangential_force);
+    point.tangential_impulse += impact.tangential_impulse;
+    point.sliding += impact.sliding;
+    point.friction_loss += impact.friction_loss;
+  }
+}
+
 /// Every number that is told is one.
 bool is_finite(const PlanResponse& response) {
   const auto finite = [](const PlanPeaks& peaks) {
@@ -115,6 +146,11 @@ bool is_finite(const PlanResponse& response) {
   };
   return std::all_of(response.buildings.begin(), response.buildings.end(), finite) &&
          std::all_of(response.buildings_no_contact.begin(), response.buildings_no_contact.end(), finite) &&
+         std::all_of(
+             response.friction.begin(), response.friction.end(),
+             [](const PlanFriction& p) {
+               return std::isfinite(p.peak_tangential_force + p.tangential_impulse + p.sliding + p.friction_loss);
+             }) &&
          std::all_of(response.points.begin(), response.points.end(), [](const PointSummary& p) {
            return std::isfinite(p.gap_needed + p.contact_duration + p.peak_force + p.peak_tension + p.peak_penetration +
                                 p.peak_closing_speed + p.impulse + p.energy_lost);
@@ -154,10 +190,12 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOp
   PlanResponse response;
   response.buildings_no_contact = peaks_of(problem, free.solution());
   const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
-  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    PointSummary& point = response.points.emplace_back();
-    point.gap_needed = free.solution().needed[i];
-    if (mirrored) point.gap_needed_reversed = free.solution().watched_free[i].reach;
+  const std::vector<Index> places = places_of(problem);
+  response.points.resize(places.size());
+  response.friction.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    response.points[places[i]].gap_needed = free.solution().needed[i];
+    if (mirrored) response.points[i].gap_needed_reversed = free.solution().watched_free[i].reach;
   }
   Solution solution = free.solve(system.contacts, rest);
   response.status = solution.status;
@@ -165,8 +203,9 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOp
   response.steps = solution.steps;
   response.events = solution.events;
   response.buildings = peaks_of(problem, solution);
-  response.impacts = std::move(solution.impacts);
+  response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
+  summarise_friction(response.impacts, response.friction);
   response.energy = std::move(solution.energy);
   check_response(problem, solver, solution.checks, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -23,6 +23,14 @@ struct PlanPeaks {
   std::vector<Plane> planes;
 };
 
+/// What a contact point did along the joint.
+struct PlanFriction {
+  double peak_tangential_force = 0;  ///< [force]
+  double tangential_impulse = 0;     ///< ∫F_t dt, along t = e_z × n as it acts against L [force·s]
+  double sliding = 0;                ///< path slid [length]
+  double friction_loss = 0;          ///< [force·length]
+};
+
 /// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.
 struct PlanResponse {
   Status status = Status::done;
@@ -32,6 +40,7 @@ struct PlanResponse {
   std::vector<PlanPeaks> buildings;
   std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
   std::vector<PointSummary> points;             ///< of all gaps, as their contacts
+  std::vector<PlanFriction> friction;           ///< of the same points; zero where nothing rubs
   std::vector<Impact> impacts;                  ///< by start, then point, then end
   std::optional<EnergyAudit> energy = {};       ///< when asked for
   std::vector<Discrepancy> discrepancies = {};

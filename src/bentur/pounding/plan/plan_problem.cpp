@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
 #include "bentur/structure/plan/plan_body.h"
 
@@ -66,15 +67,15 @@ BodyRow side_of(const PlanProblem& problem, const PlanGap& gap, const PlanContac
   return row;
 }
 
-Interface interface_of(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
-  const PlanPoint normal = gap.stretch.normal();
-  return {side_of(problem, gap, contact, 0, normal), side_of(problem, gap, contact, 1, normal)};
+Interface interface_of(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact,
+                       const PlanPoint& direction) {
+  return {side_of(problem, gap, contact, 0, direction), side_of(problem, gap, contact, 1, direction)};
 }
 
 /// Points that collide without a force cannot be inside one another: no force would part them.
 void check_start(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
   if (!contact.law->restitution() || problem.initial_displacement.empty()) return;
-  const Interface at = interface_of(problem, gap, contact);
+  const Interface at = interface_of(problem, gap, contact, gap.stretch.normal());
   const double left = at.left.row.dot(problem.initial_displacement[gap.left]);
   const double right = -at.right.row.dot(problem.initial_displacement[gap.right]);
   require_that(!overlap(gap.stretch.width, left, right), "gaps", gap_name(problem, gap),
@@ -96,6 +97,8 @@ void check_gap(const PlanProblem& problem, const PlanGap& gap) {
                  "gaps", name, "must have its contacts at floors of both buildings");
     require_that(contact.law != nullptr && std::isfinite(contact.along), "gaps", name,
                  "must have a law and a place for every contact");
+    require_that(contact.rubbing == nullptr || &contact.rubbing->normal() == contact.law.get(), "gaps", name,
+                 "must rub with the law of the contact");
   }
 }
 
@@ -144,18 +147,23 @@ System system_of(const PlanProblem& problem) {
   for (const PlanBuilding& building : problem.buildings) system.bodies.push_back(body_of(building, axes));
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      Interface at = interface_of(problem, gap, contact);
-      if (gap.left > gap.right) std::swap(at.left, at.right);  // δ is their sum: bodies go in their order
-      system.contacts.push_back({std::move(at), contact.law, gap.stretch.width});
+      const auto along = [&](const PlanPoint& direction) {
+        Interface at = interface_of(problem, gap, contact, direction);
+        if (gap.left > gap.right) std::swap(at.left, at.right);  // δ is their sum: bodies go in their order
+        return at;
+      };
+      const Interface at = along(gap.stretch.normal());
+      if (contact.rubbing) {
+        system.rubbing.push_back({at, along(gap.stretch.tangent()), contact.rubbing, gap.stretch.width});
+      } else {
+        system.contacts.push_back({at, contact.law, gap.stretch.width});
+      }
+      Interface& reversed = system.watched_free.emplace_back(at);
+      for (BodyRow* side : {&reversed.left, &reversed.right}) {
+        side->row *= -1.0;
+        side->ground *= -1.0;
+      }
     }
-  }
-  for (const Contact& contact : system.contacts) {
-    Interface reversed = contact.at;
-    for (BodyRow* side : {&reversed.left, &reversed.right}) {
-      side->row *= -1.0;
-      side->ground *= -1.0;
-    }
-    system.watched_free.push_back(std::move(reversed));
   }
   for (const GroundMotion& motion : problem.motions) {
     if (moves(motion)) system.motions.push_back(motion);

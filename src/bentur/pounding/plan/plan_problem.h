@@ -20,6 +20,7 @@ struct PlanContact {
   double elevation = 0;                          ///< [length]
   double along = 0;                              ///< on the stretch [length]
   std::shared_ptr<const ContactLaw> law;         ///< with the share of this point
+  std::shared_ptr<const Rubbing> rubbing = {};   ///< that law with friction along the stretch; null: without
 };
 
 /// What lies between two buildings that face each other.
@@ -48,8 +49,8 @@ struct PlanProblem {
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.
 void validate(const PlanProblem& problem);
 
-/// Bodies and contacts of a valid problem, gap after gap (P-6). What the motion times −1 needs is watched in the free
-/// response: −δ of every contact.
+/// Bodies and contacts of a valid problem, gap after gap (P-6), those that rub apart. What the motion times −1 needs is
+/// watched in the free response: −δ of every contact, in the order of the gaps.
 [[nodiscard]] System system_of(const PlanProblem& problem);
 
 }  // namespace bentur

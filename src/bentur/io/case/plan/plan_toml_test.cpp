@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
 
@@ -201,13 +202,108 @@ TEST(PlanToml, SaysEveryErrorOfPairs) {
       errors_with("stiffness = 4e5, restitution", "stiffness = [4e5, 1], restitution"),
       (Errors{"plan.contact.stiffness is a list, must be one for all pairs: a [[gap]] has lists, over its levels"}));
   EXPECT_EQ(
-      errors_with("law = \"linear\", stiffness = [5e5, 3e5] }", "law = \"linear\", stiffness = 1, friction = 0.3 }")
-          .size(),
-      1U);
-  EXPECT_EQ(
       errors_with("elevations = [4.5]", "elevations = [6.0]"),
       (Errors{"plan.clearance brings together \"A\" and \"W\", which have no floors at one elevation: give a [[gap]] "
               "between them with level_tolerance"}));
+}
+
+TEST(PlanToml, SaysEveryErrorOfFriction) {
+  const auto errors_of_gap = [](const std::string& more) {
+    return errors_with("stiffness = [5e5, 3e5] }", "stiffness = [5e5, 3e5], " + more + " }");
+  };
+  EXPECT_EQ(errors_of_gap("friction = 0.3"), Errors{});
+  EXPECT_EQ(errors_of_gap("friction = [0.3, 0], tangential_stiffness = [1e5, 2e5]"), Errors{});
+  EXPECT_EQ(errors_of_gap("friction = [0.3, -0.1], tangential_stiffness = inf"),
+            (Errors{"gap[0].contact.friction[1] = -0.1, must be >= 0",
+                    "gap[0].contact.tangential_stiffness = inf, must be finite"}));
+  EXPECT_EQ(errors_of_gap("friction = 0.3, tangential_stiffness = 0"),
+            (Errors{"gap[0].contact.tangential_stiffness = 0, must be > 0"}));
+  EXPECT_EQ(errors_of_gap("friction = 0, tangential_stiffness = 1e5"),
+            (Errors{"gap[0].contact.tangential_stiffness goes with friction > 0"}));
+  EXPECT_EQ(errors_of_gap("tangential_stiffness = 1e5"),
+            (Errors{"gap[0].contact.tangential_stiffness goes with friction > 0"}));
+  EXPECT_EQ(
+      errors_with("law = \"linear\", stiffness = [5e5, 3e5] }",
+                  "law = \"hertz\", stiffness = 5e5, friction = [0, 0.3] }"),
+      (Errors{
+          "gap[0].contact.friction[1] = 0.3, goes with contact whose force has straight branches and never pulls"}));
+  EXPECT_EQ(
+      errors_with("{ law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5 }",
+                  "{ law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5, release = \"creep\", "
+                  "friction = 0.3 }"),
+      (Errors{"plan.contact.friction = 0.3, goes with contact whose force has straight branches and never pulls"}));
+  // With an error of another key.
+  EXPECT_EQ(
+      errors_with("points = 3\ncontact = { law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5 }",
+                  "points = 1\ncontact = { law = \"kelvin-voigt\", stiffness = 4e5, restitution = 0.5, "
+                  "friction = -1 }"),
+      (Errors{"plan.points = 1, must be a whole number from 2 to 50", "plan.contact.friction = -1, must be >= 0"}));
+}
+
+TEST(PlanToml, FrictionHasTheShareOfItsPoint) {
+  std::string text = plan_text;
+  const std::string from = "stiffness = [5e5, 3e5] }";
+  text.replace(text.find(from), from.size(), "stiffness = [5e5, 3e5], friction = [0, 0.3] }");
+  const Read read = read_text(text);
+  ASSERT_TRUE(read.c);
+  const PlanProblem problem = make_plan_problem(*read.c);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(problem.gaps[0].contacts[i].rubbing, nullptr);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PlanContact& contact = problem.gaps[0].contacts[3 + i];
+    ASSERT_NE(contact.rubbing, nullptr);
+    EXPECT_EQ(contact.rubbing->friction(), 0.3);
+    EXPECT_DOUBLE_EQ(contact.rubbing->tangential_stiffness(), 8.0 / 9.0 * 3e5 * (i == 1 ? 0.5 : 0.25));
+  }
+  for (const PlanContact& contact : problem.gaps[1].contacts) EXPECT_EQ(contact.rubbing, nullptr);
+}
+
+TEST(PlanToml, FrictionOfZeroIsNone) {
+  std::string text = plan_text;
+  const std::string from = "stiffness = [5e5, 3e5] }";
+  text.replace(text.find(from), from.size(), "stiffness = [5e5, 3e5], friction = 0 }");
+  const PlanResponse without = solve(make_plan_problem(*read_text(plan_text).c));
+  const PlanResponse with = solve(make_plan_problem(*read_text(text).c));
+  ASSERT_EQ(with.impacts.size(), without.impacts.size());
+  for (std::size_t i = 0; i < with.impacts.size(); ++i) EXPECT_EQ(with.impacts[i].impulse, without.impacts[i].impulse);
+  for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(with.buildings[b].rotation, without.buildings[b].rotation);
+}
+
+/// A free rectangle whose corner strikes a wall and slides along it all the way (P-18).
+TEST(PlanToml, CornerSlidesAlongAWall) {
+  struct Target {
+    std::string velocity;
+    double normal, along, loss;
+  };
+  for (const Target& target : {Target{"[-1.6, 4.4, 0.4]", 22.907488986784, 6.8722466960352, 38.145510295173},
+                               Target{"[-1.6, -7.6, 0.4]", 30.057803468208, -9.0173410404624, 56.293227304621}}) {
+    SCOPED_TRACE(target.velocity);
+    const Read read = read_text(
+        "[plan]\nclearance = 0\ncontact = { law = \"linear\", stiffness = 4e5, friction = 0.3 }\n"
+        "[[building]]\nname = \"A\"\ndamping = 0\n"
+        "plan = { corner = [0, 0], size = [8, 12], storey_heights = [3], masses = [50] }\n"
+        "rigidity = { centre = [4, 6], x = 1e-9, y = 1e-9, torsion = 1e-9 }\n"
+        "[[building]]\nname = \"W\"\nrigid = true\nelevations = [3]\n"
+        "plan = { corner = [8, -3], size = [1, 8] }\n[excitation]\nkind = \"none\"\n"
+        "[initial]\nvelocities = { A = [" +
+        target.velocity + "] }\n[analysis]\nduration = 0.1\n");
+    ASSERT_TRUE(read.c) << ::testing::PrintToString(read.errors);
+    const PlanProblem problem = make_plan_problem(*read.c);
+    const PlanResponse response = solve(problem, ExactSolver{}, {.energy_audit = true});
+    ASSERT_EQ(response.status, Status::done) << response.message;
+    EXPECT_LE(response.energy->relative_residual(), 1e-12);
+    ASSERT_EQ(response.impacts.size(), 1U);
+    EXPECT_EQ(response.impacts[0].point, 0);
+    EXPECT_NEAR(response.points[0].impulse, target.normal, 1e-11 * target.normal);
+    const PlanFriction& along = response.friction[0];
+    EXPECT_NEAR(along.tangential_impulse, target.along, 1e-11 * std::abs(target.along));
+    EXPECT_NEAR(along.friction_loss, target.loss, 1e-10 * target.loss);
+    EXPECT_NEAR(along.peak_tangential_force, 0.3 * response.points[0].peak_force,
+                1e-11 * response.points[0].peak_force);
+    EXPECT_EQ(response.friction[1].friction_loss, 0);
+    EXPECT_GT(along.sliding, 0);
+    const std::string json = plan_summary_json({*read.c, problem, response}, "test");
+    EXPECT_NE(json.find("\"friction_loss\""), std::string::npos);
+  }
 }
 
 TEST(PlanToml, SaysWhatIsNotBuilt) {
@@ -234,13 +330,15 @@ TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
   ASSERT_EQ(diagnostics.errors().size(), 1U);
   EXPECT_EQ(diagnostics.errors()[0].message(),
             "plan is of buildings in plan, which bentur check, modes and run take: nothing else does");
-  const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more) {
+  const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more,
+                                const std::string& more_of_contact = "") {
     Diagnostics found;
     (void)read_case_text(
         "[[building]]\nname = \"A\"\ndamping = 0\nstick = { storey_heights = [3], masses = [1], stiffnesses = [1] }\n"
         "[[building]]\nname = \"B\"\ndamping = 0\nstick = { storey_heights = [3], masses = [1], stiffnesses = [1] }\n"
-        "[[gap]]\nbetween = [\"A\", \"B\"]\ncontact = { law = \"linear\", stiffness = 1 }\n" +
-            more_of_gap + "[excitation]\nkind = \"harmonic\"\nperiod = 1\ndisplacement_amplitude = 1\n" + more +
+        "[[gap]]\nbetween = [\"A\", \"B\"]\ncontact = { law = \"linear\", stiffness = 1" +
+            more_of_contact + " }\n" + more_of_gap +
+            "[excitation]\nkind = \"harmonic\"\nperiod = 1\ndisplacement_amplitude = 1\n" + more +
             "[analysis]\nduration = 1\n",
         "a.toml", found);
     Errors errors;
@@ -248,6 +346,9 @@ TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
     return errors;
   };
   EXPECT_EQ(errors_of_row("width = 1\n", ""), Errors{});
+  EXPECT_EQ(errors_of_row("width = 1\n", "", ", friction = 0.3, tangential_stiffness = 1"),
+            (Errors{"gap[0].contact.friction is of buildings in plan: give them [building.plan]",
+                    "gap[0].contact.tangential_stiffness is of buildings in plan: give them [building.plan]"}));
   EXPECT_EQ(errors_of_row("points = 2\n", "angle = 3\n"),
             (Errors{"gap[0].width is missing", "gap[0].points is of buildings in plan: give them [building.plan]",
                     "excitation.angle is of buildings in plan: give them [building.plan]"}));

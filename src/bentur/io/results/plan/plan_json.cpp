@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bentur/contact/laws/rubbing.h"
 #include "bentur/io/results/internal/asked_json.h"
 #include "bentur/structure/modes.h"
 
@@ -109,23 +110,31 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
 Json pair_json(const PlanPoint& at) { return {at.x(), at.y()}; }
 
 Json plan_point_json(const PlanGap& gap, const PlanContact& contact, const PointSummary& point,
-                     const ContactSpec& spec) {
-  return {{"elevation", contact.elevation},
-          {"at", pair_json(gap.stretch.middle(contact.along))},
-          {"width", gap.stretch.width},
-          {"gap_needed", point.gap_needed},
-          {"gap_needed_reversed", number_or_null(point.gap_needed_reversed)},
-          {"impacts", point.impacts},
-          {"slow_starts", point.slow_starts},
-          {"contact_duration", point.contact_duration},
-          {"peak_force", point.peak_force},
-          {"peak_force_time", number_or_null(point.peak_force_time)},
-          {"peak_penetration", point.peak_penetration},
-          {"peak_closing_speed", point.peak_closing_speed},
-          {"impulse", point.impulse},
-          {"energy_lost", point.energy_lost},
-          {"peak_tension", point.peak_tension},
-          {"contact", contact_json(*contact.law, spec)}};
+                     const PlanFriction& friction, const ContactSpec& spec) {
+  Json json = {{"elevation", contact.elevation},
+               {"at", pair_json(gap.stretch.middle(contact.along))},
+               {"width", gap.stretch.width},
+               {"gap_needed", point.gap_needed},
+               {"gap_needed_reversed", number_or_null(point.gap_needed_reversed)},
+               {"impacts", point.impacts},
+               {"slow_starts", point.slow_starts},
+               {"contact_duration", point.contact_duration},
+               {"peak_force", point.peak_force},
+               {"peak_force_time", number_or_null(point.peak_force_time)},
+               {"peak_penetration", point.peak_penetration},
+               {"peak_closing_speed", point.peak_closing_speed},
+               {"impulse", point.impulse},
+               {"energy_lost", point.energy_lost},
+               {"peak_tension", point.peak_tension},
+               {"contact", contact_json(*contact.law, spec)}};
+  if (!contact.rubbing) return json;
+  json["peak_tangential_force"] = friction.peak_tangential_force;
+  json["tangential_impulse"] = friction.tangential_impulse;
+  json["sliding"] = friction.sliding;
+  json["friction_loss"] = friction.friction_loss;
+  json["contact"]["friction"] = contact.rubbing->friction();
+  json["contact"]["tangential_stiffness"] = contact.rubbing->tangential_stiffness();
+  return json;
 }
 
 /// Floors between base and top of the other building that have no contact there, so that nothing is told of how near
@@ -159,7 +168,8 @@ Json plan_gap_json(const PlanRun& run, std::size_t g, std::size_t first) {
     needed = std::max(needed, point.gap_needed);
     reversed = std::max(reversed, point.gap_needed_reversed.value_or(0));
     both_ways = both_ways && point.gap_needed_reversed.has_value();
-    points.push_back(plan_point_json(gap, gap.contacts[i], point, run.c.gaps.at(g).contact));
+    points.push_back(
+        plan_point_json(gap, gap.contacts[i], point, run.response.friction.at(first + i), run.c.gaps.at(g).contact));
     if (!run.c.analysis.both_ways) points.back()["gap_needed_reversed"] = nullptr;
   }
   return {{"between", {run.problem.buildings[gap.left].name, run.problem.buildings[gap.right].name}},
@@ -182,22 +192,24 @@ std::pair<const PlanGap&, const PlanContact&> contact_at(const PlanProblem& prob
 Json plan_impact_json(const PlanProblem& problem, const Impact& impact) {
   const auto& [gap, contact] = contact_at(problem, static_cast<std::size_t>(impact.point));
   const PlanPoint at = gap.stretch.middle(contact.along);
-  return {{"between", {problem.buildings[gap.left].name, problem.buildings[gap.right].name}},
-          {"elevation", contact.elevation},
-          {"x", at.x()},
-          {"y", at.y()},
-          {"start", impact.start},
-          {"end", impact.end},
-          {"open_ended", impact.open_ended},
-          {"closing_speed", impact.closing_speed},
-          {"separation_speed", impact.separation_speed},
-          {"restitution", number_or_null(impact.restitution())},
-          {"peak_force", impact.peak_force},
-          {"peak_force_time", impact.peak_force_time},
-          {"peak_penetration", impact.peak_penetration},
-          {"impulse", impact.impulse},
-          {"energy_lost", impact.energy_lost},
-          {"peak_tension", impact.peak_tension}};
+  Json json = {{"between", {problem.buildings[gap.left].name, problem.buildings[gap.right].name}},
+               {"elevation", contact.elevation},
+               {"x", at.x()},
+               {"y", at.y()},
+               {"start", impact.start},
+               {"end", impact.end},
+               {"open_ended", impact.open_ended},
+               {"closing_speed", impact.closing_speed},
+               {"separation_speed", impact.separation_speed},
+               {"restitution", number_or_null(impact.restitution())},
+               {"peak_force", impact.peak_force},
+               {"peak_force_time", impact.peak_force_time},
+               {"peak_penetration", impact.peak_penetration},
+               {"impulse", impact.impulse},
+               {"energy_lost", impact.energy_lost},
+               {"peak_tension", impact.peak_tension}};
+  if (contact.rubbing) json["tangential_impulse"] = impact.tangential_impulse;
+  return json;
 }
 
 Json excitations_json(const PlanCase& c) {
