@@ -13,7 +13,7 @@ namespace {
 
 constexpr double segments_per_period = 32.0;  // where the motion has no step of its own
 constexpr double merge = 1e-9;                // of the grid period: two delays nearer than this have the same phase
-constexpr long most_steps = 64;               // of a record in a period
+constexpr long most_in_period = 64;           // of a record in a period
 constexpr double same_time = 1e-12;           // of a period
 
 /// The shortest time of which the steps of all records are whole parts; 0: there are none.
@@ -23,16 +23,16 @@ double common_period(const std::vector<GroundMotion>& motions) {
     if (const auto* sampled = std::get_if<SampledMotion>(&motion)) steps.push_back(sampled->time_step);
   }
   if (steps.empty()) return 0.0;
-  for (long count = 1; count <= most_steps; ++count) {
+  for (long count = 1; count <= most_in_period; ++count) {
     const double period = static_cast<double>(count) * steps.front();
     const bool common = std::all_of(steps.begin(), steps.end(), [&](double step) {
       const double parts = std::round(period / step);
-      return parts >= 1.0 && parts <= most_steps && std::abs(parts * step - period) <= same_time * period;
+      return parts >= 1.0 && parts <= most_in_period && std::abs(parts * step - period) <= same_time * period;
     });
     if (common) return period;
   }
   throw InvalidParameter("motions", "records with different time steps",
-                         fmt::format("must have one of at most {} steps of each", most_steps));
+                         fmt::format("must have one of at most {} steps of each", most_in_period));
 }
 
 double grid_period(const System& system, bool fine) {
