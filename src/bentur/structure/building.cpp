@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -11,6 +12,13 @@
 #include "bentur/structure/modes.h"
 
 namespace bentur {
+
+std::vector<double> floor_elevations(const std::vector<double>& storey_heights, double base_elevation) {
+  std::vector<double> elevations(storey_heights.size());
+  std::partial_sum(storey_heights.begin(), storey_heights.end(), elevations.begin());
+  for (double& elevation : elevations) elevation += base_elevation;
+  return elevations;
+}
 
 Building make_building(std::string name, StructuralModel model, const Damping& damping) {
   Modes free_modes = modes(model.mass, model.stiffness);

@@ -128,6 +128,10 @@ struct StructuralModel {
   [[nodiscard]] Eigen::Index dofs() const { return mass.rows(); }
 };
 
+/// Elevations of floors from the heights of the storeys below them and the level of the base [length].
+[[nodiscard]] std::vector<double> floor_elevations(const std::vector<double>& storey_heights,
+                                                   double base_elevation = 0);
+
 /// Undamped modes: K φ = ω² M φ, ΦᵀMΦ = 1, first non-zero entry of each shape positive, ω ascending.
 struct Modes {
   Eigen::VectorXd omega;   ///< [rad/s]

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
@@ -25,9 +24,7 @@ StructuralModel stick_model(const Stick& stick, double base_elevation) {
   StructuralModel model;
   const Eigen::Index n = std::ssize(stick.masses);
   model.storey_heights = stick.storey_heights;
-  model.elevations.resize(floors);
-  std::partial_sum(stick.storey_heights.begin(), stick.storey_heights.end(), model.elevations.begin());
-  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.elevations = floor_elevations(stick.storey_heights, base_elevation);
   model.load = Eigen::Map<const Eigen::VectorXd>(stick.masses.data(), n);
   model.mass = model.load.asDiagonal();
   model.floor_masses = stick.masses;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <numeric>
 
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
@@ -116,12 +115,6 @@ void make(ReadBuilding& building) {
   } catch (const std::exception&) {
     building.model.reset();  // said already, or said once everything else is right
   }
-}
-
-std::vector<double> floor_elevations(const std::vector<double>& storey_heights) {
-  std::vector<double> elevations(storey_heights.size());
-  std::partial_sum(storey_heights.begin(), storey_heights.end(), elevations.begin());
-  return elevations;
 }
 
 std::vector<ReadBuilding> read_buildings(const TomlView& root, const Units& units, const CaseFiles& files,

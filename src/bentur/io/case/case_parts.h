@@ -32,9 +32,6 @@ struct ReadBuilding {
   std::shared_ptr<const Building> made;  ///< with modes and damping, once the whole case is found right
 };
 
-/// Elevations of floors above their building's base, from the heights of its storeys [length].
-[[nodiscard]] std::vector<double> floor_elevations(const std::vector<double>& storey_heights);
-
 [[nodiscard]] Units read_units(const TomlView& root);
 
 /// Where the files that a case names are, and where what is wrong in them goes.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
@@ -171,10 +170,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
 
   StructuralModel model;
   model.storey_heights = frame.storey_heights;
-  model.elevations.resize(frame.storey_heights.size());
-  std::partial_sum(frame.storey_heights.begin(), frame.storey_heights.end(), model.elevations.begin());
-  const std::vector<double> levels = model.elevations;  // above the base
-  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.elevations = floor_elevations(frame.storey_heights, base_elevation);
+  const std::vector<double> levels = floor_elevations(frame.storey_heights);  // above the base
   model.stiffness = Eigen::MatrixXd::Zero(dofs, dofs);
   model.mass = Eigen::MatrixXd::Zero(dofs, dofs);
   model.floor_masses.assign(frame.storey_heights.size(), 0.0);   // half of the columns that meet there, and `moving`

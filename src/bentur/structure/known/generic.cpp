@@ -75,10 +75,8 @@ StructuralModel generic_model(const GenericBuilding& building, double base_eleva
   require_finite("base_elevation", base_elevation);
   StructuralModel model;
   model.storey_heights = building.storey_heights;
-  model.elevations.resize(building.storey_heights.size());
-  std::partial_sum(model.storey_heights.begin(), model.storey_heights.end(), model.elevations.begin());
-  const double height = model.elevations.back();
-  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.elevations = floor_elevations(building.storey_heights, base_elevation);
+  const double height = floor_elevations(building.storey_heights).back();
   model.load = Eigen::Map<const VectorXd>(building.floor_masses.data(), n);
   model.mass = model.load.asDiagonal();
   model.floor_masses = building.floor_masses;

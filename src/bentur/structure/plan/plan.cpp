@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -197,9 +196,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   model.footprint = plan.footprint;
   model.storey_heights = plan.storey_heights;
   model.floor_masses = plan.masses;
-  model.elevations.resize(plan.storey_heights.size());
-  std::partial_sum(plan.storey_heights.begin(), plan.storey_heights.end(), model.elevations.begin());
-  for (double& elevation : model.elevations) elevation += base_elevation;
+  model.elevations = floor_elevations(plan.storey_heights, base_elevation);
   const Index dofs = model.dofs();
   VectorXd mass(dofs);
   model.load = MatrixXd::Zero(dofs, 2);
