@@ -149,6 +149,11 @@ void check_motion_times(const TomlView& excitation, const GroundMotion& motion, 
 void check_mode_times(const TomlView& building, const Modes& modes, const Eigen::MatrixXd& modal_damping,
                       double duration);
 
+/// case_toml.cpp: of a table with an entry per building each entry and the number of its building; an error at those
+/// that name none. @param each what an entry is, for people @return false (and an error) unless it is a table
+bool read_by_building(const TomlView& table, const std::string& each, const std::vector<std::string>& names,
+                      const std::function<void(std::size_t, const TomlView&)>& take);
+
 /// Whether the buildings of a case stand in plan, by a key that says so; nothing: in a row.
 [[nodiscard]] std::optional<TomlView> plan_of(const TomlView& root);
 

@@ -30,29 +30,21 @@ std::vector<std::vector<double>> read_initial_table(const TableView& initial, co
                                                     const std::vector<ReadBuilding>& buildings, bool& moves) {
   const auto table = initial.find(key);
   if (!table) return {};
-  if (!table->is(TomlValue::Kind::table)) {
-    table->error_value("must be a table: building name = list, one value per floor");
-    return {};
-  }
   const Key& known = initial.key(key);
   std::vector<std::string> names;
-  for (const ReadBuilding& building : buildings) names.push_back(building.spec.name);
   std::vector<std::vector<double>> lists;
-  for (const ReadBuilding& building : buildings) lists.emplace_back(building.elevations.size(), 0.0);
-  for (const TomlMember& member : table->value().members) {
-    const TomlView given = *table->find(member.key);
-    const auto found = std::find(names.begin(), names.end(), member.key);
-    if (found == names.end()) {
-      given.error("is for no building of the case, " + suggestion(member.key, names, "the buildings are"));
-      continue;
-    }
-    const auto b = static_cast<std::size_t>(found - names.begin());
-    const auto values = given.as_numbers(known.range, {lists[b].size(), std::string(known.each)});
-    if (values.empty()) continue;
-    lists[b] = values;
-    moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
+  for (const ReadBuilding& building : buildings) {
+    names.push_back(building.spec.name);
+    lists.emplace_back(building.elevations.size(), 0.0);
   }
-  return lists;
+  const bool is_table =
+      read_by_building(*table, "list, one value per floor", names, [&](std::size_t b, const TomlView& given) {
+        const auto values = given.as_numbers(known.range, {lists[b].size(), std::string(known.each)});
+        if (values.empty()) return;
+        lists[b] = values;
+        moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
+      });
+  return is_table ? lists : std::vector<std::vector<double>>{};
 }
 
 /// @param moves set when something is given an initial displacement or velocity.
@@ -210,6 +202,24 @@ void check_motion_times(const TomlView& excitation, const GroundMotion& motion, 
   } else if (!std::isfinite(peak_acceleration(motion) / units.gravity)) {
     excitation.error("asks for a ground acceleration beyond what can be computed with");
   }
+}
+
+bool read_by_building(const TomlView& table, const std::string& each, const std::vector<std::string>& names,
+                      const std::function<void(std::size_t, const TomlView&)>& take) {
+  if (!table.is(TomlValue::Kind::table)) {
+    table.error_value("must be a table: building name = " + each);
+    return false;
+  }
+  for (const TomlMember& member : table.value().members) {
+    const TomlView given = *table.find(member.key);
+    const auto found = std::find(names.begin(), names.end(), member.key);
+    if (found == names.end()) {
+      given.error("is for no building of the case, " + suggestion(member.key, names, "the buildings are"));
+    } else {
+      take(static_cast<std::size_t>(found - names.begin()), given);
+    }
+  }
+  return true;
 }
 
 std::optional<TomlView> plan_of(const TomlView& root) {

@@ -47,10 +47,6 @@ std::vector<std::vector<double>> read_triples(const TableView& initial, const st
                                               const std::vector<ReadPlanBuilding>& buildings, bool& moves) {
   const auto table = initial.find(key);
   if (!table) return {};
-  if (!table->is(TomlValue::Kind::table)) {
-    table->error_value("must be a table: building name = list of one [x, y, rotation] per floor");
-    return {};
-  }
   const Range range = initial.key(key).range;
   std::vector<std::string> names;
   std::vector<std::vector<double>> lists;
@@ -58,28 +54,22 @@ std::vector<std::vector<double>> read_triples(const TableView& initial, const st
     names.push_back(building.spec.name);
     lists.emplace_back(3 * building.told.elevations.size(), 0.0);
   }
-  for (const TomlMember& member : table->value().members) {
-    const TomlView given = *table->find(member.key);
-    const auto found = std::find(names.begin(), names.end(), member.key);
-    if (found == names.end()) {
-      given.error("is for no building of the case, " + suggestion(member.key, names, "the buildings are"));
-      continue;
-    }
-    const auto b = found - names.begin();
+  const auto take = [&](std::size_t b, const TomlView& given) {
     if (buildings[b].spec.is_rigid()) {
       given.error("is of a wall, which moves with the ground");
-      continue;
+      return;
     }
     const std::size_t floors = buildings[b].told.elevations.size();
-    if (floors == 0 || !given.is_list_of("[x, y, rotation]", {floors, "one per floor"})) continue;
+    if (floors == 0 || !given.is_list_of("[x, y, rotation]", {floors, "one per floor"})) return;
     for (std::size_t f = 0; f < floors; ++f) {
       const std::vector<double> triple = given.item(f).as_numbers(range, {3, "x, y and rotation"});
       if (triple.size() != 3) continue;
       std::copy(triple.begin(), triple.end(), lists[b].begin() + static_cast<std::ptrdiff_t>(3 * f));
       moves = moves || std::any_of(triple.begin(), triple.end(), [](double x) { return x != 0; });
     }
-  }
-  return lists;
+  };
+  const bool is_table = read_by_building(*table, "list of one [x, y, rotation] per floor", names, take);
+  return is_table ? lists : std::vector<std::vector<double>>{};
 }
 
 }  // namespace
@@ -89,8 +79,8 @@ void read_plan_excitation(const TomlView& root, const std::vector<ReadPlanBuildi
   const auto given = root.get("excitation");
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return;
-  for (const auto& kind : {view->find("kind")}) {
-    if (!kind || (kind->value().text != "spectrum" && kind->value().text != "suite")) continue;
+  const auto kind = view->find("kind");
+  if (kind && (kind->value().text == "spectrum" || kind->value().text == "suite")) {
     kind->error_value("does not go with buildings in plan");
     return;
   }
