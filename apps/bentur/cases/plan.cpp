@@ -22,9 +22,9 @@ struct LoadedPlan {
 
 LoadedPlan load_plan(const std::string& file, const std::string& language) {
   Diagnostics diagnostics;
-  std::optional<PlanCase> c = read_plan_case(file, diagnostics);
+  PlanProblem problem;
+  std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
-  PlanProblem problem = make_plan_problem(*c);
   const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, run_options(*c)));
   if (!refusal.empty()) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
@@ -56,26 +56,13 @@ const Footprint& PlanBuildingSpec::footprint() const {
   return plan != nullptr ? plan->footprint : std::get<PlanWall>(structure).footprint;
 }
 
-FloorLevels PlanBuildingSpec::levels() const {
-  FloorLevels levels{.elevations = {}, .base = base_elevation};
-  if (const Plan* const plan = std::get_if<Plan>(&structure)) {
-    levels.elevations.resize(plan->storey_heights.size());
-    std::partial_sum(plan->storey_heights.begin(), plan->storey_heights.end(), levels.elevations.begin());
-  } else {
-    levels.elevations = std::get<PlanWall>(structure).elevations;
-  }
-  for (double& elevation : levels.elevations) elevation += base_elevation;
-  return levels;
-}
-
-PlanModel plan_model(const PlanBuildingSpec& spec) {
-  if (const Plan* const plan = std::get_if<Plan>(&spec.structure)) return plan_model(*plan, spec.base_elevation);
-  return make_plan_building(spec).model;
-}
-
 PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
-  if (spec.is_rigid()) return rigid_plan_building(spec.name, spec.footprint(), spec.levels().elevations);
-  return make_plan_building(spec.name, plan_model(spec), spec.damping, spec.tangent_damping);
+  if (const Plan* const plan = std::get_if<Plan>(&spec.structure)) {
+    return make_plan_building(spec.name, plan_model(*plan, spec.base_elevation), spec.damping, spec.tangent_damping);
+  }
+  std::vector<double> elevations = std::get<PlanWall>(spec.structure).elevations;
+  for (double& elevation : elevations) elevation += spec.base_elevation;
+  return rigid_plan_building(spec.name, spec.footprint(), elevations);
 }
 
 std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<PlanBuildingSpec>& buildings) {
@@ -98,8 +85,14 @@ std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<P
 }
 
 PlanProblem make_plan_problem(const PlanCase& c) {
+  std::vector<PlanBuilding> buildings;
+  for (const PlanBuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));
+  return make_plan_problem(c, std::move(buildings));
+}
+
+PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> buildings) {
   PlanProblem problem;
-  for (const PlanBuildingSpec& spec : c.buildings) problem.buildings.push_back(make_plan_building(spec));
+  problem.buildings = std::move(buildings);
   for (const PlanGapSpec& gap : c.gaps) {
     problem.gaps.push_back({gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings)});
   }

@@ -27,8 +27,6 @@ struct PlanBuildingSpec {
 
   [[nodiscard]] const Footprint& footprint() const;
   [[nodiscard]] bool is_rigid() const { return std::holds_alternative<PlanWall>(structure); }
-  /// Floors above the common datum.
-  [[nodiscard]] FloorLevels levels() const;
 };
 
 /// A pair of buildings that may touch.
@@ -53,7 +51,6 @@ struct PlanCase {
   std::optional<CaseSource> source = {};
 };
 
-[[nodiscard]] PlanModel plan_model(const PlanBuildingSpec& spec);
 /// @throws InvalidParameter when a value is out of its range.
 [[nodiscard]] PlanBuilding make_plan_building(const PlanBuildingSpec& spec);
 
@@ -64,6 +61,8 @@ struct PlanCase {
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);
+/// The same of buildings that make_plan_building() has made of the case's.
+[[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> buildings);
 
 /// Why a run is refused before any work is done; empty where it is within the case's limits.
 [[nodiscard]] std::string beyond_limits(const PlanCase& c, const Effort& effort);

@@ -240,15 +240,17 @@ std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root) {
   return buildings;
 }
 
-void check_made(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings) {
+std::vector<PlanBuilding> make_buildings(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings) {
+  std::vector<PlanBuilding> all;
   for (const ReadPlanBuilding& building : buildings) {
     try {
-      const PlanBuilding made = make_plan_building(building.spec);
+      const PlanBuilding& made = all.emplace_back(make_plan_building(building.spec));
       check_mode_times(building.view, made.modes, made.modal_damping, c.analysis.duration);
     } catch (const std::exception& error) {
       building.view.error(std::string("cannot be computed with: ") + error.what());
     }
   }
+  return all;
 }
 
 }  // namespace bentur

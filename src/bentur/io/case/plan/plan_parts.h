@@ -19,8 +19,9 @@ struct ReadPlanBuilding {
 
 /// plan_buildings.cpp
 [[nodiscard]] std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root);
-/// Modes and damping, and that every storey is held, of buildings that are right otherwise.
-void check_made(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings);
+/// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
+[[nodiscard]] std::vector<PlanBuilding> make_buildings(const PlanCase& c,
+                                                       const std::vector<ReadPlanBuilding>& buildings);
 
 /// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
 [[nodiscard]] std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root,

@@ -28,7 +28,8 @@ const ExcitationSpec& longer_of(const std::array<ExcitationSpec, 2>& excitation)
   return length(excitation[1]) > length(excitation[0]) ? excitation[1] : excitation[0];
 }
 
-PlanCase read_parts(const TomlView& root, const CaseFiles& files) {
+/// @param problem takes what the case is solved as, unless it is null or there are errors
+PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* problem) {
   PlanCase c;
   (void)TableView::of(root, case_keys());
   root.refuse({"link", "code", "screening", "project"}, "does not go with buildings in plan");
@@ -51,14 +52,15 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files) {
     excitation.find("kind")->error_value(
         "nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
-  check_made(c, buildings);
+  std::vector<PlanBuilding> made = make_buildings(c, buildings);
   check_motion_times(excitation, c.excitation[0].motion, c.analysis.duration, c.units);
   if (const auto y = excitation.find("y")) {
     check_motion_times(*y, c.excitation[1].motion, c.analysis.duration, c.units);
   }
   if (!files.diagnostics.ok()) return c;
   try {
-    (void)make_plan_problem(c);
+    PlanProblem found = make_plan_problem(c, std::move(made));
+    if (problem != nullptr) *problem = std::move(found);
   } catch (const InvalidParameter& fault) {  // an overlap at the start, of contacts without time
     const auto initial = root.find("initial");
     (initial ? *initial : root).error(std::string("cannot be computed with: ") + fault.what());
@@ -77,21 +79,22 @@ bool is_plan_case(const std::filesystem::path& file) {
 }
 
 std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
-                                            Diagnostics& diagnostics) {
+                                            Diagnostics& diagnostics, PlanProblem* problem) {
   Diagnostics found;
   const std::string name = file.string();
   std::optional<PlanCase> c;
   const auto root = parse_toml(text, name, found);
-  if (root) c = read_parts(TomlView(*root, "", name, found), {file.parent_path(), found});
+  if (root) c = read_parts(TomlView(*root, "", name, found), {file.parent_path(), found}, problem);
   diagnostics.add(found);
   if (!found.ok()) return std::nullopt;
   c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
   return c;
 }
 
-std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                       PlanProblem* problem) {
   const auto text = read_input(file, case_input, diagnostics);
-  return text ? read_plan_case_text(*text, file, diagnostics) : std::nullopt;
+  return text ? read_plan_case_text(*text, file, diagnostics, problem) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> files_read(const PlanCase& c) {

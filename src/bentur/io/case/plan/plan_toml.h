@@ -15,10 +15,12 @@ namespace bentur {
 
 /// Reads and validates a case of buildings in plan and the records it names, as read_case() does one of a row: every
 /// error goes to `diagnostics`.
-[[nodiscard]] std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// @param problem takes what a case without errors is solved as, which is made on the way
+[[nodiscard]] std::optional<PlanCase> read_plan_case(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                                     PlanProblem* problem = nullptr);
 /// The same of a text; the folder of `file` is the one record files are in.
 [[nodiscard]] std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
-                                                          Diagnostics& diagnostics);
+                                                          Diagnostics& diagnostics, PlanProblem* problem = nullptr);
 
 /// The files that were read for it beside its own.
 [[nodiscard]] std::vector<std::filesystem::path> files_read(const PlanCase& c);
