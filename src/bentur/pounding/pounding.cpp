@@ -11,6 +11,8 @@
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/checks/self_checks.h"
 #include "bentur/pounding/internal/levels.h"
+#include "bentur/pounding/internal/problem_checks.h"
+#include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/same_but_gaps.h"
 #include "bentur/pounding/internal/summaries.h"
 
@@ -75,9 +77,6 @@ RunOptions run_options(const SolveOptions& options) {
 }
 
 bool starts_from_rest(const Problem& problem) {
-  const auto rests = [](const std::vector<Eigen::VectorXd>& initial) {
-    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
-  };
   return rests(problem.initial_displacement) && rests(problem.initial_velocity);
 }
 
@@ -196,15 +195,11 @@ Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& 
 
 Response solve(const Problem& problem, const Solver& solver, const SolveOptions& options) {
   const auto began = std::chrono::steady_clock::now();
-  constexpr double free_part = 0.25;  // of the work, for the progress shown
+  const ProgressOfParts progress(options.progress);
   SolveOptions rest = options;
-  std::function<bool(double)> first;
-  if (options.progress) {
-    first = [&](double fraction) { return options.progress(free_part * fraction); };
-    rest.progress = [&](double fraction) { return options.progress(free_part + (1.0 - free_part) * fraction); };
-  }
+  rest.progress = progress.rest;
   const bool levels = options.levels || options.both_ways;
-  const CheckedFree free = free_of(problem, solver, first, options.most_steps, levels);
+  const CheckedFree free = free_of(problem, solver, progress.free, options.most_steps, levels);
   Response response = free.solve(problem, rest);
   add_reversed(problem, solver, options, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

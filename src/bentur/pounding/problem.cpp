@@ -6,17 +6,10 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/elements/hinges.h"
+#include "bentur/pounding/internal/problem_checks.h"
 
 namespace bentur {
 namespace {
-
-template <class Value>
-void require(bool ok, const std::string& parameter, const Value& value, const std::string& rule) {
-  if (!ok) throw InvalidParameter(parameter, fmt::format("{}", value), rule);
-}
-
-/// A time of which the whole analysis has so many has no phase left in a double [-].
-constexpr double most_times = 1e15;
 
 /// The law of a storey takes over all of what works against its drift.
 void check_elements(const Building& building, const std::string& name) {
@@ -152,17 +145,6 @@ void check_watched(const Problem& problem, const WatchedFloor& watched, std::siz
           "must ascend from left to right");
 }
 
-void check_initial(const std::vector<Eigen::VectorXd>& values, const Problem& problem, const std::string& name) {
-  if (values.empty()) return;
-  require(values.size() == problem.buildings.size(), name, fmt::format("{} entries", values.size()),
-          "must be empty or have one entry per building");
-  for (Eigen::Index b = 0; b < std::ssize(values); ++b) {
-    require(values[b].size() == problem.buildings[b].model.dofs() && values[b].allFinite(),
-            fmt::format("{}[{}]", name, b), fmt::format("{} entries", values[b].size()),
-            "must have one finite entry per degree of freedom");
-  }
-}
-
 double initial_at(const Problem& problem, Eigen::Index building, Eigen::Index floor) {
   return problem.initial_displacement.empty() ? 0.0 : problem.initial_displacement[building](floor);
 }
@@ -248,11 +230,7 @@ void validate(const Problem& problem) {
   check_floors_of_points(problem);
   for (std::size_t i = 0; i < problem.links.size(); ++i) check_link(problem, problem.links[i], i);
   for (std::size_t i = 0; i < problem.watched.size(); ++i) check_watched(problem, problem.watched[i], i);
-  require(problem.delays.empty() || problem.delays.size() == problem.buildings.size(), "delays",
-          fmt::format("{} entries", problem.delays.size()), "must be empty or have one entry per building");
-  for (const double delay : problem.delays) {
-    require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
-  }
+  check_delays(problem.delays, problem.buildings.size());
   if (const auto* sampled = std::get_if<SampledMotion>(&problem.motion)) {
     require(std::isfinite(sampled->time_step) && sampled->time_step * most_times >= problem.duration,
             "motion.time_step", sampled->time_step, "must be finite and at least 1e-15 of the duration");
@@ -263,8 +241,10 @@ void validate(const Problem& problem) {
     require(std::isfinite(peak_acceleration(problem.motion)), "motion.displacement_amplitude",
             harmonic->displacement_amplitude, "must give a finite acceleration");
   }
-  check_initial(problem.initial_displacement, problem, "initial_displacement");
-  check_initial(problem.initial_velocity, problem, "initial_velocity");
+  std::vector<Eigen::Index> dofs;
+  for (const Building& building : problem.buildings) dofs.push_back(building.model.dofs());
+  check_initial(problem.initial_displacement, dofs, "initial_displacement");
+  check_initial(problem.initial_velocity, dofs, "initial_velocity");
   for (std::size_t i = 0; i < problem.points.size(); ++i) check_overlap(problem.points[i], problem, i);
 }
 

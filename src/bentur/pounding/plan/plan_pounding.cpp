@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/problem_checks.h"
+#include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/summaries.h"
 #include "bentur/structure/plan/plan_body.h"
 
@@ -79,9 +81,6 @@ std::vector<PlanPeaks> peaks_of(const PlanProblem& problem, const Solution& solu
 
 /// Whether the free response to the ground motion times −1 is the free response times −1.
 bool is_mirrored(const PlanProblem& problem) {
-  const auto rests = [](const std::vector<VectorXd>& initial) {
-    return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
-  };
   const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
   const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
                                  [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
@@ -169,24 +168,16 @@ void check_response(const PlanProblem& problem, const Solver& solver, const Self
                  {response.status, response.message, response.discrepancies});
 }
 
-PlanProblem validated(PlanProblem problem) {
-  validate(problem);
-  return problem;
-}
-
 }  // namespace
 
 PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
   const auto began = std::chrono::steady_clock::now();
-  const System system = system_of(validated(problem));
-  constexpr double free_part = 0.25;  // of the work, for the progress shown
+  validate(problem);
+  const System system = system_of(problem);
+  const ProgressOfParts progress(options.progress);
   RunOptions rest = options;
-  std::function<bool(double)> first;
-  if (options.progress) {
-    first = [&](double fraction) { return options.progress(free_part * fraction); };
-    rest.progress = [&](double fraction) { return options.progress(free_part + (1 - free_part) * fraction); };
-  }
-  const FreeSolution free(system, solver, first, options.most_steps);
+  rest.progress = progress.rest;
+  const FreeSolution free(system, solver, progress.free, options.most_steps);
   PlanResponse response;
   response.buildings_no_contact = peaks_of(problem, free.solution());
   const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
@@ -213,7 +204,8 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOp
 }
 
 Effort effort(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
-  return effort(system_of(validated(problem)), solver, options);
+  validate(problem);
+  return effort(system_of(problem), solver, options);
 }
 
 }  // namespace bentur

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
-#include "bentur/core/errors.h"
+#include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -15,35 +15,17 @@ namespace {
 
 using Eigen::Index;
 
-void require_that(bool ok, const std::string& parameter, const std::string& value, const std::string& rule) {
-  if (!ok) throw InvalidParameter(parameter, value, rule);
-}
-
-constexpr double most_of_a_time = 1e15;  // times in the whole analysis: of more no phase is left in a double [-]
-
 void check_building(const PlanBuilding& building, double duration) {
   const Index dofs = building.model.dofs();
-  require_that(building.model.floors() > 0 && building.model.mass.rows() == dofs &&
-                   building.model.stiffness.rows() == dofs && building.model.load.rows() == dofs &&
-                   building.modes.shapes.rows() == dofs &&
-                   building.modes.shapes.cols() == building.modes.omega.size() &&
-                   building.modal_damping.rows() == building.modes.omega.size(),
-               "buildings", building.name, "must have a floor, and matrices of one size");
+  require(building.model.floors() > 0 && building.model.mass.rows() == dofs &&
+              building.model.stiffness.rows() == dofs && building.model.load.rows() == dofs &&
+              building.modes.shapes.rows() == dofs && building.modes.shapes.cols() == building.modes.omega.size() &&
+              building.modal_damping.rows() == building.modes.omega.size(),
+          "buildings", building.name, "must have a floor, and matrices of one size");
   const double fastest = building.is_rigid() ? 0.0 : building.modes.omega.maxCoeff();
-  require_that(building.modes.omega.allFinite() && building.modes.shapes.allFinite() &&
-                   building.modal_damping.allFinite() && fastest * duration <= most_of_a_time &&
-                   building.modal_damping.norm() * duration <= most_of_a_time,
-               "buildings", building.name, "must have modes and damping of at most 1e15 over the duration");
-}
-
-void check_initial_state(const PlanProblem& problem, const std::vector<Eigen::VectorXd>& values, const char* name) {
-  require_that(values.empty() || values.size() == problem.buildings.size(), name,
-               fmt::format("{} entries", values.size()), "must be empty or have one entry per building");
-  for (Index b = 0; b < std::ssize(values); ++b) {
-    require_that(values[b].size() == problem.buildings[b].model.dofs() && values[b].allFinite(),
-                 fmt::format("{}[{}]", name, b), fmt::format("{} entries", values[b].size()),
-                 "must have one finite entry per degree of freedom");
-  }
+  require(building.modes.omega.allFinite() && building.modes.shapes.allFinite() && building.modal_damping.allFinite() &&
+              fastest * duration <= most_times && building.modal_damping.norm() * duration <= most_times,
+          "buildings", building.name, "must have modes and damping of at most 1e15 over the duration");
 }
 
 bool moves(const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); }
@@ -78,40 +60,40 @@ void check_start(const PlanProblem& problem, const PlanGap& gap, const PlanConta
   const Interface at = interface_of(problem, gap, contact, gap.stretch.normal());
   const double left = at.left.row.dot(problem.initial_displacement[gap.left]);
   const double right = -at.right.row.dot(problem.initial_displacement[gap.right]);
-  require_that(!overlap(gap.stretch.width, left, right), "gaps", gap_name(problem, gap),
-               "must not overlap at the start: its law has no force that would part the buildings");
+  require(!overlap(gap.stretch.width, left, right), "gaps", gap_name(problem, gap),
+          "must not overlap at the start: its law has no force that would part the buildings");
 }
 
 void check_gap(const PlanProblem& problem, const PlanGap& gap) {
   const Index count = std::ssize(problem.buildings);
-  require_that(gap.left >= 0 && gap.left < count && gap.right >= 0 && gap.right < count && gap.left != gap.right,
-               "gaps", fmt::format("{} and {}", gap.left, gap.right), "must be between two buildings");
+  require(gap.left >= 0 && gap.left < count && gap.right >= 0 && gap.right < count && gap.left != gap.right, "gaps",
+          fmt::format("{} and {}", gap.left, gap.right), "must be between two buildings");
   const std::string name = gap_name(problem, gap);
-  require_that(!problem.buildings[gap.left].is_rigid() || !problem.buildings[gap.right].is_rigid(), "gaps", name,
-               "must not be between two walls");
-  require_that(std::isfinite(gap.stretch.width) && gap.stretch.width >= 0 && gap.stretch.to > gap.stretch.from, "gaps",
-               name, "must have a width ≥ 0 and a stretch");
+  require(!problem.buildings[gap.left].is_rigid() || !problem.buildings[gap.right].is_rigid(), "gaps", name,
+          "must not be between two walls");
+  require(std::isfinite(gap.stretch.width) && gap.stretch.width >= 0 && gap.stretch.to > gap.stretch.from, "gaps", name,
+          "must have a width ≥ 0 and a stretch");
   for (const PlanContact& contact : gap.contacts) {
-    require_that(contact.left_floor >= 0 && contact.left_floor < problem.buildings[gap.left].model.floors() &&
-                     contact.right_floor >= 0 && contact.right_floor < problem.buildings[gap.right].model.floors(),
-                 "gaps", name, "must have its contacts at floors of both buildings");
-    require_that(contact.law != nullptr && std::isfinite(contact.along), "gaps", name,
-                 "must have a law and a place for every contact");
-    require_that(contact.rubbing == nullptr || &contact.rubbing->normal() == contact.law.get(), "gaps", name,
-                 "must rub with the law of the contact");
+    require(contact.left_floor >= 0 && contact.left_floor < problem.buildings[gap.left].model.floors() &&
+                contact.right_floor >= 0 && contact.right_floor < problem.buildings[gap.right].model.floors(),
+            "gaps", name, "must have its contacts at floors of both buildings");
+    require(contact.law != nullptr && std::isfinite(contact.along), "gaps", name,
+            "must have a law and a place for every contact");
+    require(contact.rubbing == nullptr || &contact.rubbing->normal() == contact.law.get(), "gaps", name,
+            "must rub with the law of the contact");
   }
 }
 
 void check_motion(const GroundMotion& motion, double duration) {
   if (const auto* sampled = std::get_if<SampledMotion>(&motion)) {
-    require_that(std::isfinite(sampled->time_step) && sampled->time_step * most_of_a_time >= duration, "motions",
-                 fmt::format("{}", sampled->time_step), "must have a step of at least 1e-15 of the duration");
+    require(std::isfinite(sampled->time_step) && sampled->time_step * most_times >= duration, "motions",
+            fmt::format("{}", sampled->time_step), "must have a step of at least 1e-15 of the duration");
   }
   if (const auto* harmonic = std::get_if<HarmonicMotion>(&motion)) {
-    require_that(std::isfinite(harmonic->period) && harmonic->period * most_of_a_time >= duration &&
-                     std::isfinite(peak_acceleration(motion)),
-                 "motions", fmt::format("{}", harmonic->period),
-                 "must have a period of at least 1e-15 of the duration and a finite acceleration");
+    require(std::isfinite(harmonic->period) && harmonic->period * most_times >= duration &&
+                std::isfinite(peak_acceleration(motion)),
+            "motions", fmt::format("{}", harmonic->period),
+            "must have a period of at least 1e-15 of the duration and a finite acceleration");
   }
 }
 
@@ -123,19 +105,17 @@ std::string gap_name(const PlanProblem& problem, const PlanGap& gap) {
 }
 
 void validate(const PlanProblem& problem) {
-  require_that(!problem.buildings.empty(), "buildings", "none", "must not be empty");
-  require_that(std::isfinite(problem.duration) && problem.duration > 0, "duration", fmt::format("{}", problem.duration),
-               "must be finite and > 0");
+  require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
+  require(std::isfinite(problem.duration) && problem.duration > 0, "duration", fmt::format("{}", problem.duration),
+          "must be finite and > 0");
   for (const PlanBuilding& building : problem.buildings) check_building(building, problem.duration);
   for (const PlanGap& gap : problem.gaps) check_gap(problem, gap);
   for (const GroundMotion& motion : problem.motions) check_motion(motion, problem.duration);
-  require_that(problem.delays.empty() || problem.delays.size() == problem.buildings.size(), "delays",
-               fmt::format("{} entries", problem.delays.size()), "must be empty or have one entry per building");
-  for (const double delay : problem.delays) {
-    require_that(std::isfinite(delay) && delay >= 0, "delays", fmt::format("{}", delay), "must be finite and ≥ 0");
-  }
-  check_initial_state(problem, problem.initial_displacement, "initial_displacement");
-  check_initial_state(problem, problem.initial_velocity, "initial_velocity");
+  check_delays(problem.delays, problem.buildings.size());
+  std::vector<Index> dofs;
+  for (const PlanBuilding& building : problem.buildings) dofs.push_back(building.model.dofs());
+  check_initial(problem.initial_displacement, dofs, "initial_displacement");
+  check_initial(problem.initial_velocity, dofs, "initial_velocity");
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) check_start(problem, gap, contact);
   }
