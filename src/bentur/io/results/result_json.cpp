@@ -19,11 +19,6 @@ namespace {
 
 Json list(const Eigen::VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
 
-std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-Json or_null_if_unknown(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
-
 /// Where a hinge is, as the case counts.
 Json place_json(const HingePlace& place) {
   if (place.of_beam) {
@@ -280,7 +275,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   if (response.collapse_no_contact) json["collapse_no_contact"] = collapse_json(run, *response.collapse_no_contact);
   if (!c.links.empty()) json["links"] = links_json(run, c);
   put_quantities(json, Owner::run, run);
-  return dump(json);
+  return text_of(json);
 }
 
 std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
@@ -301,7 +296,7 @@ std::string modes_json(const std::vector<Building>& buildings, const Units& unit
                    {"effective_mass_fraction", list(properties.effective_mass_fraction)},
                    {"shapes", shapes}});
   }
-  return dump({{"buildings", all}});
+  return text_of({{"buildings", all}});
 }
 
 namespace {
@@ -389,13 +384,13 @@ std::string gap_json(const RunResults& results, std::string_view version) {
                                displacement_scale(problem, results.response, gap.left),
                                results.response.collapse_no_contact.has_value(), gap.left));
   }
-  return dump({{"title", results.c.title},
-               {"units", units_json(results.c.units)},
-               {"version", version},
-               {"excitation", excitation_json(results.c.excitation)},
-               {"statements", Json::parse(statements_json(problem, gap_story(results).statements))},
-               {"code_rules", code_rules_json(results.c.code)},
-               {"gaps", gaps}});
+  return text_of({{"title", results.c.title},
+                  {"units", units_json(results.c.units)},
+                  {"version", version},
+                  {"excitation", excitation_json(results.c.excitation)},
+                  {"statements", Json::parse(statements_json(problem, gap_story(results).statements))},
+                  {"code_rules", code_rules_json(results.c.code)},
+                  {"gaps", gaps}});
 }
 
 std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
@@ -415,14 +410,15 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
   for (const Gap& gap : gaps_of(problem)) {
     gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left));
   }
-  return dump({{"title", c.title},
-               {"units", units_json(c.units)},
-               {"version", version},
-               {"excitation", excitation_json(c.excitation)},
-               {"statements", Json::parse(statements_json(problem, spectral_story(c, problem, spectral).statements))},
-               {"code_rules", code_rules_json(c.code)},
-               {"buildings", buildings},
-               {"gaps", gaps}});
+  return text_of(
+      {{"title", c.title},
+       {"units", units_json(c.units)},
+       {"version", version},
+       {"excitation", excitation_json(c.excitation)},
+       {"statements", Json::parse(statements_json(problem, spectral_story(c, problem, spectral).statements))},
+       {"code_rules", code_rules_json(c.code)},
+       {"buildings", buildings},
+       {"gaps", gaps}});
 }
 
 }  // namespace bentur

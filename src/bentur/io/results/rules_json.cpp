@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/codes/height_rules.h"
@@ -90,7 +91,7 @@ std::string height_rules_json(const Case& c, const Problem& problem, std::string
       {"statements", OrderedJson::parse(statements_json(problem, height_rules_story(c, problem).statements))},
       {"code_rules", code_rules_json(c.code)},
       {"gaps", gaps}};
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 }  // namespace bentur

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/record_json.h"
 
 namespace bentur {
@@ -44,7 +45,7 @@ std::string spectrum_json(const RecordSpectrum& spectrum, std::string_view versi
                      {"pseudo_velocity", pseudo_velocity},
                      {"pseudo_acceleration", pseudo_acceleration},
                      {"absolute_acceleration", absolute_acceleration}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 }  // namespace bentur

@@ -1,11 +1,17 @@
 #include "bentur/io/results/internal/asked_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "bentur/io/results/internal/record_json.h"
 
 namespace bentur {
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json or_null_if_unknown(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json units_json(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
 

@@ -2,13 +2,20 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 
 #include "bentur/model/case.h"
 
-// What a run was asked for, as results tell it.
+// What a run was asked for, as results tell it, and how they write values.
 namespace bentur {
 
 using Json = nlohmann::ordered_json;
+
+[[nodiscard]] Json or_null(const std::optional<double>& value);
+/// null where it is NaN
+[[nodiscard]] Json or_null_if_unknown(double value);
+/// A whole document; bytes that are no UTF-8 are replaced.
+[[nodiscard]] std::string text_of(const Json& json);
 
 [[nodiscard]] Json units_json(const Units& units);
 [[nodiscard]] Json excitation_json(const ExcitationSpec& excitation);

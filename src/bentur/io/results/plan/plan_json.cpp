@@ -1,7 +1,6 @@
 #include "bentur/io/results/plan/plan_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -17,11 +16,9 @@ using Eigen::VectorXd;
 
 Json numbers_or_null(const VectorXd& values) {
   Json json = Json::array();
-  for (const double value : values) json.push_back(std::isnan(value) ? Json(nullptr) : Json(value));
+  for (const double value : values) json.push_back(or_null_if_unknown(value));
   return json;
 }
-
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 /// Peaks over those without contact; null where those are round-off.
 Json amplification(const VectorXd& with, const VectorXd& without, double least) {
@@ -32,8 +29,13 @@ Json amplification(const VectorXd& with, const VectorXd& without, double least) 
   return json;
 }
 
-/// Of the largest free peak of the case, rotations times half the longest side: what less is has no amplification.
-double least_free_peak(const PlanRun& run) {
+/// Below these a free peak is round-off, and has no amplification.
+struct RoundOff {
+  double displacement = 0;  ///< of the largest free peak of the case, rotations times half the longest side [length]
+  double rotation = 0;      ///< that over this half [rad]
+};
+
+RoundOff round_off_of(const PlanRun& run) {
   constexpr double round_off = 1e-9;
   double largest = 0, side = 0;
   for (const PlanBuilding& building : run.problem.buildings) {
@@ -42,15 +44,7 @@ double least_free_peak(const PlanRun& run) {
   for (const PlanPeaks& free : run.response.buildings_no_contact) {
     largest = std::max({largest, free.x.maxCoeff(), free.y.maxCoeff(), 0.5 * side * free.rotation.maxCoeff()});
   }
-  return round_off * largest;
-}
-
-double longest_half_side(const PlanRun& run) {
-  double side = 0;
-  for (const PlanBuilding& building : run.problem.buildings) {
-    side = std::max(side, building.model.footprint.size.maxCoeff());
-  }
-  return 0.5 * side;
+  return {round_off * largest, round_off * largest / (0.5 * side)};
 }
 
 Json planes_json(const PlanModel& model, const PlanPeaks& peaks) {
@@ -70,7 +64,7 @@ Json planes_json(const PlanModel& model, const PlanPeaks& peaks) {
   return planes;
 }
 
-Json plan_building_json(const PlanRun& run, std::size_t b) {
+Json plan_building_json(const PlanRun& run, std::size_t b, const RoundOff& least) {
   const PlanBuilding& building = run.problem.buildings[b];
   const PlanPeaks& with = run.response.buildings[b];
   const PlanPeaks& free = run.response.buildings_no_contact[b];
@@ -82,17 +76,16 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
     json["peak_acceleration_y"] = numbers_or_null(with.acceleration_y);
     return json;
   }
-  const double least = least_free_peak(run);
   json["periods"] = numbers_or_null(modal_properties(building.modes, building.model.load.col(0)).periods);
   json["peak_displacement_x"] = numbers_or_null(with.x);
   json["peak_displacement_x_no_contact"] = numbers_or_null(free.x);
-  json["amplification_x"] = amplification(with.x, free.x, least);
+  json["amplification_x"] = amplification(with.x, free.x, least.displacement);
   json["peak_displacement_y"] = numbers_or_null(with.y);
   json["peak_displacement_y_no_contact"] = numbers_or_null(free.y);
-  json["amplification_y"] = amplification(with.y, free.y, least);
+  json["amplification_y"] = amplification(with.y, free.y, least.displacement);
   json["peak_rotation"] = numbers_or_null(with.rotation);
   json["peak_rotation_no_contact"] = numbers_or_null(free.rotation);
-  json["amplification_rotation"] = amplification(with.rotation, free.rotation, least / longest_half_side(run));
+  json["amplification_rotation"] = amplification(with.rotation, free.rotation, least.rotation);
   json["peak_edge_displacement"] = {{"south", numbers_or_null(with.south)},
                                     {"north", numbers_or_null(with.north)},
                                     {"west", numbers_or_null(with.west)},
@@ -115,12 +108,12 @@ Json plan_point_json(const PlanGap& gap, const PlanContact& contact, const Point
                {"at", pair_json(gap.stretch.middle(contact.along))},
                {"width", gap.stretch.width},
                {"gap_needed", point.gap_needed},
-               {"gap_needed_reversed", number_or_null(point.gap_needed_reversed)},
+               {"gap_needed_reversed", or_null(point.gap_needed_reversed)},
                {"impacts", point.impacts},
                {"slow_starts", point.slow_starts},
                {"contact_duration", point.contact_duration},
                {"peak_force", point.peak_force},
-               {"peak_force_time", number_or_null(point.peak_force_time)},
+               {"peak_force_time", or_null(point.peak_force_time)},
                {"peak_penetration", point.peak_penetration},
                {"peak_closing_speed", point.peak_closing_speed},
                {"impulse", point.impulse},
@@ -201,7 +194,7 @@ Json plan_impact_json(const PlanProblem& problem, const Impact& impact) {
                {"open_ended", impact.open_ended},
                {"closing_speed", impact.closing_speed},
                {"separation_speed", impact.separation_speed},
-               {"restitution", number_or_null(impact.restitution())},
+               {"restitution", or_null(impact.restitution())},
                {"peak_force", impact.peak_force},
                {"peak_force_time", impact.peak_force_time},
                {"peak_penetration", impact.peak_penetration},
@@ -241,13 +234,12 @@ Json discrepancies_json(const std::vector<Discrepancy>& discrepancies) {
   return json;
 }
 
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
 
 std::string plan_summary_json(const PlanRun& run, std::string_view version) {
   Json buildings = Json::array(), gaps = Json::array(), impacts = Json::array();
-  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
+  const RoundOff least = round_off_of(run);
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b, least));
   std::size_t first = 0;
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     gaps.push_back(plan_gap_json(run, g, first));
