@@ -310,21 +310,39 @@ class SceneBuilder {
     return {at(b, floor, 0, height, stands_back(b, floor)), at(b, floor, scene_.breadths[b], height)};
   }
 
+  /// Of a storey as people count; of a beam's level the floor itself.
+  [[nodiscard]] Index floor_above(Index b, Index storey) const {
+    const StructuralModel& model = buildings_[b].model;
+    return std::clamp<Index>(storey - 1 + model.first_storey(), 0, model.floors() - 1);
+  }
+
+  /// A column line from 1, and the levels below and above a storey.
+  struct StoreyColumn {
+    scene::SceneLine line;
+    double below, above;
+  };
+  [[nodiscard]] StoreyColumn storey_column(Index b, Index storey, Index line) const {
+    const StructuralModel& model = buildings_[b].model;
+    const Index floor = floor_above(b, storey);
+    const auto number = static_cast<std::size_t>(std::clamp<Index>(line - 1, 0, std::ssize(bays_[b])));
+    const double above = model.elevations[floor];
+    return {column_line(b, number), above - model.storey_heights[floor], above};
+  }
+
   void add_hinges(Index b) {
     const StructuralModel& model = buildings_[b].model;
     for (SceneHinge& hinge : scene::hinges_of(problem_, response_, b, scene_.bounds)) {
       const HingePlace& place = model.hinges.places[hinge.hinge];
-      const Index floor = std::clamp<Index>(place.level - 1 + model.first_storey(), 0, model.floors() - 1);
-      const auto last = static_cast<Index>(bays_[b].size()) - (place.of_beam ? 1 : 0);
-      const auto number = static_cast<std::size_t>(std::clamp<Index>(place.number - 1, 0, last));
       if (place.of_beam) {
+        const Index floor = floor_above(b, place.level);
+        const auto bay = static_cast<std::size_t>(std::clamp<Index>(place.number - 1, 0, std::ssize(bays_[b]) - 1));
         const scene::SceneLine slab = slab_line(b, floor);
-        hinge.at = scene::on_beam(slab, place.end, offset_of(b, number) / scene_.breadths[b],
-                                  offset_of(b, number + 1) / scene_.breadths[b], scene_.breadths[b],
-                                  model.storey_heights[floor]);
+        hinge.at =
+            scene::on_beam(slab, place.end, offset_of(b, bay) / scene_.breadths[b],
+                           offset_of(b, bay + 1) / scene_.breadths[b], scene_.breadths[b], model.storey_heights[floor]);
       } else {
-        const double above = model.elevations[floor];
-        hinge.at = scene::on_column(column_line(b, number), place.end, above - model.storey_heights[floor], above,
+        const StoreyColumn column = storey_column(b, place.level, place.number);
+        hinge.at = scene::on_column(column.line, place.end, column.below, column.above,
                                     scene::nodes_before(model.hinges.places, hinge.hinge));
       }
       scene_.hinges.push_back(std::move(hinge));
@@ -332,14 +350,10 @@ class SceneBuilder {
   }
 
   void add_breaks(Index b) {
-    const StructuralModel& model = buildings_[b].model;
     for (SceneBreak& one : scene::breaks_of(problem_, response_, b)) {
-      const BreakingColumn& column = model.hinges.columns[one.column];
-      const Index floor = std::clamp<Index>(column.storey - 1 + model.first_storey(), 0, model.floors() - 1);
-      const auto line = std::clamp<Index>(column.line - 1, 0, std::ssize(bays_[b]));
-      const double above = model.elevations[floor];
-      one.at = scene::amid_column(column_line(b, static_cast<std::size_t>(line)), column.piece,
-                                  above - model.storey_heights[floor], above);
+      const BreakingColumn& broken = buildings_[b].model.hinges.columns[one.column];
+      const StoreyColumn column = storey_column(b, broken.storey, broken.line);
+      one.at = scene::amid_column(column.line, broken.piece, column.below, column.above);
       scene_.breaks.push_back(std::move(one));
     }
   }
