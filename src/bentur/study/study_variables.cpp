@@ -245,4 +245,9 @@ std::string without_number(const std::string& name) {
   return end != std::string::npos && end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
 }
 
+bool is_quantity(const std::string& variable, const std::string& asked) {
+  const std::string wanted = asked == "drift" ? "peak_drift_ratio" : asked;
+  return variable == wanted || without_number(variable) == wanted;
+}
+
 }  // namespace bentur

@@ -91,14 +91,13 @@ class Reader {
 
   /// Those that the event is about.
   [[nodiscard]] std::vector<const StoredVariable*> event_variables() const {
-    const std::string wanted = event_.quantity == "drift" ? "peak_drift_ratio" : event_.quantity;
     std::vector<const StoredVariable*> result;
     std::vector<std::string> known = {"drift"};
     for (const StoredVariable* variable : quantities()) {
       const std::string base = without_number(variable->name);
-      if (variable->name == wanted || base == wanted) result.push_back(variable);
+      if (is_quantity(variable->name, event_.quantity)) result.push_back(variable);
       // An impact that is not modelled is one: of how hard it is, or how many there are, nothing is known.
-      const bool any_impact = wanted == "impacts" && event_.holds(1) && !event_.holds(0);
+      const bool any_impact = event_.quantity == "impacts" && event_.holds(1) && !event_.holds(0);
       if (any_impact && variable->name == "unmodelled_contacts") result.push_back(variable);
       for (const std::string& name : {base, variable->name}) {
         if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);

@@ -50,12 +50,11 @@ double place_of_case(const Study& study, const Vary& vary) {
   return value != nullptr && value->is_number() ? vary.sought->place(value->real) : 0;
 }
 
-/// The quantities of a row that an objective names, with or without a building's number.
+/// The quantities of a row that an objective names.
 std::vector<RowPart> parts_named(const std::vector<RowPart>& parts, const std::string& name) {
-  const std::string wanted = name == "drift" ? "peak_drift_ratio" : name;
   std::vector<RowPart> found;
   for (const RowPart& part : parts) {
-    if (part.name == wanted || (part.is_of_building() && without_number(part.name) == wanted)) found.push_back(part);
+    if (is_quantity(part.name, name)) found.push_back(part);
   }
   return found;
 }
