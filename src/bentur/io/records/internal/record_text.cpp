@@ -145,6 +145,10 @@ std::optional<double> number_after(std::string_view text, std::string_view key) 
   return std::nullopt;
 }
 
+bool is_count(std::optional<double> number) {
+  return number && *number >= 1 && *number <= 1e9 && *number == std::floor(*number);
+}
+
 std::string shown(std::string_view text) {
   std::string result = "\"";
   for (const char c : text.substr(0, 30)) result += c >= 0x20 && c < 0x7F ? c : '?';
