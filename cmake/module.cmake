@@ -76,7 +76,11 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  if(sanitized)
+    target_compile_definitions(${name} PRIVATE BENTUR_SANITIZED)
+  endif()
   bentur_compile(${name} LIGHTLY)
+  target_compile_options(${name} PRIVATE $<$<PLATFORM_ID:Emscripten>:-O1>)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()

@@ -24,6 +24,9 @@ import time
 import unicodedata
 import unittest
 
+sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
+from part import part
+
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
@@ -1534,6 +1537,14 @@ class Completion(CommandLine):
         self.assertEqual(self.complete("plot", ""), ["cases", "results.nc"])
         self.done("run", EL_CENTRO, "-o", self.folder)
         self.assertEqual(self.complete("plot", "histories.nc", "e"), ["envelope"])
+
+
+def load_tests(loader, tests, pattern):
+    """All tests; under the sanitizers, where every start of the program takes long, a third of them."""
+    if not SANITIZED:
+        return tests
+    by_name = {test.id(): test for cases in tests for test in cases}
+    return unittest.TestSuite(by_name[name] for name in part(by_name, 3))
 
 
 if __name__ == "__main__":

@@ -32,7 +32,7 @@ using namespace bentur::test;
 
 /// BENTUR_EVERY_KIND=FIRST:COUNT runs others than those that the test always runs.
 std::pair<unsigned, unsigned> chosen() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BENTUR_SANITIZED
   std::pair<unsigned, unsigned> range = {1, 40};
 #else
   std::pair<unsigned, unsigned> range = {1, 600};

@@ -61,7 +61,7 @@ std::vector<Transform> transforms(const RandomCase& random_case, const Problem& 
 
 /// BENTUR_RANDOM_CASES=COUNT or FIRST:COUNT runs others than those that the test always runs.
 std::pair<unsigned, unsigned> chosen_cases() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BENTUR_SANITIZED
   std::pair<unsigned, unsigned> range = {1, 60};  // the sanitizers look for other faults, much more slowly
 #else
   std::pair<unsigned, unsigned> range = {1, 2000};

@@ -205,7 +205,7 @@ Said said(const std::vector<Impact>& impacts, std::size_t point, double t, doubl
 
 TEST(Events, TenThousandRandomCasesAgreeWithADenseCheck) {
   std::mt19937_64 random(20261);
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BENTUR_SANITIZED
   constexpr int cases = 500;  // the sanitizers look for other faults, ten times more slowly
 #else
   constexpr int cases = 10000;

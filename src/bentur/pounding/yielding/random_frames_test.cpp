@@ -190,7 +190,7 @@ double held_at_peak(const Problem& problem, const Response& response) {
 
 /// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the tests always run.
 std::pair<unsigned, unsigned> seeds() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BENTUR_SANITIZED
   unsigned first = 1, count = 4;
 #else
   unsigned first = 1, count = 20;

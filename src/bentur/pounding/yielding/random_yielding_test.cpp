@@ -165,7 +165,7 @@ Response mirrored_back(Response response) {
 
 /// BENTUR_RANDOM_YIELDING=FIRST:COUNT runs others than those that the test always runs.
 std::pair<unsigned, unsigned> chosen() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BENTUR_SANITIZED
   std::pair<unsigned, unsigned> range = {1, 8};
 #else
   std::pair<unsigned, unsigned> range = {1, 60};
