@@ -9,12 +9,19 @@ import os
 import pathlib
 import subprocess
 import sys
+import unittest
 
 
 def part(checks, of):
     """Every OF-th of the sorted `checks`, all of them with BENTUR_PART=all."""
     begin = os.environ.get("BENTUR_PART") or commits()
     return sorted(checks) if begin == "all" else sorted(checks)[int(begin) % of :: of]
+
+
+def part_of_tests(tests, of):
+    """The part of a suite as unittest loads it, for load_tests of a module."""
+    by_name = {test.id(): test for cases in tests for test in cases}
+    return unittest.TestSuite(by_name[name] for name in part(by_name, of))
 
 
 def commits():

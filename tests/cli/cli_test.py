@@ -25,7 +25,7 @@ import unicodedata
 import unittest
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
-from part import part
+from part import part_of_tests
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
@@ -1541,10 +1541,7 @@ class Completion(CommandLine):
 
 def load_tests(loader, tests, pattern):
     """All tests; under the sanitizers, where every start of the program takes long, a third of them."""
-    if not SANITIZED:
-        return tests
-    by_name = {test.id(): test for cases in tests for test in cases}
-    return unittest.TestSuite(by_name[name] for name in part(by_name, 3))
+    return part_of_tests(tests, 3) if SANITIZED else tests
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from sweep_test import BENTUR, SOURCE
+from sweep_test import BENTUR, SOURCE, load_tests
 
 STUDY = SOURCE / "examples" / "studies" / "linked-pair-damper.toml"
 

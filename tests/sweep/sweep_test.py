@@ -19,6 +19,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
+from part import part_of_tests
+
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 MPIRUN = shutil.which("mpirun") if os.environ.get("BENTUR_MPI") == "1" else None
@@ -487,6 +490,11 @@ class Interrupted(Sweep):
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
+
+
+def load_tests(loader, tests, pattern):
+    """All tests; under the sanitizers, where every run takes long, a third of them."""
+    return part_of_tests(tests, 3) if os.environ.get("BENTUR_SANITIZED") == "1" else tests
 
 
 if __name__ == "__main__":

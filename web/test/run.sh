@@ -1,11 +1,17 @@
 #!/usr/bin/env bash
-# run.sh core|page|units MODULE...: builds that part of the studio and tests it; 77 where something for it is missing.
+# run.sh core|page|units [--part] MODULE...: builds that part of the studio and tests it; --part: one of three modules
+# (tests/part.py). 77 where something for it is missing.
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 here=$root/web/test
 export BENTUR_WASM=$root/build/web/bentur_web.mjs
 part=$1
 shift
+if [ "${1:-}" = --part ]; then
+  shift
+  mapfile -t modules < <(printf '%s\n' "$@" | python3 "$root/tests/part.py" 3)
+  set -- "${modules[@]}"
+fi
 "$root/web/build.sh" "$part" "${@/%/_test}"
 case $part in
   core) node --test "$here/core.test.mjs" ;;
