@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
 namespace {
-
-bool is_count(std::optional<double> count) { return count && *count >= 1 && *count == std::floor(*count); }
 
 /// "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)" or, of volume 1, "13200 Accelerogram
 /// points at 200 pts/sec in units of g .      Format: (8f9.6)". @param text in capitals.

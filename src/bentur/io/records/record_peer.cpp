@@ -71,7 +71,7 @@ std::optional<CountAndStep> read_peer_header(const Line& line, RecordErrors& err
         line,
         "line 4 of a peer-at2 file must give the number of values and the step, as in \"NPTS= 4000, DT= .01 SEC\"");
   }
-  if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count))) {
+  if (!is_count(count)) {
     errors.error(header.count, fmt::format("NPTS = {}, must be a whole number > 0", header.count.text));
   }
   if (!(std::isfinite(*step) && *step > 0)) {
