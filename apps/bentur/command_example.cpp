@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "arguments.h"
 #include "bentur/files/example_files.h"
@@ -29,6 +32,16 @@ void list_examples() {
   message("\nWrite one with its ground motion, ready to edit: bentur example NAME -o DIR");
 }
 
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  const auto plain = [](char c) { return std::string_view("_-./+,:@%=").find(c) != std::string_view::npos; };
+  const auto is_plain = [&](unsigned char c) { return std::isalnum(c) != 0 || plain(static_cast<char>(c)); };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 void run(const ExampleArguments& arguments) {
   const std::vector<Example> all = examples();
   const auto example = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == arguments.name; });
@@ -38,7 +51,7 @@ void run(const ExampleArguments& arguments) {
   const std::filesystem::path file =
       write_example(*example, arguments.directory, {.force = arguments.force}, !arguments.no_schema);
   print(file.string() + "\n");
-  message("Run it: bentur run " + file.string());
+  message("Run it: bentur run " + shell_word(file.string()));
 }
 
 }  // namespace

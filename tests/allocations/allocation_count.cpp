@@ -15,7 +15,7 @@
 #include "tests/support/small_buildings.h"
 
 namespace {
-std::atomic<long> allocations{0};
+std::atomic<long> allocations{0}, bytes{0};
 }
 
 // What the linker makes of malloc (Eigen's matrices) and of operator new (everything else).
@@ -25,10 +25,12 @@ void* __real_malloc(std::size_t size);
 void* __real__Znwm(std::size_t size);
 void* __wrap_malloc(std::size_t size) {
   ++allocations;
+  bytes += static_cast<long>(size);
   return __real_malloc(size);
 }
 void* __wrap__Znwm(std::size_t size) {
   ++allocations;
+  bytes += static_cast<long>(size);
   return __real__Znwm(size);
 }
 // NOLINTEND(bugprone-reserved-identifier)
@@ -40,6 +42,7 @@ namespace {
 struct Count {
   long allocations = 0, steps = 0, events = 0;
   std::size_t impacts = 0;
+  long bytes = 0;
 };
 
 /// Two sticks of three floors [N, m, kg] under a harmonic motion that makes them collide at each period.
@@ -68,11 +71,11 @@ Count run_of(const test::LawExample& law, const Solver& solver, double duration,
   }
   problem.motion = HarmonicMotion{.period = 0.8, .displacement_amplitude = 0.05};
   const FreeResponse free(problem, solver);
-  const long before = allocations;
+  const long before = allocations, bytes_before = bytes;
   const Response response = free.solve(problem);
-  const long after = allocations;
+  const long after = allocations, bytes_after = bytes;
   EXPECT_EQ(response.status, Status::done) << response.message;
-  return {after - before, response.steps, response.events, response.impacts.size()};
+  return {after - before, response.steps, response.events, response.impacts.size(), bytes_after - bytes_before};
 }
 
 class TheLoop : public testing::TestWithParam<test::LawExample> {};
@@ -89,6 +92,18 @@ TEST_P(TheLoop, AllocatesNothing) {
     EXPECT_LE(twice.allocations, once.allocations + doublings + equations)
         << name(solver) << ": " << once.allocations << " allocations in " << once.steps << " steps with "
         << once.impacts << " impacts, " << twice.allocations << " in " << twice.steps << " with " << twice.impacts;
+  }
+}
+
+// What lists take that grow by doubling counts each time they are copied, three times their end at most.
+TEST(AnImpact, TakesNoMoreThanAKilobyte) {
+  for (const Solver& solver : {Solver(ExactSolver{}), Solver(AdaptiveSolver{1e-6})}) {
+    const Count once = run_of(test::example_laws().front(), solver, 40),
+                longer = run_of(test::example_laws().front(), solver, 160);
+    ASSERT_GE(longer.impacts, once.impacts + 300);
+    EXPECT_LE(longer.bytes - once.bytes, 1024 * static_cast<long>(longer.impacts - once.impacts))
+        << name(solver) << ": " << once.bytes << " bytes with " << once.impacts << " impacts, " << longer.bytes
+        << " with " << longer.impacts;
   }
 }
 

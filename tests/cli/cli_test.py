@@ -14,6 +14,7 @@ import pathlib
 import pty
 import re
 import resource
+import shlex
 import shutil
 import signal
 import stat
@@ -401,6 +402,12 @@ class Example(CommandLine):
         for line in result.stdout.splitlines():
             self.assertLessEqual(len(line), 100)
             self.assertGreater(len(line.split()), 4, "a name and a description")
+
+    def test_the_command_that_runs_it_can_be_copied(self):
+        for folder in ("plain", "my folder", "it's $HOME; \"so\""):
+            said = self.done("example", "free-impact", "-o", self.folder / folder).stderr
+            words = shlex.split(said.partition("Run it: ")[2])
+            self.assertEqual(words, ["bentur", "run", str(self.folder / folder / "free-impact.toml")])
 
     def test_each_is_written_checked_and_run(self):
         for name in EXAMPLES:

@@ -16,6 +16,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/json_position.h"
 #include "bentur/io/results/run_variables.h"
 
 namespace bentur {
@@ -239,8 +240,11 @@ RunResults read_results(const fs::path& folder) {
     if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
     read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
-  } catch (const UnorderedJson::exception& error) {
-    fail(summary, std::string("is not a summary of bentur run: ") + error.what());
+  } catch (const UnorderedJson::parse_error& error) {
+    const SourcePosition at = json_position(summary.string(), text, error.byte);
+    fail(fmt::format("{}:{}:{}", at.file, at.line, at.column), no_json);
+  } catch (const UnorderedJson::exception&) {
+    fail(summary, "is JSON, but lacks what a summary of bentur run has");
   }
   return results;
 }

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
@@ -155,6 +157,30 @@ INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,
                            std::replace(label.begin(), label.end(), '-', '_');
                            return label;
                          });
+
+TEST(ReadResults, SaysWhereASummaryIsNoneInWordsOfItsOwn) {
+  Diagnostics diagnostics;
+  Case c = *read_case(std::string(BENTUR_SOURCE_DIR) + "/examples/free-impact.toml", diagnostics);
+  Problem problem = make_problem(c);
+  Response response = solve(problem, c.analysis.solver, {.output_step = 0.01, .course = true});
+  const RunResults written = run_results(std::move(c), std::move(problem), std::move(response));
+  const auto refusal = [&](const std::string& summary) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "summary.json") << summary;
+    std::ofstream(folder.path() / "histories.nc", std::ios::binary) << histories_netcdf(written, "0");
+    try {
+      static_cast<void>(read_results(folder.path()));
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(folder.path().string().size() + 1);
+    }
+    return std::string("read");
+  };
+  std::string summary = summary_json(written, "0");
+  EXPECT_EQ(refusal(summary), "read");
+  EXPECT_EQ(refusal("{\n  \"title\": ]"), "summary.json:2:12: is not JSON from here on");
+  summary.replace(summary.find("\"gaps\""), 6, "\"gasp\"");
+  EXPECT_EQ(refusal(summary), "summary.json: is JSON, but lacks what a summary of bentur run has");
+}
 
 TEST(ReadResults, SaysWhichFileIsMissing) {
   const TemporaryFolder folder;

@@ -51,7 +51,7 @@ Channel cosmos_block(const Line& line, const CosmosHeaders& headers, RecordError
   Channel channel;
   const auto words = words_of({text, line.number});
   if (words.size() < 3 || words[1].text != "ACCELERATION" || !words[2].text.starts_with("PTS")) return channel;
-  channel.count = static_cast<long>(number_of(words[0].text).value_or(0));
+  if (const auto count = number_of(words[0].text); is_count(count)) channel.count = static_cast<long>(*count);
   channel.width = field_width(text);
   channel.time_step = headers.step / 1000;
   channel.title = headers.title;

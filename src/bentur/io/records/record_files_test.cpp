@@ -6,8 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/support/record_file.h"
@@ -43,6 +45,22 @@ TEST_F(RecordFile, LineEndsOfDosAndOldMacintosh) {
     const auto record = read(text + "\x1A");
     ASSERT_TRUE(record.has_value()) << messages();
     EXPECT_EQ(record->values, (Values{0.1, 0.2}));
+  }
+}
+
+TEST_F(RecordFile, ACountBeyondAnyFileIsNoCount) {
+  for (const auto& [name, before, after] :
+       {std::tuple("csmip", "     9 points of accel", "  1e39 points of accel"),
+        std::tuple("cosmos", "       9 acceleration pts", "    1e39 acceleration pts"),
+        std::tuple("smc", "\n        10    -32768", "\n      1e39    -32768")}) {
+    SCOPED_TRACE(name);
+    std::ifstream file(std::string(BENTUR_SOURCE_DIR) + "/tests/fuzz/corpus/record/" + name + ".txt");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_NE(text.find(before), std::string::npos);
+    EXPECT_TRUE(read(text).has_value()) << messages();
+    text.replace(text.find(before), std::string(before).size(), after);
+    EXPECT_FALSE(read(text).has_value());
+    EXPECT_EQ(messages().find("-922"), std::string::npos) << messages();
   }
 }
 

@@ -50,7 +50,7 @@ std::optional<StrongMotionRecord> read_smc(const std::vector<Line>& lines, const
   if (!(comments >= 0 && comments < static_cast<double>(lines.size() - headers))) {
     errors.error(count_line - 1, 71, "integer 16 of an smc file must be the number of comment lines that follow");
   }
-  if (!(count >= 1 && count == std::floor(count)) || count == no_integer) {
+  if (!is_count(count) || count == no_integer) {
     errors.error(count_line, 1, "integer 17 of an smc file must be the number of values");
   }
   if (no_real && rate >= *no_real) {

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/io/json_position.h"
+
 namespace bentur {
 namespace {
 
@@ -220,9 +222,7 @@ std::optional<Figure> figure_from_json(const std::string& text, const std::strin
   try {
     Reader(file, diagnostics).read(Node::parse(text), "", figure);
   } catch (const Node::parse_error& error) {
-    const std::string what = error.what();
-    // Past "[json.exception.parse_error.101] ", which is the library's own.
-    diagnostics.error({.file = file}, what.substr(std::min(what.size(), what.find("] ") + 2)));
+    diagnostics.error(json_position(file, text, error.byte), no_json);
   }
   if (!diagnostics.ok()) return std::nullopt;
   return figure;

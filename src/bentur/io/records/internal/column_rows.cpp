@@ -118,7 +118,7 @@ std::string heading_hint(const RecordOptions& options, int lines) {
 
 /// Whether `first` and `second` are the number of values that follow and their step.
 bool is_count_and_step(std::optional<double> first, std::optional<double> second) {
-  return is_count(first) && second && *first >= 2 && *second > 0 && *second <= 10;
+  return is_count(first) && *first >= 2 && second && *second > 0 && *second <= 10;
 }
 
 /// "4000 0.02", or "0.02 4000", before as many values, or as many rows whose times have that step; or a line

@@ -107,6 +107,10 @@ std::size_t field_width(std::string_view text) {
   return 0;
 }
 
+bool is_count(std::optional<double> count) {
+  return count && *count >= 1 && *count <= 1e9 && *count == std::floor(*count);
+}
+
 std::optional<double> number_of(std::string_view text, bool decimal_comma) {
   std::string number(text.substr(0, 64));
   if (text.size() > 64 || number.empty()) return std::nullopt;
@@ -143,10 +147,6 @@ std::optional<double> number_after(std::string_view text, std::string_view key) 
     --size;
   }
   return std::nullopt;
-}
-
-bool is_count(std::optional<double> number) {
-  return number && *number >= 1 && *number <= 1e9 && *number == std::floor(*number);
 }
 
 std::string shown(std::string_view text) {

@@ -71,8 +71,8 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 /// A number in C or Fortran spelling (.5E-02, +1., 1.0D-03). Infinity and NaN are returned as such.
 [[nodiscard]] std::optional<double> number_of(std::string_view text, bool decimal_comma = false);
 
-/// Whether it is a number of values that a file can say: whole, from 1 to 1e9.
-[[nodiscard]] bool is_count(std::optional<double> number);
+/// Whether a number can be that of a file's values: whole, from 1 to 10⁹.
+[[nodiscard]] bool is_count(std::optional<double> count);
 
 /// The first number behind `key` in the text, past blanks and any of ":=,"; both as they are spelled.
 [[nodiscard]] std::optional<double> number_after(std::string_view text, std::string_view key);

@@ -1,0 +1,31 @@
+// Any bytes as a record, of the format that is found and of one that is said, a different one by the length.
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/io/records/record_files.h"
+#include "tests/fuzz/support.h"
+
+namespace bentur::fuzz {
+namespace {
+
+void read(const std::filesystem::path& file, const RecordOptions& options) {
+  Diagnostics diagnostics;
+  const auto record = read_record(file, options, diagnostics);
+  demand(record.has_value() == diagnostics.ok(), "a record is refused without a message, or read with one");
+  if (!record) return;
+  accepted();
+  const auto finite = [](double x) { return std::isfinite(x); };
+  demand(std::all_of(record->values.begin(), record->values.end(), finite), "a value of a record is no number");
+  demand(record->values.size() > 1, "a record has one value");
+}
+
+}  // namespace
+
+void feed(const std::string& input) {
+  const std::filesystem::path file = as_file(input, "fuzzed.txt");
+  read(file, {});
+  const auto& formats = record_formats();
+  read(file, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
+}
+
+}  // namespace bentur::fuzz
