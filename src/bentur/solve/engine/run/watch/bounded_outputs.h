@@ -42,11 +42,12 @@ class BoundedOutputs {
   void mark_unsettled(Eigen::Index step, double* before) const;
   /// The larger of both values of a quantity (of their sizes).
   [[nodiscard]] double larger_value(Eigen::Index quantity, Eigen::Index step) const {
-    return std::max(end_value(quantity, step), end_value(quantity, step + 1));
+    const double* at = values_.data() + place(quantity, step);
+    return std::max(at[0], at[4]);
   }
   /// The value of a quantity (its size) at an end: that of step n is n + 1.
   [[nodiscard]] double end_value(Eigen::Index quantity, Eigen::Index end) const {
-    return values_[quantity / 4 * 4 * ends_ + 4 * end + quantity % 4];
+    return values_.data()[place(quantity, end)];
   }
 
   /// Takes two vectors in, and returns whether the reach of all quantities between them stays below their peaks.
@@ -65,6 +66,10 @@ class BoundedOutputs {
   Eigen::VectorXd offset;  ///< of each quantity: what it is where all coordinates are zero
 
  private:
+  /// Of that value.
+  [[nodiscard]] Eigen::Index place(Eigen::Index quantity, Eigen::Index end) const {
+    return quantity / 4 * 4 * ends_ + 4 * end + quantity % 4;
+  }
   void measure(Eigen::Index steps, const double* rise, Eigen::Index stride);
 
   kernels::Peaks of_;
