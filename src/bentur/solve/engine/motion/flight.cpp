@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "bentur/solve/engine/motion/series.h"
 
@@ -103,6 +104,7 @@ Flight::Flight(const ModalSystem& system, double length)
   const Index components = system_->components();
   const bool linear = system_->fastest_input() == 0.0;
   const double chord = length_ * length_ / 8.0;
+  const double curved = linear ? std::pow(length_, 4) / 384.0 : std::numeric_limits<double>::infinity();
   const bool loaded = system.members < system.rubs;
   if (loaded) map_.loads.assign(system_->size * Map::load_columns, 0.0);
   for (Index j = 0; j < system_->size; ++j) {
@@ -114,7 +116,10 @@ Flight::Flight(const ModalSystem& system, double length)
     map_(j, Map::two_sigma) = d;
     map_(j, Map::omega) = omega;
     map_(j, Map::second) = chord * kappa;
-    map_(j, Map::fourth) = chord * (d * (d * kappa + w2) + w2 * kappa);
+    const double to_fourth = d * (d * kappa + w2) + w2 * kappa;
+    map_(j, Map::fourth) = chord * to_fourth;
+    map_(j, Map::cubic) = curved * kappa;
+    map_(j, Map::acceleration_cubic) = curved * to_fourth;
     const bool stiff = linear && omega * length_ > 1.0;
     for (Index c = 0; c < components; ++c) {
       const double gamma = system_->gamma(j, c);
@@ -160,10 +165,19 @@ void Flight::advance(std::size_t b, const GroundInput* ground, const kernels::Fl
   if (system_->nu.size() == 1) {
     return kernels::fly(map_, {block.begin, block.padded_size}, input(*ground, system_->nu.front()), arrays);
   }
+  kernels::fly(map_, {block.begin, block.padded_size}, inputs(ground).front(), arrays);
+}
+
+std::array<kernels::FlightInput, most_components> Flight::inputs(const GroundInput* ground) const {
   std::array<kernels::FlightInput, most_components> inputs;
   auto* to = inputs.begin();
   for (const double nu : system_->nu) *to++ = input(*ground++, nu);
-  kernels::fly(map_, {block.begin, block.padded_size}, inputs.front(), arrays);
+  return inputs;
+}
+
+void Flight::fit_cubics(std::size_t b, const GroundInput* ground, const kernels::CubicArrays& arrays) const {
+  const auto& block = system_->blocks[b];
+  kernels::fit_cubics(map_, {block.begin, block.padded_size}, length_, inputs(ground).front(), arrays);
 }
 
 Flights make_flights(const ModalSystem& system, double length) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "bentur/solve/engine/motion/kernels/flights.h"
@@ -28,11 +29,19 @@ class Flight {
   ///   acceleration_rise  the same of q̈: |d⁴q/dt⁴| length²/8, or 2|q̈| if that is less,
   void advance(std::size_t block, const GroundInput* ground, const kernels::FlightArrays& arrays) const;
 
+  /// How far q and q̈ of one body leave their cubics instead, where that is less; `arrays` has what advance() found.
+  /// Between breakpoints of a linear input q̈ itself swings freely: with S = √(q⃛² + Ω²q̈²) at the start, of which κ S and
+  /// (D(Dκ + Ω²) + Ω²κ) S bound the fourth derivatives of q and q̈, a cubic through values and slopes at both ends is
+  /// left by length⁴/384 of these at most.                                                                      (T-8)
+  void fit_cubics(std::size_t block, const GroundInput* ground, const kernels::CubicArrays& arrays) const;
+
   [[nodiscard]] double length() const { return length_; }  ///< [s]
   [[nodiscard]] const kernels::FlightMap& map() const { return map_; }
 
  private:
   Flight(const ModalSystem& system, double length);
+  /// Of one body, per component.
+  [[nodiscard]] std::array<kernels::FlightInput, most_components> inputs(const GroundInput* ground) const;
 
   const ModalSystem* system_;
   double length_ = 0;

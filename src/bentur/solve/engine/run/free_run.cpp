@@ -15,8 +15,20 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}, setup.system.watched_free) {
   for (const Reach& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
   result_.speeds.resize(result_.reaches.size(), 0.0);
-  for (Eigen::Index point = 0; point < system_.points(); ++point) {
-    points_.push_back(&system_.elements[system_.opening(point)].relation);
+  for (const RelationGroup& group : idle().groups()) {
+    const auto of = [&](Eigen::Index n) -> const ModalSystem::Relation& {
+      return system_.elements[system_.opening(group.first + n)].relation;
+    };
+    Eigen::MatrixXd left(group.count, of(0).left_size);
+    Eigen::MatrixXd right(group.count, of(0).right_size);
+    for (Eigen::Index n = 0; n < group.count; ++n) {
+      left.row(n) = of(n).left_row;
+      right.row(n) = of(n).right_row;
+    }
+    const auto sizes = [](const Eigen::MatrixXd& rows) {
+      return BoundedOutputs(rows, rows.cols(), kernels::Peaks::of_abs);
+    };
+    sides_.push_back({group.first, group.count, of(0).left_begin, of(0).right_begin, sizes(left), sizes(right)});
   }
 }
 
@@ -29,13 +41,17 @@ void FreeRun::note(Eigen::Index i, long segment, double reach) {
   reaches.push_back({segment, reach});
 }
 
-/// At the ends of steps only: what it is for needs no more.
-void FreeRun::note_speeds(const double* v) {
-  for (std::size_t i = 0; i < result_.speeds.size(); ++i) {
-    const ModalSystem::Relation& of = *points_[i];
-    const double left = kernels::dot(of.left_size, of.left_row.data(), v + of.left_begin);
-    const double right = kernels::dot(of.right_size, of.right_row.data(), v + of.right_begin);
-    result_.speeds[i] = std::max(result_.speeds[i], std::abs(left) + std::abs(right));
+/// At `count` ends of steps only, whose speeds follow one another: what it is for needs no more.
+void FreeRun::note_speeds(const double* v, Eigen::Index count) {
+  for (Sides& sides : sides_) {
+    sides.left.take_ends(count - 1, v + sides.left_begin, system_.size);
+    sides.right.take_ends(count - 1, v + sides.right_begin, system_.size);
+    for (Eigen::Index n = 0; n < sides.count; ++n) {
+      double& largest = result_.speeds[sides.first + n];
+      for (Eigen::Index i = 0; i < count; ++i) {
+        largest = std::max(largest, sides.left.end_value(n, i) + sides.right.end_value(n, i));
+      }
+    }
   }
 }
 
@@ -58,13 +74,13 @@ void FreeRun::note_reaches(const RelationGroup& group, const StepBuffer& buffer)
 void FreeRun::take_buffer(const StepBuffer& buffer) {
   Run::take_buffer(buffer);
   if (buffer.size() == 0) return;
-  for (Eigen::Index n = 0; n <= buffer.size(); ++n) note_speeds(buffer.v(n));
+  note_speeds(buffer.v(0), buffer.size() + 1);
   for (const RelationGroup& group : idle().groups()) note_reaches(group, buffer);
 }
 
 void FreeRun::approximated() {
-  note_speeds(state_.v.data());
-  note_speeds(next_.v.data());
+  note_speeds(state_.v.data(), 1);
+  note_speeds(next_.v.data(), 1);
   for (Eigen::Index i = 0; i < std::ssize(result_.reaches); ++i) note(i, segment(), idle().nearest()[i].reach);
 }
 

@@ -36,11 +36,18 @@ class FreeRun final : public Run {
   [[nodiscard]] bool settle_before(long /*segment*/) override { return elements_.may_fly(); }
   void settled_before(long /*segment*/) override { result_.checkpoints.push_back(checkpoint()); }
   void note(Eigen::Index point, long segment, double reach);
-  void note_speeds(const double* v);
+  void note_speeds(const double* v, Eigen::Index count);
   void note_reaches(const RelationGroup& group, const StepBuffer& buffer);
 
+  /// Both sides of points between the same bodies, as rows over their coordinates.
+  struct Sides {
+    Eigen::Index first = 0, count = 0;  ///< points
+    Eigen::Index left_begin = 0, right_begin = 0;
+    BoundedOutputs left, right;
+  };
+
   FreeResult result_;
-  std::vector<const ModalSystem::Relation*> points_;
+  std::vector<Sides> sides_;
 };
 
 }  // namespace bentur::engine

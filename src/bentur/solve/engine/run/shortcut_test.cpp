@@ -4,14 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "bentur/pounding/assemble.h"
+#include "bentur/solve/engine/run/free_run.h"
 #include "bentur/solve/engine/run/pounding_run.h"
+#include "tests/support/random_numbers.h"
 #include "tests/support/random_yielding.h"
 #include "tests/support/same_response.h"
+#include "tests/support/small_buildings.h"
 
 namespace bentur::shortcuts {
 namespace {
@@ -57,6 +61,33 @@ Problem with_others_at_rest(Problem problem, unsigned seed) {
   for (Eigen::Index f = 0; f < speed.size(); ++f)
     speed(f) = (f + 1 < speed.size() ? -1.0 : 0.4) / static_cast<double>(f + 1);
   return problem;
+}
+
+// Where damping lets no speed grow, the largest at a point is that at the start: |v| of both floors.
+TEST(Shortcuts, TheSpeedsOfPointsAreThoseOfTheirFloors) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const std::vector<double> speeds = random_numbers(6, seed);
+    const Eigen::MatrixXd mass = Eigen::Vector3d(2, 3, 1).asDiagonal();
+    Eigen::MatrixXd stiffness(3, 3);
+    stiffness << 4, -2, 0, -2, 4, -2, 0, -2, 2;
+    Problem problem = pair(matrix_building(mass, stiffness, 60 * mass), matrix_building(2 * mass, stiffness, 90 * mass),
+                           {contact(1, 1, 0), contact(1, 1, 1), contact(1, 1, 2)}, 1);
+    problem.initial_velocity = {Eigen::Map<const Eigen::Vector3d>(speeds.data()),
+                                Eigen::Map<const Eigen::Vector3d>(speeds.data() + 3)};
+    const System given = system_of(problem);
+    const engine::ModalSystem system(given);
+    const engine::Elements::Laws laws = engine::laws_of(given, system, given.contacts);
+    const engine::TimeGrid grid(given, true);
+    const Solver solver = ExactSolver{};
+    const engine::FlightPlan plan(system, grid, problem.duration, true);
+    engine::FreeRun run({system, given, laws, solver, grid, plan});
+    ASSERT_EQ(run.to_end({}), Status::done);
+    const std::vector<double> found = run.take_result().speeds;
+    ASSERT_EQ(found.size(), 3);
+    for (std::size_t f = 0; f < 3; ++f) {
+      EXPECT_NEAR(found[f], std::abs(speeds[f]) + std::abs(speeds[f + 3]), 1e-13) << seed;
+    }
+  }
 }
 
 TEST(Shortcuts, LoseNoImpact) {

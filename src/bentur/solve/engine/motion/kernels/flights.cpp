@@ -110,7 +110,44 @@ BENTUR_INLINE void fly_all(const FlightSequence& sequence, Index count) {
   }
 }
 
+BENTUR_INLINE void fit_four(const FlightMap& map, Index j, double length, const FlightInput* inputs,
+                            const CubicArrays& arrays) {
+  using enum FlightMap::Column;
+  const auto at = [row = map.table.data() + j * map.width](Index column) __attribute__((always_inline)) {
+    return load(row + column * four);
+  };
+  Four pushed = all(0.0);
+  for (Index c = 0; c < map.components; ++c) pushed += at(gamma + c * of_component) * all(inputs[c].slope);
+  const auto jerk_at = [&](const double* v, const double* acceleration) __attribute__((always_inline)) {
+    return pushed - at(omega_squared) * load(v + j) - at(two_sigma) * load(acceleration + j);
+  };
+  const Four jerk = jerk_at(arrays.v, arrays.acceleration);
+  const Four jerk_end = jerk_at(arrays.v_end, arrays.acceleration_end);
+  const Four swing = at(omega) * load(arrays.acceleration + j);
+  const Four s = root(jerk * jerk + swing * swing);
+  /// Of the cubic with slopes `by` and `by_end` [1/s] and the chord the one that is known to be nearer.
+  const auto fit = [&](Four departure, double* rise, const double* start, const double* end, Four by, Four by_end,
+                       double* slope, double* slope_end) __attribute__((always_inline)) {
+    const Four chord = load(end + j) - load(start + j);
+    const Four of_chord = load(rise + j);
+    const Bits nearer = departure < of_chord;  // not what cannot be compared
+    store(rise + j, nearer ? departure : of_chord);
+    store(slope + j, nearer ? all(length) * by : chord);
+    store(slope_end + j, nearer ? all(length) * by_end : chord);
+  };
+  fit(at(cubic) * s, arrays.rise, arrays.q, arrays.q_end, load(arrays.v + j), load(arrays.v_end + j), arrays.slope,
+      arrays.slope_end);
+  fit(at(acceleration_cubic) * s, arrays.acceleration_rise, arrays.acceleration, arrays.acceleration_end, jerk,
+      jerk_end, arrays.acceleration_slope, arrays.acceleration_slope_end);
+}
+
 }  // namespace
+
+BENTUR_FOR_ALL_PROCESSORS
+void fit_cubics(const FlightMap& map, CoordinateRange range, double length, const FlightInput& input,
+                const CubicArrays& arrays) {
+  for (Index j = range.begin; j < range.begin + range.size; j += four) fit_four(map, j, length, &input, arrays);
+}
 
 BENTUR_FOR_ALL_PROCESSORS
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays) {

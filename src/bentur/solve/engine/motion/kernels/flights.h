@@ -27,6 +27,8 @@ struct FlightMap {
     fourth,
     omega_squared,
     two_sigma,
+    cubic,
+    acceleration_cubic,  ///< how far q and q̈ leave their cubics, of √(q⃛² + Ω²q̈²) at the start
     // What the ground does, from here on once for each component of its motion:
     qa,
     qb,
@@ -77,6 +79,20 @@ struct FlightArrays {
 
 /// The coordinates of one body over one flight; the inputs of further components follow the first.
 void fly(const FlightMap& map, CoordinateRange range, const FlightInput& input, const FlightArrays& arrays);
+
+/// What is known of a flight at both its ends, with how far q and q̈ can leave their chords in between; and what
+/// follows.
+struct CubicArrays {
+  const double *q, *v, *acceleration;
+  const double *q_end, *v_end, *acceleration_end;
+  double *rise, *acceleration_rise;
+  double *slope, *slope_end, *acceleration_slope, *acceleration_slope_end;
+};
+
+/// The slopes, times the length [s], of the cubics through both ends that q and q̈ of one body depart the least from,
+/// and by how much: `rise` and `acceleration_rise` become less where these are no chords (T-8).
+void fit_cubics(const FlightMap& map, CoordinateRange range, double length, const FlightInput& input,
+                const CubicArrays& arrays);
 
 /// Flights of all bodies one after the other. Columns of all coordinates: the FlightArrays of flight n is column n,
 /// and of what is found at its end column n + 1.

@@ -62,6 +62,15 @@ enum class Peaks { of_abs, of_values };
 bool reach_of_rows(Peaks of, const PackedRows& weights, const double* offset, const double* start, const double* end,
                    const double* rise, double* peak, const double* before, double* reach);
 
+/// How far coordinates or accelerations come that follow cubics: values at both ends, slopes there times the length,
+/// and how far each can depart from its cubic.
+struct CubicCurves {
+  const double *start, *end, *slope, *slope_end, *rise;
+};
+/// The same by these, of sizes.
+bool reach_of_cubics(const PackedRows& weights, const double* offset, const CubicCurves& curves, double* peak,
+                     const double* before, double* reach);
+
 /// How low and how high each row can come so.
 void ranges_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise, double* low,
                     double* high);

@@ -58,6 +58,60 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
   EXPECT_EQ(ends_found, ends_settled);
 }
 
+// Against the cubics themselves at many places, with turning points of every kind: none, one, two, and lines.
+TEST(Kernels, CubicsReachAsFarAsTheirLargestSizes) {
+  constexpr Index rows = 8, columns = 4;
+  int settled = 0, between = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const Numbers w = random_numbers(rows * columns, seed), offset = random_numbers(rows, seed + 1000);
+    Numbers of = random_numbers(4 * columns, seed + 2000), rise = random_numbers(columns, seed + 3000);
+    for (double& r : rise) r = 0.01 * std::abs(r);
+    for (Index j = 0; j < columns; ++j) {
+      double* at = of.data() + j;
+      if (seed % 5 == 0) at[2 * columns] = at[3 * columns] = at[columns] - at[0];
+      if (seed % 5 == 1) at[2 * columns] = at[3 * columns] = 0.0;
+      if (seed % 5 == 2) at[2 * columns] = 8 * at[2 * columns];
+    }
+    const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
+    Numbers peak(rows, 9.0), reach(rows, std::numeric_limits<double>::infinity());
+    const double* start = of.data();
+    const double *end = start + columns, *slope = end + columns, *slope_end = slope + columns;
+    const bool found = reach_of_cubics(packed, offset.data(), {start, end, slope, slope_end, rise.data()}, peak.data(),
+                                       reach.data(), reach.data());
+    bool below = true;
+    for (Index r = 0; r < rows; ++r) {
+      const auto row = [&](const double* x) {
+        double sum = 0.0;
+        for (Index j = 0; j < columns; ++j) sum += packed(r, j) * x[j];
+        return sum;
+      };
+      double beyond = 0.0;
+      for (Index j = 0; j < columns; ++j) beyond += std::abs(packed(r, j)) * rise[static_cast<std::size_t>(j)];
+      const auto at = static_cast<std::size_t>(r);
+      const double a = offset[at] + row(start), b = offset[at] + row(end), da = row(slope), db = row(slope_end);
+      const double ends = std::max(std::abs(a), std::abs(b));
+      double largest = 0.0;
+      constexpr int places = 4000;
+      for (int i = 0; i <= places; ++i) {
+        const double s = static_cast<double>(i) / places, rest = 1 - s;
+        largest = std::max(largest, std::abs(a * rest * rest * (1 + 2 * s) + b * s * s * (3 - 2 * s) +
+                                             da * s * rest * rest - db * s * s * rest));
+      }
+      // No less; and no more than a parabola has beyond the nearest of the places.
+      const double size = std::abs(a) + std::abs(b) + std::abs(da) + std::abs(db);
+      EXPECT_GE(reach[at], largest + beyond - 1e-14 * size);
+      EXPECT_LE(reach[at], largest + beyond + 12 * size / (8.0 * places * places) + 1e-14 * size);
+      EXPECT_NEAR(peak[at], std::max(9.0, ends), 1e-14 * size);
+      below = below && reach[at] <= peak[at];
+      between += largest > ends + 1e-6 ? 1 : 0;
+    }
+    EXPECT_EQ(found, below);
+    settled += found ? 1 : 0;
+  }
+  EXPECT_GT(settled, 20);
+  EXPECT_GT(between, 400);
+}
+
 TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, 3);
   const PackedRows packed(matrix, 4);

@@ -23,6 +23,8 @@ class BoundedOutputs {
   void raise(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);
   void compare(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);
   void limit(const Eigen::VectorXd& limits);
+  /// Only the values at the ends, which raise the peaks.
+  void take_ends(Eigen::Index steps, const double* x, Eigen::Index stride);
 
   [[nodiscard]] Eigen::Index steps() const { return ends_ - 1; }
   // Of these; not finite where a quantity that moves has a limit of zero, as one that has not moved yet:
@@ -40,8 +42,12 @@ class BoundedOutputs {
   void mark_unsettled(Eigen::Index step, double* before) const;
   /// The larger of both values of a quantity (of their sizes).
   [[nodiscard]] double larger_value(Eigen::Index quantity, Eigen::Index step) const {
-    const double* at = values_.data() + quantity / 4 * 4 * ends_ + 4 * step + quantity % 4;
+    const double* at = values_.data() + place(quantity, step);
     return std::max(at[0], at[4]);
+  }
+  /// The value of a quantity (its size) at an end: that of step n is n + 1.
+  [[nodiscard]] double end_value(Eigen::Index quantity, Eigen::Index end) const {
+    return values_.data()[place(quantity, end)];
   }
 
   /// Takes two vectors in, and returns whether the reach of all quantities between them stays below their peaks.
@@ -51,11 +57,19 @@ class BoundedOutputs {
     return kernels::reach_of_rows(of_, weights_, offset.data(), start, end, rise, peak.data(), before, reach);
   }
 
+  /// The same of sizes between two ends with cubics in between.
+  [[nodiscard]] bool settled(const kernels::CubicCurves& curves, const double* before, double* reach) {
+    return kernels::reach_of_cubics(weights_, offset.data(), curves, peak.data(), before, reach);
+  }
+
   Eigen::VectorXd peak;
   Eigen::VectorXd offset;  ///< of each quantity: what it is where all coordinates are zero
 
  private:
-  void take_ends(Eigen::Index steps, const double* x, Eigen::Index stride);
+  /// Of that value.
+  [[nodiscard]] Eigen::Index place(Eigen::Index quantity, Eigen::Index end) const {
+    return quantity / 4 * 4 * ends_ + 4 * end + quantity % 4;
+  }
   void measure(Eigen::Index steps, const double* rise, Eigen::Index stride);
 
   kernels::Peaks of_;

@@ -21,7 +21,8 @@ PeakSearch::PeakSearch(const ModalSystem& system)
       watch_(system),
       state_{zeros(system.size), zeros(system.size)},
       rise_(zeros(system.size)),
-      acceleration_rise_(zeros(system.size)) {}
+      acceleration_rise_(zeros(system.size)),
+      slopes_(system.size, 4) {}
 
 /// Reserves `count` numbers in kept_; returns where they begin.
 Index PeakSearch::claim(Index count) {
@@ -101,24 +102,38 @@ void PeakSearch::take(const Approximate& step) {
 
 bool PeakSearch::much_is_unsettled() const { return kept_count_ >= most_kept; }
 
+/// Goes over a flight, and returns whether cubics show that its reach stays below the peaks.
+bool PeakSearch::settled_by_cubics(const UnsettledFlight& flight, const Place& from, const double* before, Place& to,
+                                   double* reach, const Tools& tools) {
+  const Flight& by = (*flight.flights)[flight.halvings];
+  by.advance(flight.block, flight.inputs.data(),
+             {from.q.data(), from.v.data(), to.q.data(), to.v.data(), to.acceleration.data(), rise_.data(),
+              acceleration_rise_.data(), tools.load});
+  const auto slope = [this](Index n) { return slopes_.col(n).data(); };
+  by.fit_cubics(
+      flight.block, flight.inputs.data(),
+      {from.q.data(), from.v.data(), from.acceleration.data(), to.q.data(), to.v.data(), to.acceleration.data(),
+       rise_.data(), acceleration_rise_.data(), slope(0), slope(1), slope(2), slope(3)});
+  const auto curves = [&, begin = system_->blocks[flight.block].begin](const VectorXd& start, const VectorXd& end,
+                                                                       Index n, const VectorXd& rise) {
+    return kernels::CubicCurves{start.data() + begin, end.data() + begin, slope(n) + begin, slope(n + 1) + begin,
+                                rise.data() + begin};
+  };
+  return watch_.settled_by_cubics(flight.block, curves(from.q, to.q, 0, rise_),
+                                  curves(from.acceleration, to.acceleration, 2, acceleration_rise_), before, reach);
+}
+
 /// Halves a flight, whose reach is known, until bounds settle its parts, or it cannot be halved any more.
 void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const double* before, Tools& tools) {
   const std::size_t n = flight.halvings + 1;
   const std::size_t b = flight.block;
-  const Index begin = system_->blocks[b].begin;
-  const Flight& half = (*flight.flights)[n];
+  const double length = (*flight.flights)[n].length();
   Halving& at = halvings_[n];
   UnsettledFlight part{b, flight.flights, n, flight.inputs, 0};
   const Place* start = &from;
   for (Place* end : {&at.middle, &at.end}) {
     if (!tools.go_on(1)) return;
-    half.advance(b, part.inputs.data(),
-                 {start->q.data(), start->v.data(), end->q.data(), end->v.data(), end->acceleration.data(),
-                  rise_.data(), acceleration_rise_.data(), tools.load});
-    const PeakWatch::Interval interval{
-        start->q.data() + begin,          end->q.data() + begin, start->acceleration.data() + begin,
-        end->acceleration.data() + begin, rise_.data() + begin,  acceleration_rise_.data() + begin};
-    if (!watch_.settled_by_bound(b, interval, before, at.reach.data())) {
+    if (!settled_by_cubics(part, *start, before, *end, at.reach.data(), tools)) {
       if (n + 1 < flight.flights->size()) {
         halve(part, *start, at.reach.data(), tools);
       } else {
@@ -133,16 +148,12 @@ void PeakSearch::halve(const UnsettledFlight& flight, const Place& from, const d
       }
     }
     start = end;
-    system_->advance(part.inputs.data(), half.length());
+    system_->advance(part.inputs.data(), length);
   }
 }
 
-/// Where a flight cannot be halved, it is kept as it is.
+/// What cubics leave of a whole flight; where it cannot be halved, it is kept.
 void PeakSearch::halve_whole(const UnsettledFlight& flight, Tools& tools) {
-  if (flight.halvings + 1 >= flight.flights->size()) {
-    parts_.push_back(flight);
-    return;
-  }
   const auto& block = system_->blocks[flight.block];
   const Index quantities = watch_.quantities(flight.block);
   while (halvings_.size() < flight.flights->size()) {
@@ -152,7 +163,7 @@ void PeakSearch::halve_whole(const UnsettledFlight& flight, Tools& tools) {
   for (Halving& halving : halvings_) halving.reach.resize(std::max(halving.reach.size(), quantities));
   // The whole is halving 0: its start and reach are out of the way of kept_, which may grow.
   Halving& whole = halvings_.front();
-  const double* kept = kept_.data() + flight.at;
+  double* kept = kept_.data() + flight.at;
   std::copy_n(kept, quantities, whole.reach.data());
   kept += quantities;
   for (VectorXd* x : {&whole.end.q, &whole.end.v, &whole.end.acceleration}) {
@@ -160,7 +171,10 @@ void PeakSearch::halve_whole(const UnsettledFlight& flight, Tools& tools) {
     kept += block.padded_size;
   }
   tools.load = system_->load_of(flight.block, whole.end.q.data(), load_);
-  halve(flight, whole.end, whole.reach.data(), tools);
+  if (settled_by_cubics(flight, whole.end, whole.reach.data(), whole.middle, whole.reach.data(), tools)) return;
+  if (flight.halvings + 1 < flight.flights->size()) return halve(flight, whole.end, whole.reach.data(), tools);
+  std::copy_n(whole.reach.data(), quantities, kept_.data() + flight.at);
+  parts_.push_back(flight);
 }
 
 Curves PeakSearch::curves(const UnsettledFlight& flight, Series& series, Expansion& motion) {

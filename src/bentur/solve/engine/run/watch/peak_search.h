@@ -12,7 +12,7 @@ namespace bentur::engine {
 
 /// Finds the peaks of a whole run. What bounds do not settle of a flight or of a step of a power series is kept, and
 /// looked into when the run is over: peaks only rise, so most of it is settled by then. A flight is then halved until
-/// bounds settle its parts; only what is left of that is searched.
+/// cubics with proven bounds settle its parts; only what is left of that is searched.
 class PeakSearch {
  public:
   explicit PeakSearch(const ModalSystem& system);
@@ -80,6 +80,8 @@ class PeakSearch {
     Eigen::Index mark;   ///< in kept_: from there on stands what belongs to parts_
     const double* load;  ///< of the flight that is halved
   };
+  [[nodiscard]] bool settled_by_cubics(const UnsettledFlight& flight, const Place& from, const double* before,
+                                       Place& to, double* reach, const Tools& tools);
   void halve_whole(const UnsettledFlight& flight, Tools& tools);
   void halve(const UnsettledFlight& flight, const Place& from, const double* before, Tools& tools);
   template <class Unsettled, class CurvesOf>
@@ -98,6 +100,7 @@ class PeakSearch {
   State state_;                               ///< scratch
   Eigen::VectorXd before_, load_;             ///< scratch
   Eigen::VectorXd rise_, acceleration_rise_;  ///< scratch
+  Eigen::MatrixXd slopes_;                    ///< scratch: coordinates × those of q and q̈ at both ends
 };
 
 }  // namespace bentur::engine

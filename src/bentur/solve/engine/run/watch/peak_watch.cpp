@@ -102,6 +102,14 @@ bool PeakWatch::settled_by_bound(std::size_t b, const Interval& at, const double
   return positions && accelerations;
 }
 
+bool PeakWatch::settled_by_cubics(std::size_t b, const kernels::CubicCurves& positions,
+                                  const kernels::CubicCurves& accelerations, const double* before, double* reach) {
+  const Index first = positions_[b].size();
+  const bool of_positions = positions_[b].settled(positions, before, reach);
+  const bool of_accelerations = accelerations_[b].settled(accelerations, before + first, reach + first);
+  return of_positions && of_accelerations;
+}
+
 bool PeakWatch::settled_by_samples(std::size_t b, const Curves& step, int parts, const double* before, double* reach) {
   const Index n = system_->blocks[b].padded_size;
   const double rate = 1.0 / (step.h * step.h);

@@ -47,6 +47,10 @@ class PeakWatch {
   /// a whole that this is a part of; may be `reach` itself.
   [[nodiscard]] bool settled_by_bound(std::size_t block, const Interval& interval, const double* before, double* reach);
 
+  /// The same by cubics, an entry per coordinate: of q, and of q̈.
+  [[nodiscard]] bool settled_by_cubics(std::size_t block, const kernels::CubicCurves& positions,
+                                       const kernels::CubicCurves& accelerations, const double* before, double* reach);
+
   /// Takes `parts` + 1 ≤ most_parts + 1 places of a step in, and returns whether the reach between them stays below the
   /// peaks so far.
   [[nodiscard]] bool settled_by_samples(std::size_t block, const Curves& step, int parts, const double* before,
