@@ -330,8 +330,7 @@ void execute(const RunArguments& arguments) {
   if (!arguments.file.empty() && is_plan_case(arguments.file)) {
     if (!arguments.directory.empty()) refuse("--output does not go with buildings in plan: --json prints the summary");
     if (arguments.record) refuse("--record is for a case with excitation.kind = \"suite\"");
-    if (!arguments.json && !arguments.quiet) refuse("of buildings in plan the summary is printed as JSON: give --json");
-    return run_plan(arguments.file, arguments.quiet, arguments.language);
+    return run_plan(arguments.file, arguments.json, arguments.quiet, arguments.language);
   }
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
                                          : load_for_run(arguments.file, arguments.record, arguments.language);

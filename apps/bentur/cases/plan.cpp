@@ -9,6 +9,7 @@
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/report/errors.h"
 #include "bentur/structure/modes.h"
+#include "cases/plan_text.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -104,25 +105,14 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
   print(fitted(text));
 }
 
-void run_plan(const std::string& file, bool quiet, const std::string& language) {
+void run_plan(const std::string& file, bool json, bool quiet, const std::string& language) {
   LoadedPlan loaded = load_plan(file, language);
-  PlanResponse response;
-  {
-    const StopOnSignal stop;
-    Progress display("of the duration simulated");
-    RunOptions options = run_options(loaded.c);
-    options.progress = [&](double fraction) {
-      if (!quiet) display.show(fraction);
-      return !StopOnSignal::asked();
-    };
-    response = solve(loaded.problem, loaded.c.analysis.solver, options);
-  }
-  if (response.status == Status::stopped) throw Failure(exit_other, error_words("Stopped", language));
-  if (response.status != Status::done) {
-    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + response.message, language));
-  }
-  if (!quiet)
-    print(plan_summary_json({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, BENTUR_VERSION));
+  PlanResponse response = solve_shown(run_options(loaded.c), !quiet, language, [&](const RunOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
+  if (quiet) return;
+  const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  print(json ? plan_summary_json(run, BENTUR_VERSION) : fitted(plan_summary_text(run, Words(language))));
 }
 
 }  // namespace bentur::cli

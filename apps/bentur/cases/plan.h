@@ -8,7 +8,7 @@ namespace bentur::cli {
 
 void check_plan(const std::string& file, const std::string& language);
 void print_plan_modes(const std::string& file, bool by_jacobi, bool json);
-/// Prints the summary as JSON, unless `quiet`.
-void run_plan(const std::string& file, bool quiet, const std::string& language);
+/// Prints the summary, as JSON or as tables, unless `quiet`.
+void run_plan(const std::string& file, bool json, bool quiet, const std::string& language);
 
 }  // namespace bentur::cli
