@@ -1021,6 +1021,32 @@ class PlanCases(CommandLine):
         for plane in ("south wall", "north frame", "west frame", "east frame"):
             self.assertEqual(len(re.findall(rf"^ *{plane} ", text, re.M)), 2)
 
+    def test_output(self):
+        results = self.folder / "results"
+        told = self.done("run", self.CASE, "-o", results, "--json")
+        self.assertIn("Wrote summary.json, impacts.csv, histories.nc and case.toml into", told.stderr)
+        summary = json.loads(told.stdout)
+        self.assertEqual(json.loads((results / "summary.json").read_text()), summary)
+        self.assertEqual((results / "case.toml").read_bytes(), self.CASE.read_bytes())
+        with open(results / "impacts.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(summary["impacts"]))
+        for row, impact in zip(rows, summary["impacts"]):
+            self.assertEqual([row["left"], row["right"]], impact["between"])
+            for column in ("elevation [m]", "x [m]", "y [m]", "peak_force [kN]", "tangential_impulse [kN s]"):
+                self.assertEqual(float(row[column]), impact[column.split()[0]])
+        self.assertTrue((results / "histories.nc").stat().st_size > 1e5)
+        # Its own results are written over; a file of somebody else is not, and no command takes them for a row's.
+        self.done("run", self.CASE, "-o", results, "-q")
+        for command in (["plot", results, "displacement", "-o", self.folder / "a.svg"],
+                        ["report", results, "-o", self.folder / "a.html"]):
+            self.fails(2, *command)
+        (results / "histories.nc").write_text("mine")
+        self.fails(2, "run", self.CASE, "-o", results)
+        self.assertEqual((results / "histories.nc").read_text(), "mine")
+        refused = self.fails(2, "run", self.CASE, "-o", results, "--figures", "svg")
+        self.assertIn("does not go with buildings in plan", refused.stderr)
+
     def test_speaks_indonesian(self):
         words = " ".join(self.done("run", self.CASE, "--lang", "id").stdout.split())
         self.assertIn("berbenturan 7 kali", words)
